@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Packages for Debian: `cpack -G DEB` in the build folder, or script/package. Each component is one package; all are of
-# one version and one source. And a tarball: `cpack -G TGZ`.
+# Debian packages (`cpack -G DEB` in the build folder, or script/package), one per component, and a tarball
+# (`cpack -G TGZ`).
 set(soname ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_COMPONENTS_ALL library development plugin tool documentation)
 set(CPACK_PACKAGE_CONTACT "osgTreeWind maintainers <maintainers@osgtreewind.example>")
@@ -29,11 +29,11 @@ string(JOIN "\n" about "osgTreeWind is a node kit for OpenSceneGraph that moves 
 debian_package(library libosgtreewind${soname} libs "forests in a given wind for OpenSceneGraph, library"
     "This is the shared library, with the programs that read NetCDF and GRIB for it.")
 debian_package(development libosgtreewind-dev libdevel "forests in a given wind for OpenSceneGraph, development"
-    "These are headers, the CMake package, pkg-config and the shaders that may be" "replaced.")
+    "These are the headers, the CMake package, the pkg-config file and the shaders," "which can be replaced.")
 debian_package(plugin osgtreewind-plugin libs "forests in a given wind for OpenSceneGraph, plugins"
-    "With these plugins osgviewer and any other program of OpenSceneGraph reads and" "writes .treewind files.")
+    "With these plugins, osgviewer and other programs of OpenSceneGraph read and" "write .treewind files.")
 debian_package(tool osgtreewind graphics "forests in a given wind for OpenSceneGraph, command-line tool"
-    "The tool shows forests, renders, simulates and measures them, cuts them into" "worlds and says in which winds trees fall.")
+    "The tool shows, renders, simulates and measures forests, cuts them into tiled" "worlds, and computes in which winds trees fall.")
 debian_package(documentation osgtreewind-doc doc "forests in a given wind for OpenSceneGraph, documentation"
     "This is the documentation.")
 set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS library)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Run by CPack on each package's tree before it is packed: what Debian wants of every package, and nothing that says where
-# libraries are, which the system knows.
+# Run by CPack on the file tree of each package: adds the files that Debian requires in every package, and removes the
+# RPATH, because libraries are in the system's folders.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
     return()
 endif()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# CMake's module for OpenSceneGraph sets variables only. Defines OpenSceneGraph::OpenSceneGraph from them, for
-# the project and for those who use its installed package.
+# Defines OpenSceneGraph::OpenSceneGraph from the variables of CMake's module, which defines no target. Used by the project
+# and by its installed package.
 if(NOT TARGET OpenSceneGraph::OpenSceneGraph)
     add_library(OpenSceneGraph::OpenSceneGraph INTERFACE IMPORTED GLOBAL)
     set_target_properties(OpenSceneGraph::OpenSceneGraph PROPERTIES

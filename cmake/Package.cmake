@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` installs besides plugins and programs, and the package for find_package(osgTreeWind).
+# Installs the library, headers, data and documentation, and the package for find_package(osgTreeWind).
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgTreeWind)
 set(data_folder ${CMAKE_INSTALL_DATADIR}/osgTreeWind)
 
-# Installed files find each other wherever the whole is moved.
+# Relative RPATHs keep the installed files relocatable.
 file(RELATIVE_PATH libraries_from_programs ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 foreach(program osgtreewind osgtreewind-egl)
     if(TARGET ${program})

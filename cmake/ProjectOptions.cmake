@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What every target of the project is built with.
+# Options of all targets.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -20,7 +20,7 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# One seed gives one tree, bit for bit: no fused multiply-add where the processor happens to have one.
+# One seed gives one tree, bit for bit, on all processors: no fused multiply-add.
 add_compile_options(-ffp-contract=off)
 
 set(OSGTREEWIND_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
@@ -28,10 +28,10 @@ if(OSGTREEWIND_SANITIZE)
     add_compile_options(-fsanitize=${OSGTREEWIND_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${OSGTREEWIND_SANITIZE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        add_compile_options(-Wno-maybe-uninitialized) # GCC 12 sees std::function wrongly when sanitizing
+        add_compile_options(-Wno-maybe-uninitialized) # false positives of GCC 12 in std::function
     endif()
 endif()
 
-# The presets make errors of them.
+# The presets turn warnings into errors.
 add_library(osgTreeWind_warnings INTERFACE)
 target_compile_options(osgTreeWind_warnings INTERFACE -Wall -Wextra -Wpedantic)

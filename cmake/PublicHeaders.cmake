@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What a host may include, and all of it: only these headers are installed, and only what is declared in them is
-# exported by the library (tests/package holds both).
+# The public headers. Only these are installed, and the library exports only their declarations (tests/package checks
+# both).
 set(public_headers
     osgTreeWind/base/Executor.h
     osgTreeWind/base/Export.h

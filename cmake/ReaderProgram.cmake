@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-# A program that reads a format in a process of its own. It stands in osgTreeWind/ beside the library, which looks for it
-# there.
-# Usage: add_reader_program(NAME LIBRARY SOURCE...)     (LIBRARY: the target that reads the format)
+# A program that reads a format for the library in a separate process. The library looks for it in osgTreeWind/, beside
+# itself. Usage: add_reader_program(NAME LIBRARY SOURCE...)     (LIBRARY: the target that reads the format)
 function(add_reader_program name library)
     add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp
                    ${PROJECT_SOURCE_DIR}/osgTreeWind/base/MemoryLimit.cpp)

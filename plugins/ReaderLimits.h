@@ -7,12 +7,12 @@
 
 namespace osgTreeWind {
 
-/// Keeps this process from what a damaged file may not cost: a core file, and more memory and time than a
-/// whole one would take.
-/// @param files that it reads. @param memory bytes that are left beside 256 for each of the files'; both
-/// together at most memoryLimit(), but never less than 256 MiB.
-/// @param seconds that are left beside one for each of their MiB.
-/// @return for how many seconds the alarm is set.
-unsigned limitReader(const std::vector<std::string>& files, std::size_t memory, unsigned seconds);
+/// Limits the memory and the time of this process to what intact files need, and disables core files, as
+/// damaged files may crash or occupy it.
+/// @param files to be read. @param memory bytes, in addition to 256 bytes per byte of the files; the sum is
+/// limited to memoryLimit(), and at least 256 MiB.
+/// @param seconds in addition to one second per MiB of the files.
+/// @return the seconds of the alarm.
+unsigned limitResources(const std::vector<std::string>& files, std::size_t memory, unsigned seconds);
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a texel of bark means (osgTreeWind/drawing/looks/BarkRelief.h).
+// Decodes the bark texture (osgTreeWind/drawing/looks/BarkRelief.h).
 #pragma import_defines(UNLIT)
 
 #include "law/tint.glsl"
@@ -8,24 +8,24 @@
 uniform sampler2D barkTexture; // brightness, height, hue
 uniform vec3 barkColor, twigColor;
 
-const float fineness = 5.0, roughness = 0.3; // of the fine relief: how much smaller, and how high over itself
+const float fineness = 5.0, roughness = 0.3; // frequency and height of the fine relief, over those of the coarse one
 
-/// Where bark is on the texture, which reaches twice around. Rings have no vertices to spare for a seam: between two of
-/// them u falls from nearly 2 to 0, and there another u goes on, whose seam is on the other side (Tarini 2012, Cylindrical
-/// and toroidal parameterizations without vertex seams). @param around u, v, the other u.
+/// Texture coordinate of bark; u runs from 0 to 2 around the stem. Rings have no extra vertices at the seam, where u
+/// falls from nearly 2 to 0. There it takes a second u, whose seam is on the opposite side (Tarini 2012, Cylindrical
+/// and toroidal parameterizations without vertex seams). @param around u, v, second u.
 vec2 coordOnBark(vec3 around) {
     return fwidth(around.x) < 1.5 * fwidth(around.z) ? around.xy : around.zy;
 }
 
-/// Rise of the height of texels from a place toward greater u and v. @param height there.
+/// Slope of the relief along u and v. @param height at `coord`.
 vec2 texelSlope(float height, vec2 coord, vec2 texels) {
     float beside = textureLod(barkTexture, coord + vec2(1.0 / texels.x, 0.0), 0.0).g;
     float above = textureLod(barkTexture, coord + vec2(0.0, 1.0 / texels.y), 0.0).g;
     return texels * (vec2(beside, above) - height);
 }
 
-/// Rise of the bark toward the right and the top of the screen, from pixel to pixel. Where a texel is larger than a pixel
-/// it comes from texels, so that close by it has no steps; there the same relief, smaller, roughens what would be bare.
+/// Slope of the bark toward the right and the top of the screen, per pixel. If texels are larger than pixels, it is
+/// computed from neighbouring texels, for a smooth surface, plus the relief on a smaller scale.
 vec2 barkRise(float height, vec2 coord, vec2 across, vec2 along) {
     vec2 rise = vec2(dFdx(height), dFdy(height));
     vec2 texels = vec2(textureSize(barkTexture, 0));
@@ -42,7 +42,7 @@ vec2 barkRise(float height, vec2 coord, vec2 across, vec2 along) {
     return rise;
 }
 
-/// What the sun makes of the relief: slopes toward it are brighter. No tangents: they are taken on the screen.
+/// Brightness of the relief: slopes toward the sun are brighter. Uses screen-space derivatives instead of tangents.
 float barkRelief(float height, vec2 coord) {
 #ifdef UNLIT
     return 1.0;
@@ -55,7 +55,7 @@ float barkRelief(float height, vec2 coord) {
 #endif
 }
 
-/// What bark reflects: that of twigs has another colour than that of stems. @param radius of the wood, m.
+/// Albedo of bark, between the colours of twigs and stems. @param radius of the wood, m.
 vec3 barkAlbedo(vec2 coord, float radius) {
     vec3 texel = texture(barkTexture, coord).rgb;
     vec3 color = mix(twigColor, barkColor, stemShare(radius));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A share of a pixel that is covered, without blending. COVERAGE: under multisampling it is a share of the pixel's samples
-// (osgTreeWind/drawing/looks/SceneShading.h); else the pixel is drawn or not.
+// Partial coverage of a pixel without blending. COVERAGE: a share of the pixel's samples is drawn, under multisampling
+// (osgTreeWind/drawing/looks/SceneShading.h); otherwise the pixel is drawn or discarded.
 #pragma import_defines(COVERAGE)
 
 #ifdef COVERAGE
-/// Draws some of a pixel's samples, or nothing.
-/// @param covered a bit for each of four; of more than four samples each fourth goes with one.
+/// Draws some of a pixel's samples, or none. @param covered a bit for each of four samples, repeated for more samples.
 void drawSamples(int covered) {
     if (covered == 0)
         discard;
@@ -13,7 +12,7 @@ void drawSamples(int covered) {
 }
 #endif
 
-/// @param share [0, 1]. @param chance even in [0, 1); pixels next to each other differ.
+/// @param share of the pixel, [0, 1]. @param chance uniform in [0, 1), different in neighbouring pixels.
 void cover(float share, float chance) {
 #ifdef COVERAGE
     int covered = 0;

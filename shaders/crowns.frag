@@ -1,7 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Round crowns at random places of a grid, each with light on one side of it; where they are smaller than a pixel, the
-// share of it that they cover.
+// Round crowns, with shading, in random cells of a grid. If they are smaller than a pixel, only their mean cover.
 
 #include "dither.glsl"
 #include "law/tint.glsl"
@@ -22,8 +21,8 @@ flat in vec3 crownSunWay;
 in vec2 crownPlace;
 in vec3 crownEye;
 
-const float roundShare = 0.785398; // of a square that its crown covers
-const float within = 0.36;        // of the light on a crown that is left deep in it, on average: as bright as pictures of trees
+const float roundShare = 0.785398; // share of a cell that its crown covers
+const float within = 0.36;         // mean share of the light within a crown, to match the brightness of impostors
 
 uint mixed(uint h) {
     h ^= h >> 16;
@@ -39,7 +38,7 @@ void main() {
     float pixel = max(length(dFdx(place)), length(dFdy(place)));
     vec2 square = floor(place);
     uint hash = mixed(uint(int(square.x) + 4096) * 8192u + uint(int(square.y) + 4096) + uint(crownGrid.z * 65536.0) * 0x9e3779b9u);
-    // Crowns behind each other: as many squares as are not missed by all of them.
+    // Overlapping crowns: the probability that at least one of them covers a cell.
     float covered = 1.0 - exp(-share), solid = mix(0.55, 1.0, crownColor.a);
     vec2 off = 2.0 * (place - square) - 1.0;
     float radius = 1.0 + 0.45 * smoothstep(0.6, 1.0, covered); // no holes between the crowns of a closed stand
@@ -47,7 +46,7 @@ void main() {
     bool there = float(hash & 0xffffu) < 65536.0 * covered && r < 1.0;
     float seen = there ? solid : 0.0;
     seen = mix(seen, min(covered * roundShare * radius * radius, 1.0) * solid, smoothstep(0.5, 1.2, pixel));
-    if (seen <= fract(evenNoise() + crownGrid.z)) // its own, so that layers add up
+    if (seen <= fract(evenNoise() + crownGrid.z)) // differs between squares, so that layers add up
         discard;
 
     float own = float(hash >> 16) / 65536.0;

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The crowns of a square of ground as a picture that faces the eye.
+// The crowns of all trees on a square of ground, as a picture that faces the eye.
 // gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
 
 #include "light.glsl"
@@ -8,15 +8,15 @@
 #include "surface.glsl"
 
 in vec4 treePlace; // middle of the square on the ground; its side, metres
-in vec4 treeSize;  // trees, their height and width, metres; species
+in vec4 treeSize;  // number of trees; their height and crown width, metres; species
 
-uniform vec4 crownColors[128]; // by species; with the share of its leaves
+uniform vec4 crownColors[128]; // by species; alpha: share of the leaves
 
-flat out vec4 crownGrid;  // width of a crown, share of squares of that width that have one, own number, height
+flat out vec4 crownGrid;  // width of a crown, share of cells of this width with a crown, number of the square, height
 flat out vec4 crownColor;
-flat out vec3 crownLight; // linearLight(), of leaves, without what the normal does
+flat out vec3 crownLight; // linearLight() of leaves, without the term of the normal
 flat out mat3 lightByNormal;
-flat out vec3 crownToEye; // in eye space, with the axes of the picture
+flat out vec3 crownToEye; // in eye space, as the axes of the picture
 flat out vec3 crownAcross;
 flat out vec3 crownUp;
 #ifdef SHADOWED
@@ -35,7 +35,7 @@ void main() {
     vec2 ahead = level > 1e-4 ? toEye.xy / level : vec2(1.0, 0.0);
     vec3 across = vec3(-ahead.y, ahead.x, 0.0), up = vec3(-ahead * toEye.z, level);
 
-    // Ground that is seen from above, and trees on its farther rim.
+    // The picture reaches from the near edge of the ground to the tops of the trees at the far edge.
     float half_ = 0.5 * treePlace.w, depth = half_ * abs(toEye.z);
     float low = -depth, high = depth + treeSize.y * level;
     crownPlace = vec2(gl_Vertex.x * half_, mix(low, high, gl_Vertex.y));

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Colours are linear until they are written. LINEAR_COLORS: they stay so, where the scene has GL_FRAMEBUFFER_SRGB on or
-// encodes by itself (osgTreeWind/drawing/looks/SceneShading.h).
-// FILM: an exposure; what is brighter than white rolls off and shadows deepen, as on film, before it is encoded. `render` and
-// `view` set it; without it light is written as it is.
+// Encodes linear colours for output. LINEAR_COLORS: no encoding, for scenes with GL_FRAMEBUFFER_SRGB or with their own
+// encoding (osgTreeWind/drawing/looks/SceneShading.h).
+// FILM: exposure of a filmic tone curve before the encoding, set by `render` and `view`; undefined: no tone curve.
 #pragma import_defines(FILM, LINEAR_COLORS)
 
 #ifdef FILM
-/// Narkowicz 2016, ACES Filmic Tone Mapping Curve, of colours somewhat greyer, as the curve makes them more saturated.
+/// Narkowicz 2016, ACES Filmic Tone Mapping Curve. Colours are desaturated before, as the curve saturates them.
 vec3 filmed(vec3 color) {
     vec3 c = FILM * mix(vec3(dot(color, vec3(0.2126, 0.7152, 0.0722))), color, 0.86);
     return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
@@ -15,7 +14,7 @@ vec3 filmed(vec3 color) {
 vec3 filmed(vec3 color) { return color; }
 #endif
 
-/// As sRGB, within 0.0004: IEC 61966-2-1 by roots, which are quicker than powers.
+/// sRGB encoding within 0.0004 of IEC 61966-2-1, by square roots, which are faster than powers.
 vec3 encoded(vec3 color) {
 #ifdef LINEAR_COLORS
     return filmed(color);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// FOG_MODE: 1 linear, 2 exponential, 3 by the square (osgTreeWind/drawing/looks/SceneShading.h).
+// FOG_MODE: 1 linear, 2 exponential, 3 exponential squared (osgTreeWind/drawing/looks/SceneShading.h).
 #pragma import_defines(FOG_MODE)
 
-/// Share of what is there that OpenGL's fog leaves.
+/// Share of the fragment's colour in OpenGL's fog.
 float fogLeft(vec3 eyePosition) {
 #ifdef FOG_MODE
     float far = abs(eyePosition.z);

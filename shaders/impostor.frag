@@ -1,7 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// One of the four nearest pictures for each pixel, of one of two mipmaps, as often as it is near, and each pixel, under
-// multisampling each sample, as often as it is covered: nothing is blended, so that the order in which trees are drawn does not matter.
+// Selects one of the four nearest pictures and one of two mipmaps per pixel, at random by their interpolation weights,
+// and draws the pixel (under multisampling each sample) with the probability of its coverage. Without blending, the
+// order of the trees does not matter.
 
 #pragma import_defines(COVERAGE, FADING)
 #ifdef COVERAGE
@@ -13,10 +14,10 @@
 #include "scene.glsl"
 #include "surface.glsl"
 
-uniform sampler2D impostorColors;  // times coverage, which is alpha
-uniform sampler2D impostorNormals; // LightLobe::way and 1 of leaves, 0 of bark, times coverage
+uniform sampler2D impostorColors;  // premultiplied by coverage, which is alpha
+uniform sampler2D impostorNormals; // premultiplied: mean normal of LightLobe; 1 for leaves, 0 for bark
 uniform vec4 impostorSize;
-uniform vec3 leafTint; // of the season, over the colour that was painted
+uniform vec3 leafTint; // leaf colour of the season, over the painted colour
 
 flat in vec4 pictureViews;
 flat in vec4 pictureParts;
@@ -31,7 +32,7 @@ in vec2 pictureCoord;
 in float pictureLeft;
 in vec3 pictureEye;
 
-/// Whether `chance` is below `share`; what is left of it is even in [0, 1) again.
+/// Whether `chance` is below `share`. Rescales `chance` to be uniform in [0, 1) again.
 bool drawn(inout float chance, float share) {
     bool below = chance < share;
     chance = below ? chance / share : (chance - share) / (1.0 - share);
@@ -47,13 +48,13 @@ void main() {
         discard;
 #endif
 
-    float chance = fract(evenNoise() + pictureParts.w); // its own, so that layers of trees add up
+    float chance = fract(evenNoise() + pictureParts.w); // differs between trees, so that layers add up
     float column = drawn(chance, pictureParts.x) ? pictureViews.y : pictureViews.x;
     float row = drawn(chance, pictureParts.y) ? pictureViews.w : pictureViews.z;
     vec2 coord = (vec2(column, row) + pictureCoord) / impostorSize.zw;
-    float coarsest = log2(float(textureSize(impostorColors, 0).x) / impostorSize.z) - 3.0; // keeps pictures apart
+    float coarsest = log2(float(textureSize(impostorColors, 0).x) / impostorSize.z) - 3.0; // keeps pictures separate
     float lod = clamp(0.5 * log2(max(dot(dx, dx), dot(dy, dy))), 0.0, coarsest);
-    lod = floor(lod + fract(64.0 * chance)); // one of both, as often as it is near: half of the texels
+    lod = floor(lod + fract(64.0 * chance)); // one mipmap only: half of the texels
     vec4 color = textureLod(impostorColors, coord, lod);
     cover(color.a, chance);
 

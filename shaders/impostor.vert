@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A tree as a picture that faces the eye and leans with the tree.
+// The impostor of a tree: a picture that faces the eye and leans as the tree does.
 // gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
 
 #include "law/tint.glsl"
@@ -9,17 +9,17 @@
 #include "surface.glsl"
 
 in vec4 treePlace; // foot, heading
-in vec4 treeSize;  // scale across and along the trunk; how far it has come down, a level rotation vector
-in vec4 treeState; // lean of the top (x, y), fade, own number
-in vec4 treeLight; // what its neighbours leave of the light at its foot and at its top
+in vec4 treeSize;  // scales across and along the trunk; horizontal rotation vector of a fallen tree
+in vec4 treeState; // lean of the top (x, y), fade, number of the tree
+in vec4 treeLight; // share of light that neighbours leave at the foot and at the top
 
-uniform vec4 impostorSize;       // half width and height of the tree unscaled; azimuths, elevations of its pictures
-uniform vec2 impostorExtents[8]; // lowest and highest on the pictures of an elevation, from the foot
-uniform float leanPower;         // of the height that a lean follows
+uniform vec4 impostorSize;       // half width and height of the unscaled tree; numbers of azimuths and elevations
+uniform vec2 impostorExtents[8]; // lowest and highest point in the pictures of an elevation, from the foot
+uniform float leanPower;         // exponent of the height in the lean
 
 flat out vec4 pictureViews; // columns and rows of the nearest pictures
-flat out vec4 pictureParts; // share of the second column, of the second row; fade; own number
-flat out vec3 barkLight;    // linearLight(), of normals in the tree's frame
+flat out vec4 pictureParts; // shares of the second column and row; fade; number of the tree
+flat out vec3 barkLight;    // linearLight(), for normals in the tree's frame
 flat out vec3 leafLightMore;
 flat out mat3 lightByNormal;
 #ifdef SHADOWED
@@ -27,20 +27,20 @@ flat out vec3 pictureSunThrough;
 flat out vec3 pictureSunWay;
 #endif
 out vec2 pictureCoord;
-out float pictureLeft; // of the light, by neighbours
+out float pictureLeft; // share of the light that neighbours leave
 out vec3 pictureEye;
 
 const float margin = 1.0 / 16.0; // ImpostorPictures::margin
 const float quarter = 1.57079633;
 
-/// Towards the eye from a point, in the forest's frame.
+/// Direction from a point to the eye, in the forest's frame.
 vec3 towardEye(vec3 point) {
     bool parallel = gl_ProjectionMatrix[3][3] > 0.5;
     vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : -vec3(gl_ModelViewMatrix * vec4(point, 1.0));
     return normalize(eye * gl_NormalMatrix); // by the inverse of the model-view matrix
 }
 
-/// From the axes of the tree as it stood to those of the tree as it has come down.
+/// Rotation of a fallen tree from its standing position.
 mat3 fallen() {
     float angle = length(treeSize.zw);
     if (angle == 0.0)
@@ -61,7 +61,7 @@ void main() {
     vec2 ahead = level > 1e-4 ? toEye.xy / level : vec2(1.0, 0.0);
     vec3 up = vec3(-ahead * toEye.z, level);
 
-    // The pictures on both sides, as seen by the unscaled tree.
+    // The nearest pictures, for the view direction in the frame of the unscaled tree.
     float column = (atan(ahead.y, ahead.x) - treePlace.w) / (4.0 * quarter) * impostorSize.z;
     float rows = impostorSize.w - 1.0;
     float row = clamp(atan(scale.x * toEye.z, scale.y * level) / quarter * rows, 0.0, rows);
@@ -70,13 +70,13 @@ void main() {
     pictureViews = vec4(columns, low, low + 1.0);
     pictureParts = vec4(fract(column), row - low, treeState.zw);
 
-    // What lies on a circle about the trunk goes up and down the picture as a sine of the elevation.
+    // The height of a point in the picture is a sine of the elevation: interpolate accordingly.
     vec2 weights = sin(quarter / rows * vec2(low + 1.0 - row, row - low)) / sin(quarter / rows);
     vec2 extent = mat2(impostorExtents[int(low)], impostorExtents[int(low) + 1]) * weights;
     float rise = mix(extent.x, extent.y, gl_Vertex.y) * length(vec2(scale.y * level, scale.x * toEye.z));
     float across = gl_Vertex.x * impostorSize.x * scale.x;
 
-    // The plane of the picture holds the middle of the tree.
+    // The plane of the picture contains the middle of the tree.
     vec3 point = across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
     float share = clamp(mix(rise / height, 0.75, toEye.z * toEye.z), 0.0, 1.0);
     point.xy += treeState.xy * pow(share, leanPower);

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// A tree of an instanced draw: where it stands, how large it is, and how its units stand (unit_poses.frag).
+// Place, size and unit poses (unit_poses.frag) of a tree in an instanced draw.
 
 #include "law/rotation.glsl"
 
-in vec4 treePlace; // foot; tangent of half its heading
-in vec4 treeSize;  // scale of lengths across and upward, of radii, of leaf clusters
-in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), its own number in [0, 1), share of its leaves
-in vec4 treeLight; // what its neighbours leave of the light at its foot and at its top; one over its height
+in vec4 treePlace; // foot; tangent of half the heading
+in vec4 treeSize;  // scales of lengths across and upward, of radii, of leaf clusters
+in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), number of the tree, share of leaves
+in vec4 treeLight; // share of light that neighbours leave at the foot and at the top; inverse height
 
 uniform sampler2D poseRotations;    // quaternions
-uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
+uniform sampler2D poseTranslations; // metres; wind speed at the unit, m/s
 uniform sampler2D posePulls;        // foliagePull() on the unit's leaves, in its rest axes
-uniform int unitRows;               // of a tree, each of up to 2048 units
+uniform int unitRows;               // rows per tree, with up to 2048 units each
 
 flat out float treeFade;
 
-/// Whether a part of the tree gives way to another form of it, which has that part, or comes yet. Above 1 the fade is 1
-/// and the share of parts that there are; below -1 there are those that a fade of -fade leaves out.
-/// @param chance even over the parts, in [0, 1).
+/// Whether a part of the tree is omitted during a transition between levels of detail. A fade above 1 is 1 plus the
+/// share of parts to draw; a fade below -1 draws the complement of the parts of -fade.
+/// @param chance uniform over the parts, in [0, 1).
 bool isLeftOut(float chance) {
     return treeState.y > 1.0 ? chance >= treeState.y - 1.0 : treeState.y < -1.0 && chance < -treeState.y - 1.0;
 }
-/// Where all corners of what is left out lie: nothing is drawn then.
+/// Position of all corners of an omitted part, so that nothing is drawn.
 const vec4 leftOut = vec4(0.0, 0.0, 0.0, 1.0);
 
-/// What the neighbours leave of the light at a place. @param height over the foot at rest, metres.
+/// Share of the light that neighbours leave at a place. @param height above the foot at rest, metres.
 float leftByNeighbours(float height) {
     return mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, height * treeLight.z));
 }
@@ -35,7 +35,7 @@ struct UnitPose {
     float wind;
 };
 
-/// How far along thin wood a vertex is from thick wood at rest, metres: what follows the number of its unit.
+/// Distance of a vertex from thick wood along thin wood at rest, metres: the fraction of the unit's number.
 float reachOf(float unit) { return 4.0 * fract(unit) * treeSize.x; }
 
 ivec2 poseTexel(int unit) { return ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11)); }
@@ -46,20 +46,20 @@ UnitPose unitPose(int unit) {
     return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
 }
 
-/// Its cosine and sine.
+/// Cosine and sine of the heading.
 vec2 treeHeading() {
     float tangent = treePlace.w;
     float part = 2.0 / (1.0 + tangent * tangent);
     return vec2(part - 1.0, part * tangent);
 }
 
-/// From the tree's own axes to the forest's.
+/// Rotates a vector from the axes of the tree to those of the forest.
 vec3 turnedByHeading(vec3 v) {
     vec2 turn = treeHeading();
     return vec3(turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y, v.z);
 }
 
-/// In eye space: a point of the tree's rest frame, scaled, that moves with a unit.
+/// Eye-space position of a point that moves with a unit. @param rest in the tree's rest frame, scaled.
 vec4 eyePoint(UnitPose pose, vec3 rest) {
     vec3 inTree = turnVector(pose.rotation, rest) + pose.translation;
     return gl_ModelViewMatrix * vec4(turnedByHeading(inTree) + treePlace.xyz, 1.0);

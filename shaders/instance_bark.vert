@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Bark of trees in an instanced draw: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit and reach (instance.glsl);
-// gl_MultiTexCoord1: shade, law/shade.glsl.
+// Bark of trees in an instanced draw. Vertices are at a distance `radius` from the centre line of the branch.
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u (0 to 2 around), v, unit and reach
+// (instance.glsl); gl_MultiTexCoord1: shade (law/shade.glsl).
 
 #pragma import_defines(FADING)
 

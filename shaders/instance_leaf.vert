@@ -1,9 +1,10 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, downwind, and with
-// its branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit and reach (instance.glsl), leaf;
-// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
-// gl_MultiTexCoord3: outward of the crown, shade.
+// A corner of a leaf cluster in an instanced draw, rotated by flutter, rest orientation, wind and branch.
+// gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit and reach
+// (instance.glsl), leaf; gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade
+// (law/shade.glsl);
+// gl_MultiTexCoord3: outward direction in the crown, shade.
 
 #pragma import_defines(FADING)
 
@@ -24,14 +25,14 @@ uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
 uniform float limberness; // species.leaf.shoot_sway
 uniform vec2 leafTremble; // leafTremble() in osgTreeWind/motion/laws/StatelessFlutter.h
-uniform vec3 leafUnderside; // what it reflects over what the upper side does
-uniform float leafBrightness; // of the tier: as bright as the tree in full
+uniform vec3 leafUnderside; // albedo of the underside over that of the upper side
+uniform float leafBrightness; // of the tier, to match the brightness of the full tree
 
 out vec2 leafCoord;
 out vec3 leafLight;
 out vec3 scenePosition;
 flat out int leafCard;
-flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
+flat out float leafBorne; // 1: leaves, 0: bare twigs
 
 void main() {
 #ifdef FADING
@@ -55,7 +56,7 @@ void main() {
     vec3 corner = turnVector(downwind, turnVector(turn, gl_Normal * vec3(pull.ww, 1.0)));
     vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (gl_Vertex.w * corner + leafTremble.x * tremble * trembling));
 
-    // Foliage is lit as a crown more than as single blades.
+    // Foliage is lit more like a crown than like single blades.
     vec3 blade = turnVector(downwind, turnVector(turn, gl_MultiTexCoord2.xyz));
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
@@ -66,7 +67,7 @@ void main() {
     bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
     float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : over);
-    own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is that of both sides
+    own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides
     own *= leafBrightness;
     leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
     float glint = bladeGlint(gl_MultiTexCoord0.w,

@@ -18,7 +18,7 @@ flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
-    vec2 leaf = leafTexel(leafCoord, leafBorne); // before others discard: it has derivatives
+    vec2 leaf = leafTexel(leafCoord, leafBorne); // before the discard below, as it uses derivatives
 #ifdef FADING
     if (dithered(treeFade))
         discard;

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What a texel of a leaf texture means (osgTreeWind/drawing/looks/LeafTexels.h).
-
-// COVERAGE: of a pixel those samples are drawn that a leaf covers, under multisampling (osgTreeWind/drawing/looks/SceneShading.h).
-// It differs from card to card, so that layers of leaves add up.
+// Decodes the leaf texture (osgTreeWind/drawing/looks/LeafTexels.h).
+// COVERAGE: draws the samples of a pixel that a leaf covers, under multisampling
+// (osgTreeWind/drawing/looks/SceneShading.h). The pattern differs between cards, so that layers of leaves add up.
 #pragma import_defines(COVERAGE)
 
 #include "coverage.glsl"
 #include "law/tint.glsl"
 
-flat in int leafCard; // its number among all of the draw
+flat in int leafCard; // index of the card in the draw
 uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of leaves and twigs
 uniform vec3 leafColor;
 uniform vec3 twigColor;
 
-/// @param texel brightness and hue. @param borne 1; 0: bare twigs.
+/// @param texel brightness and hue. @param borne 1: leaves, 0: bare twigs.
 vec3 leafAlbedo(vec2 texel, float borne) {
     return mix(twigColor, texelTint(texel.x, texel.y) * leafColor, borne);
 }
@@ -21,26 +20,25 @@ float leafAlpha(vec4 texel, float borne) {
     return mix(texel.b, texel.a, borne);
 }
 
-/// Differs from card to card and from block to block of 2 x 2 samples, and stays as the card moves.
+/// Noise per card and block of 2 x 2 samples, independent of the motion of the card.
 uint leafNoise(uvec2 block) {
     uint noise = block.x * 374761393u + block.y * 668265263u + uint(leafCard) * 2246822519u;
     noise = (noise ^ noise >> 13) * 1274126177u;
     return noise ^ noise >> 16;
 }
 
-/// Of the samples of a block as many are at or below a card's alpha as it covers, in the mean.
-/// @param part which of them, 0 or 1 both ways.
+/// Alpha threshold of a sample in a block. On average, a share of `alpha` of the samples is at or below alpha.
+/// @param part column and row of the sample in the block, 0 or 1.
 float leafThreshold(uint noise, ivec2 part) {
     ivec2 p = (part ^ ivec2(noise, noise >> 1)) & 1;
     return 0.25 * (float((p.x ^ p.y) << 1 | p.y) + float(noise >> 8) / 16777216.0);
 }
 
-/// The brightness and hue of a leaf or twig at a place; discards what neither covers.
-/// @param borne as of leafAlpha().
+/// Brightness and hue of a leaf or twig; discards uncovered pixels. @param borne as in leafAlbedo().
 vec2 leafTexel(vec2 coord, float borne) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 texels = fwidth(coord) * vec2(textureSize(leafTexture, 0));
-    float sharper = 1.0 / clamp(max(texels.x, texels.y), 0.01, 1.0); // close by edges are of a pixel, not of a texel
+    float sharper = 1.0 / clamp(max(texels.x, texels.y), 0.01, 1.0); // sharp edges if texels are larger than pixels
 #ifdef COVERAGE
     uint noise = leafNoise(uvec2(pixel));
     vec2 across = 0.25 * dFdx(coord), along = 0.25 * dFdy(coord);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lights of the scene as OSG sets them up (osgTreeWind/drawing/looks/SceneShading.h), and a sky that is brighter above
-// than below.
+// The lights of the scene as OSG sets them (osgTreeWind/drawing/looks/SceneShading.h), and an ambient light that is
+// brighter from above.
 #pragma import_defines(UNLIT)
 
 #include "law/shade.glsl"
@@ -9,7 +9,7 @@
 #ifdef SHADOWED
 out
 #endif
-vec3 sunLight; // the sun's part of what lightOn() found last
+vec3 sunLight; // the sun's part in the last result of lightOn()
 
 vec3 ambientLight(vec3 eyeNormal) {
     vec3 ambient = gl_LightModel.ambient.rgb;
@@ -20,7 +20,7 @@ vec3 ambientLight(vec3 eyeNormal) {
     return ambient * mix(vec3(0.75, 0.72, 0.62), vec3(1.1, 1.2, 1.35), sky);
 }
 
-/// Direction to a light, and what is left of it here.
+/// Direction to a light, and its attenuation.
 vec4 lightAt(int i, vec3 eyePosition) {
     vec4 place = gl_LightSource[i].position;
     if (place.w == 0.0)
@@ -37,18 +37,18 @@ vec4 lightAt(int i, vec3 eyePosition) {
     return vec4(toLight, left);
 }
 
-/// Share of a light that leaves let through to the eye from here, yellower than what they reflect.
+/// Share of a light that leaves transmit toward the eye, yellower than the reflected light.
 vec3 lightThrough(vec3 eyePosition, vec3 toLight) {
     float against = max(dot(normalize(eyePosition), toLight), 0.0);
     return against * against * against * against * vec3(0.42, 0.40, 0.14);
 }
 
-/// What the crown leaves of the light at a place (law/shade.glsl), in the frame of a tree.
+/// Shares of the light that the crown leaves at a place, in the frame of the tree (law/shade.glsl).
 struct Shade {
     vec4 above;
     vec4 below;
     vec2 heading; // cosine and sine
-    float around; // what neighbours leave of the sky, and of the sun where no shadows are handed down
+    float around; // share that neighbours leave of the sky, and of the sun if the scene has no shadows
 };
 #ifdef SHADOWED
 #define AROUND_SUN(share) 1.0
@@ -63,8 +63,8 @@ float shareOf(vec3 toLight, Shade shade) {
     return shareFrom(vec3(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x, d.z), shade.above, shade.below);
 }
 
-/// Light on bark, or on foliage, which is lit from both sides and lets light through. That on foliage is linear in the
-/// normal, so that the mean of normals gives the mean of lights.
+/// Light on bark or foliage. Foliage is lit from both sides and transmits light. Its light is linear in the normal, so
+/// that the mean normal gives the mean light.
 vec3 lightOn(bool leaf, vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     sunLight = vec3(0.0);
 #ifdef UNLIT
@@ -88,18 +88,17 @@ vec3 lightOn(bool leaf, vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(false, eyePosition, eyeNormal, shade); }
 vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(true, eyePosition, eyeNormal, shade); }
 
-/// Factor on the sun's part of the light on a leaf, 1 in the mean: blades of a crown face all ways, and glint as they turn.
-/// @param leaf its index in the tree. @param rest, now normals of its blade at rest and as it is, of unit length, in eye
-/// space.
+/// Factor on the sun's light on a leaf, with mean 1: leaves of a crown face all directions, and glint as they turn.
+/// @param leaf index in the tree. @param rest, now unit normals of the blade at rest and now, in eye space.
 float bladeGlint(float leaf, vec3 rest, vec3 now) {
     vec4 sun = gl_LightSource[SUN].position;
     vec3 toSun = normalize(sun.xyz);
     return 0.5 + fract(0.381966 * leaf + 0.13) + 0.8 * (abs(dot(now, toSun)) - abs(dot(rest, toSun)));
 }
 
-/// The same for a picture of a tree, which holds its shade (osgTreeWind/drawing/impostors/LightLobe.h); one evaluation serves all
-/// normals: light is `bark` + leaf * `leafMore` +
-/// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0). The sun's part is
+/// Light for impostors, whose pictures include the shade (osgTreeWind/drawing/impostors/LightLobe.h), for all normals
+/// at once: the light is `bark` + leaf * `leafMore` + `byNormal` * normal, with leaf 1 or 0. Exact for leaves; for bark
+/// it uses the linear function nearest to max(cosine, 0). The sun's part is
 /// `sunLight` * (0.25 + leaf * (0.25 + sunThrough) + dot(sunWay, normal) / 2).
 void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal, out vec3 sunThrough,
                  out vec3 sunWay) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the scene does to a fragment: shadows that fall on it, the encoding of its colour, and fog, which is mixed in as
-// OpenGL does, in the values that are written (osgTreeWind/drawing/looks/SceneShading.h says which).
-// SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
-// TIERS_COLORED: each tree in the `tierColor` of how finely it is drawn, as bright as it is.
-// SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
+// Effects of the scene on a fragment: shadows, encoding of the colour, and fog, which is blended after the encoding as
+// in OpenGL (osgTreeWind/drawing/looks/SceneShading.h).
+// SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: number of maps of ViewDependentShadowMap.
+// TIERS_COLORED: draws each tree in the `tierColor` of its level of detail, with its brightness.
+// SHADOW_CLEARANCE: distance toward the light without shadow casters, metres: light.glsl shades within a crown.
 #pragma import_defines(SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1, TIERS_COLORED)
 #ifndef SHADOW_CLEARANCE
 #define SHADOW_CLEARANCE 1.5
@@ -14,7 +14,7 @@
 #include "shadowed.glsl"
 
 #ifdef SHADOWED
-in vec3 sunLight; // of the light on the fragment, that of the sun
+in vec3 sunLight; // the sun's part of the light on the fragment
 #else
 const vec3 sunLight = vec3(0.0);
 #endif
@@ -24,7 +24,7 @@ uniform vec3 tierColor;
 #endif
 #ifdef SHADOW_MAP
 uniform sampler2DShadow osgShadow_shadowTexture;
-uniform vec2 osgShadow_ambientBias; // of the sun's light, in place of its ambient, which osgShadow::ShadowMap sets to black
+uniform vec2 osgShadow_ambientBias; // replaces the sun's ambient light, which osgShadow::ShadowMap sets to black
 #endif
 #ifdef SHADOW_MAPS
 uniform sampler2DShadow shadowTexture0;
@@ -33,14 +33,14 @@ uniform sampler2DShadow shadowTexture1;
 #endif
 #endif
 
-/// In a shadow texture, from the planes that OSG sets up in eye space for a texture unit.
+/// Coordinates in a shadow texture, by the eye-space planes that OSG sets for a texture unit.
 vec4 shadowPlace(int unit, vec4 eye) {
     return vec4(dot(gl_EyePlaneS[unit], eye), dot(gl_EyePlaneT[unit], eye), dot(gl_EyePlaneR[unit], eye),
                 dot(gl_EyePlaneQ[unit], eye));
 }
 
 #ifdef SHADOWED
-/// Share of the sun's light that shadows leave.
+/// Share of the sun's light outside shadows.
 float sunLeft(vec3 eyePosition) {
     vec4 place = gl_LightSource[SUN].position;
     vec4 eye = vec4(eyePosition + SHADOW_CLEARANCE * normalize(place.xyz - place.w * eyePosition), 1.0);
@@ -53,7 +53,7 @@ float sunLeft(vec3 eyePosition) {
     vec4 place0 = shadowPlace(SHADOW_MAP_UNIT0, eye);
     left = shadow2DProj(shadowTexture0, place0).r;
 #if SHADOW_MAPS > 1
-    if (any(greaterThan(abs(2.0 * place0.xyz - place0.w), vec3(place0.w)))) // the first one does not reach as far
+    if (any(greaterThan(abs(2.0 * place0.xyz - place0.w), vec3(place0.w)))) // outside the first map
         left = shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
 #endif
 #endif
@@ -61,7 +61,7 @@ float sunLeft(vec3 eyePosition) {
 }
 #endif
 
-/// Light on a fragment without what shadows take. @param sun the sun's part of it.
+/// Light on a fragment with shadows. @param light without shadows. @param sun the sun's part of it.
 vec3 shadowed(vec3 light, vec3 sun, vec3 eyePosition) {
 #ifdef SHADOWED
     return light - (1.0 - sunLeft(eyePosition)) * sun;
@@ -70,7 +70,7 @@ vec3 shadowed(vec3 light, vec3 sun, vec3 eyePosition) {
 #endif
 }
 
-/// The colour of a fragment as it is seen. @param color lit, linear.
+/// The final colour of a fragment, encoded and in fog. @param color lit, linear.
 vec3 sceneColor(vec3 color, vec3 eyePosition) {
 #ifdef TIERS_COLORED
     color = tierColor * (0.05 + 2.0 * dot(color, vec3(0.2126, 0.7152, 0.0722)));

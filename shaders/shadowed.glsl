@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SHADOWED: the scene hands shadows down (scene.glsl), which take the light of the sun, the first light that is on, and leave
-// the rest. Only then do vertex shaders hand both on apart, as varyings cost.
-// LIGHTS: the numbers of those that are on; light 0 where nobody says.
+// SHADOWED: the scene has shadows (scene.glsl). They affect only the sun, the first enabled light. Vertex shaders
+// output its part separately only then, as varyings are costly.
+// LIGHTS: the numbers of the enabled lights; default: light 0.
 #pragma import_defines(LIGHTS, SHADOW_MAP, SHADOW_MAPS)
 
 #if defined(SHADOW_MAP) || defined(SHADOW_MAPS)
@@ -12,7 +12,7 @@
 #endif
 
 #ifndef SUN
-// No loop over all eight: compilers that do not unroll it compute those that are off too.
+// Not a loop over all eight lights: without unrolling it would compute disabled lights, too.
 const int lights[] = int[](LIGHTS);
 #define SUN lights[0]
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where every vertex and every pixel of a tree leaves these shaders. A host that draws into something of its own, with
-// logarithmic depth, a G-buffer or ids of objects, puts a file of this name into a folder of OSG_FILE_PATH (docs/hosts.md).
+// The last functions for every vertex and pixel of trees. A host with logarithmic depth, a G-buffer or object ids
+// replaces them: it puts a file of this name into a folder of OSG_FILE_PATH (docs/hosts.md).
 
 #ifdef VERTEX_SHADER
 
-/// The last that is done to a vertex.
-/// eye: where it is, from the eye. normal: of unit length, in eye space; of a picture of a tree, toward the eye.
-/// tree: the tree's own number, [0, 1).
+/// The end of each vertex shader.
+/// eye: position in eye space. normal: unit normal in eye space, toward the eye for impostors.
+/// tree: number of the tree, [0, 1).
 void placeSurface(vec4 eye, vec3 normal, float tree) {
     gl_ClipVertex = eye;
     gl_Position = gl_ProjectionMatrix * eye;
@@ -14,8 +14,8 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 
 #else
 
-/// The last that is done to a pixel.
-/// color: as it is seen, lit, in fog and encoded. albedo: linear, without light.
+/// The end of each fragment shader.
+/// color: final colour, lit, encoded and in fog. albedo: linear, without light.
 void paintSurface(vec3 color, vec3 albedo) {
     gl_FragColor = vec4(color, 1.0);
 }

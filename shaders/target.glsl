@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Element of a pass's target that this fragment stands for.
+/// Index of the element that this fragment computes.
 int targetIndex(sampler2D target) {
     return int(gl_FragCoord.y) * textureSize(target, 0).x + int(gl_FragCoord.x);
 }

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The pose pass: where a unit stands, from its own turn and those of the units that carry it.
+// The pose pass: composes the pose of a unit from its rotation and those of the units that carry it.
 
 #include "data.glsl"
 #include "pose_request.glsl"

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The angle pass of the law `modal`: the turn of a unit about its base from the tree's short vector, [Phi R] (q, F').
+// The angle pass of the law `modal`: computes the rotation of a unit about its base, [Phi R] (q, F').
 
 #include "data.glsl"
 #include "pose_request.glsl"
@@ -8,7 +8,7 @@
 #include "law/limits.glsl"
 #include "law/rotation.glsl"
 
-uniform sampler2D modalMatrices; // of all archetypes: a unit takes the rows of its two axes and a texel for its patch
+uniform sampler2D modalMatrices; // of all archetypes; per unit: the rows of its two axes, and a texel with its patch
 
 void main() {
     ivec2 at = treeAndUnit();

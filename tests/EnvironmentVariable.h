@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-/// Sets an environment variable for as long as it lives.
+/// Sets an environment variable during its lifetime.
 class EnvironmentVariable {
 public:
     EnvironmentVariable(const char* name, const char* value) : _name(name) {

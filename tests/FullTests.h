@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-/// Number of cases for a long test: all of them if OSGTREEWIND_TESTS is `full`, as in script/check, else a
+/// Number of cases of a long test: all if OSGTREEWIND_TESTS is `full`, as in script/check, otherwise a
 /// sample.
 inline int casesToRun(int all, int sample) {
     const char* const wanted = std::getenv("OSGTREEWIND_TESTS");

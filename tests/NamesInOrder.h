@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What the values of a suite are called in the names of its tests, in their order.
+/// Names of the parameters of a parameterized test suite, in their order.
 class NamesInOrder {
 public:
     NamesInOrder(std::initializer_list<std::string> names) : _names(names) {}

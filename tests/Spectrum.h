@@ -8,7 +8,7 @@
 #include <vector>
 
 /// In-place radix-2 Fourier transform.
-inline void transform(std::vector<std::complex<double>>& a) {
+inline void fourierTransform(std::vector<std::complex<double>>& a) {
     constexpr double turn = 6.283185307179586;
     const std::size_t n = a.size();
     for (std::size_t i = 1, j = 0; i < n; ++i) {
@@ -30,8 +30,8 @@ inline void transform(std::vector<std::complex<double>>& a) {
             }
 }
 
-/// Power of a series in half-overlapping Hann windows (Welch), summed up; bin i is i / window of the rate.
-/// @param window a power of two.
+/// Power spectrum of a series, summed over half-overlapping Hann windows (Welch). The frequency of bin i is
+/// i / window times the sampling rate. @param window a power of two.
 inline std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
     constexpr double turn = 6.283185307179586;
     std::vector<double> power(window / 2);
@@ -40,15 +40,15 @@ inline std::vector<double> powerSpectrum(const std::vector<double>& series, std:
         for (std::size_t i = 0; i < window; ++i)
             part[i] = series[start + i] *
                       (0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(window)));
-        transform(part);
+        fourierTransform(part);
         for (std::size_t i = 0; i < power.size(); ++i)
             power[i] += std::norm(part[i]);
     }
     return power;
 }
 
-/// Least-squares slope of log power over log frequency, from `low` to `high`, in bands of equal width there,
-/// so that no octave counts more than another. @param perBin frequency from one bin to the next.
+/// Least-squares slope of log power over log frequency from `low` to `high`. Bands of equal width in log
+/// frequency give each octave the same weight. @param perBin frequency step between bins.
 inline double spectralSlope(const std::vector<double>& power, double perBin, double low, double high,
                             int bands) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;

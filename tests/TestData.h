@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string>
 
-/// Path of a file in the shared real-input folder (OSGTREEWIND_DATA, default ../shared/data beside the
-/// checkout); empty when it is absent.
+/// Path of a file in the folder of real input (OSGTREEWIND_DATA, by default ../shared/data beside the
+/// checkout); empty if it does not exist.
 inline std::string realData(const std::string& name) {
     const char* folder = std::getenv("OSGTREEWIND_DATA");
     const std::filesystem::path path =
@@ -18,7 +18,7 @@ inline std::string realData(const std::string& name) {
     return std::filesystem::exists(path) ? path.string() : std::string();
 }
 
-/// Skips the running test, with the reason printed, unless the real-input file is there.
+/// Skips the running test, with a message, if the file of real input does not exist.
 #define REQUIRE_REAL_DATA(variable, name)                                                                    \
     const std::string variable = realData(name);                                                             \
     if (variable.empty())                                                                                    \

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes the folder of the parts, which belongs to one world and one choice of options, and prints how many rows of tiles
-# there are.
+# Creates the folder for the results of one tiled forest with one set of options, and prints the number of rows of tiles.
 # Usage: begin.sh WORLD FOLDER [RISK_OPTION...]
 set -euo pipefail
 world=$1 folder=$2
@@ -9,7 +8,7 @@ shift 2
 mkdir -p "$folder"
 what="$(cksum <"$world") $*"
 if [[ -f $folder/what && $(<"$folder/what") != "$what" ]]; then
-    echo "$folder: parts of another world or with other options are in it; take another folder" >&2
+    echo "$folder: contains results of another world or with other options; use another folder" >&2
     exit 2
 fi
 echo "$what" >"$folder/what"

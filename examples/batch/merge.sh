@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Puts the rows of a world together, from south to north, once all of them are there.
+# Merges the results of all rows of a tiled forest, from south to north.
 # Usage: merge.sh WORLD FOLDER OUTPUT ROWS
 set -euo pipefail
 world=$1 folder=$2 output=$3 rows=$4

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The risk of one row of a world's tiles, unless an earlier run has written it.
+# Computes the risk of one row of tiles, unless an earlier run has written it.
 # Usage: row.sh WORLD FOLDER ROW [RISK_OPTION...]
 set -euo pipefail
 world=$1 folder=$2 row=$3

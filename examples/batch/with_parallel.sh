@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The risk of all trees of a world by GNU parallel, a row of tiles a job. After a run that ended early: the same again.
+# Computes the risk of all trees of a tiled forest with GNU parallel, one job per row of tiles. To continue an interrupted
+# run, start it again.
 # Usage: with_parallel.sh WORLD FOLDER OUTPUT [RISK_OPTION...]
 set -euo pipefail
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The risk of all trees of a world by Slurm: an array of jobs, a row of tiles each, and one that puts them together when
-# all are done. Paths have to be the same on all nodes. After jobs that failed: the same again.
+# Computes the risk of all trees of a tiled forest with Slurm: an array of jobs, one per row of tiles, and a final job that
+# merges the results. Paths must be the same on all nodes. To continue after failed jobs, start it again.
 # Usage: with_slurm.sh WORLD FOLDER OUTPUT [RISK_OPTION...]      prints the number of the last job
 set -euo pipefail
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")

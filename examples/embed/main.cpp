@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A lorry drives through a wood on hilly ground, in a wind of its own. Usage: osgtreewind-embed [--frames N]
+// Minimal host: a lorry drives through a wood on hilly ground, with the wind of a simulator in its own
+// thread. Usage: osgtreewind-embed [--frames N]
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -18,35 +19,36 @@
 
 using namespace osgTreeWind;
 
-constexpr double lane = 60.0, speed = 14.0, length = 12.0; // radius of the road; of the lorry: m/s, metres
+constexpr double laneRadius = 60.0, speed = 14.0, length = 12.0; // metres, m/s, metres
 
-/// The simulator's own terrain.
-static float groundAt(double x, double y) {
+/// The simulator's terrain: the height at a place, metres.
+static float groundHeight(double x, double y) {
     return static_cast<float>(2.0 * std::sin(0.05 * x) * std::cos(0.04 * y));
 }
 
-/// Where the lorry is: x ahead, z up, its rear in the middle of the lane.
-static osg::Matrix driveTo(double time) {
-    const double angle = speed / lane * time, x = lane * std::cos(angle), y = lane * std::sin(angle);
-    return osg::Matrix::rotate(angle + osg::PI_2, 0, 0, 1) * osg::Matrix::translate(x, y, groundAt(x, y));
+/// The pose of the lorry: x forward, z up, origin at the rear, on the lane.
+static osg::Matrix lorryPose(double time) {
+    const double angle = speed / laneRadius * time, x = laneRadius * std::cos(angle),
+                 y = laneRadius * std::sin(angle);
+    return osg::Matrix::rotate(angle + osg::PI_2, 0, 0, 1) * osg::Matrix::translate(x, y, groundHeight(x, y));
 }
 
-/// Birches on both sides of a road that goes round: what a .treewind file would say.
+/// Birches on both sides of a circular road. A .treewind file could describe the same.
 static ForestDescription describeForest() {
     ForestDescription description;
-    description.ground = std::make_shared<FunctionGround>(groundAt);
+    description.ground = std::make_shared<FunctionGround>(groundHeight);
     description.species = {*findSpecies("silver birch")};
     for (unsigned i = 0; i < 180; ++i) {
-        const osg::Vec3d place = osg::Vec3d(0, i % 2 ? 6.0 + i % 9 : -6.0 - i % 12, 0) * driveTo(0.15 * i);
+        const osg::Vec3d place = osg::Vec3d(0, i % 2 ? 6.0 + i % 9 : -6.0 - i % 12, 0) * lorryPose(0.15 * i);
         TreePlacement& tree = description.trees.emplace_back();
-        tree.position = {place.x(), place.y(), groundAt(place.x(), place.y())};
+        tree.position = {place.x(), place.y(), groundHeight(place.x(), place.y())};
         tree.size.height = 7.0f + static_cast<float>(i % 7);
         tree.seed = i;
     }
     return description;
 }
 
-/// The simulator's own wind, at 32 places 6 m apart from west to east: gusts that cross the wood.
+/// The simulator's wind at 32 points, 6 m apart from west to east: gusts that travel through the wood.
 static GridWind::Grid simulateWind(double time) {
     GridWind::Grid grid;
     grid.points = {32, 1, 1};
@@ -58,12 +60,13 @@ static GridWind::Grid simulateWind(double time) {
     return grid;
 }
 
-/// The air that it moves.
-static WindSource flowAround(double time) {
-    const osg::Vec3d rear = driveTo(time).getTrans(), ahead = osg::Vec3d(speed, 0, 0) * driveTo(time) - rear;
+/// The airflow around the lorry.
+static WindSource lorryFlow(double time) {
+    const osg::Vec3d rear = lorryPose(time).getTrans(),
+                     ahead = osg::Vec3d(speed, 0, 0) * lorryPose(time) - rear;
     WindSource flow;
     flow.velocity = {ahead.x(), ahead.y(), 0.0};
-    flow.position = glm::dvec3(rear.x(), rear.y(), rear.z()) - time * flow.velocity; // as if from time 0 on
+    flow.position = glm::dvec3(rear.x(), rear.y(), rear.z()) - time * flow.velocity; // at time 0
     flow.kind = WindSource::Kind::Vehicle, flow.radius = 1.25, flow.height = 4.0, flow.length = length;
     return flow;
 }
@@ -81,7 +84,7 @@ int main(int argc, char** argv) {
     ground->setOrigin({-100, -100, 0});
     ground->setXInterval(2), ground->setYInterval(2);
     for (unsigned i = 0; i < 100 * 100; ++i)
-        ground->setHeight(i % 100, i / 100, groundAt(2.0 * (i % 100) - 100, 2.0 * (i / 100) - 100));
+        ground->setHeight(i % 100, i / 100, groundHeight(2.0 * (i % 100) - 100, 2.0 * (i / 100) - 100));
     osg::ref_ptr<osg::MatrixTransform> lorry = new osg::MatrixTransform;
     add(*lorry, new osg::Box({length / 2, 0, 2.2f}, length, 2.5f, 3.6f), {0.7f, 0.1f, 0.05f, 1.0f});
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
@@ -95,22 +98,22 @@ int main(int argc, char** argv) {
     viewer.setUpViewInWindow(50, 50, 960, 540);
     viewer.realize();
     if (!viewer.isRealized())
-        return 1; // no window, as OSG has said
+        return 1; // no window; OSG has printed the reason
     const auto wind = StreamedWind::create(simulateWind(0.0)).value();
     std::atomic<bool> done{false};
     std::thread simulator([&] {
-        for (double time = 0.0; !done; time += 1.0 / 60.0) { // a new wind sixty times a second
-            wind->update({simulateWind(time).values});       // gives what is wrong with them: nothing
+        for (double time = 0.0; !done; time += 1.0 / 60.0) { // 60 updates per second
+            wind->update({simulateWind(time).values});       // returns the problems, here none
             std::this_thread::sleep_for(std::chrono::microseconds(16667));
         }
     });
     for (; !viewer.done() && frames > 0; --frames) {
         const double time = viewer.elapsedTime();
-        lorry->setMatrix(driveTo(time));
+        lorry->setMatrix(lorryPose(time));
         Wind now(wind);
-        now.sources = {flowAround(time)};
+        now.sources = {lorryFlow(time)};
         forest->setWind(now);
-        const osg::Vec3d behind = osg::Vec3d(0, 0, 6) * driveTo(time - 1.6),
+        const osg::Vec3d behind = osg::Vec3d(0, 0, 6) * lorryPose(time - 1.6),
                          front = lorry->getBound().center();
         viewer.getCamera()->setViewMatrixAsLookAt(behind, front, {0, 0, 1});
         viewer.frame(time);

@@ -2,10 +2,10 @@
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Signals.h>
 
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/WholeFile.h>
-#include <osgTreeWind/motion/CanopyOfTrees.h>
-#include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <iostream>
 
@@ -25,22 +25,24 @@ void addSeasonOption(CLI::App& command, std::optional<float>& season) {
         season = osgTreeWind::parseSeason(text);
         if (!season)
             throw CLI::ValidationError("--season",
-                                       osgTreeWind::expectedFound(osgTreeWind::seasonForms, text));
+                                       osgTreeWind::expectedFound(osgTreeWind::seasonSyntax, text));
     };
-    command.add_option_function<std::string>(
-        "--season", read, "winter, spring, summer, autumn, a number from 0 (midwinter) to 4 or a date");
+    command.add_option_function<std::string>("--season", read,
+                                             "Season: winter, spring, summer, autumn, a number from 0 "
+                                             "(midwinter) to 4, or a date such as 2024-11-05");
 }
 
 void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
     const auto read = [&tiles](const std::vector<std::uint32_t>& ends) {
         tiles = {ends[0], ends[1], ends[ends.size() - 2], ends[ends.size() - 1]};
         if (ends.size() == 3 || tiles.firstColumn > tiles.lastColumn || tiles.firstRow > tiles.lastRow)
-            throw CLI::ValidationError("--tiles", "expected COLUMN,ROW or its least, then its greatest");
+            throw CLI::ValidationError(
+                "--tiles", "expected COLUMN,ROW or COLUMN,ROW,COLUMN,ROW, the lower column and row first");
     };
     command
         .add_option_function<std::vector<std::uint32_t>>(
             "--tiles", read,
-            "Of a world: COLUMN,ROW[,COLUMN,ROW], one tile or all from the first to the last; else all")
+            "Tiles of a world to read: COLUMN,ROW, or COLUMN,ROW,COLUMN,ROW for a rectangle (default: all)")
         ->delimiter(',')
         ->expected(2, 4)
         ->allow_extra_args(false);
@@ -48,20 +50,20 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
 
 namespace {
 
-/// How far trees shelter each other in a world that does not say how far its stands reach, metres.
-constexpr double usualShelter = 200.0;
+/// Shelter distance in a world that does not give the reach of its stands, metres.
+constexpr double defaultShelterReach = 200.0;
 
-ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool withThoseAround) {
+ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool withNeighbours) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
     if (!forest)
-        throw Ending{BadInput, linesOf(forest.problems())};
+        throw CommandError{BadInput, toString(forest.problems())};
     const auto canopy = forest.value().wind.canopy.value_or(osgTreeWind::WindCanopy());
-    const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : usualShelter;
-    const auto wanted = loadTiles(forest.value(), tiles, withThoseAround ? shelter : 0.0);
-    if (!wanted)
-        throw Ending{BadInput, linesOf(wanted.problems())};
+    const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : defaultShelterReach;
+    const auto requested = loadTiles(forest.value(), tiles, withNeighbours ? shelter : 0.0);
+    if (!requested)
+        throw CommandError{BadInput, toString(requested.problems())};
     printNotes(file, forest.value().notes);
-    return {std::move(forest.value()), wanted.value()};
+    return {std::move(forest.value()), requested.value()};
 }
 
 } // namespace
@@ -71,10 +73,10 @@ void printNotes(const std::string& file, const std::vector<std::string>& notes) 
         std::cerr << file << ": note: " << note << '\n';
 }
 
-void checkIsFree(const std::string& output) {
-    if (osgTreeWind::WholeFile(output).isTaken())
-        throw Ending{BadInput,
-                     "--output: expected a file or nothing yet at " + output + ", found something else"};
+void checkOutputPath(const std::string& output) {
+    if (osgTreeWind::AtomicFile(output).isSpecial())
+        throw CommandError{BadInput,
+                           "--output: " + output + " exists and is not a regular file; choose another name"};
 }
 
 ForestPart loadPart(const std::string& file, const osgTreeWind::TileBox& tiles) {
@@ -86,13 +88,13 @@ osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTree
     ForestPart part = load(file, tiles, false);
     const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part.forest, true) : std::string();
     if (!problem.empty())
-        throw Ending{BadInput, file + ": " + problem};
+        throw CommandError{BadInput, file + ": " + problem};
     return std::move(part.forest);
 }
 
 int main(int argc, char** argv) {
-    endOnSignals();
-    CLI::App app{"Forests in a given wind field: look into, check, draw and simulate .treewind files."};
+    exitOnSignals();
+    CLI::App app{"Inspect, check, draw and simulate forests in a wind field (.treewind files)."};
     app.name("osgtreewind");
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
@@ -121,16 +123,16 @@ int main(int argc, char** argv) {
                "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
                "  osgtreewind tile region.treewind -o world\n"
                "  osgtreewind bench -o results.json --chart chart.svg\n"
-               "Exit status: 0 done, 1 failed, 2 bad usage or bad input, 130 or 143\n"
-               "ended by SIGINT or SIGTERM.");
+               "Exit status: 0 success, 1 failure, 2 wrong usage or bad input,\n"
+               "130 ended by SIGINT, 143 ended by SIGTERM.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? Succeeded : BadInput;
-    } catch (const Ending& ending) {
-        std::cerr << ending.why << '\n';
-        return ending.exitCode;
-    } catch (const std::exception& error) { // no memory for a picture of this size, for one
+    } catch (const CommandError& error) {
+        std::cerr << error.message << '\n';
+        return error.exitCode;
+    } catch (const std::exception& error) { // for example, not enough memory for a picture
         std::cerr << "osgtreewind: " << error.what() << '\n';
         return Failed;
     }

@@ -7,11 +7,11 @@
 
 namespace osgTreeWind {
 
-/// Runs jobs on an executor. The first exception of a job is thrown once all that have begun are done; those
-/// that have not are left out, and no thread of the executor meets it.
+/// Runs jobs on an executor, which sees no exceptions. After a job throws, no further jobs start; the first
+/// exception is rethrown once the running jobs have finished.
 void runJobs(const Executor& executor, std::size_t count, const std::function<void(std::size_t)>& job);
 
-/// Calls work(0) to work(count - 1) in batches, each one job of the executor: for work that is short.
+/// Calls work(0) to work(count - 1), 256 calls to a job, which saves overhead when each call is short.
 template <typename Work>
 void runInBatches(const Executor& executor, std::size_t count, const Work& work) {
     constexpr std::size_t batch = 256;

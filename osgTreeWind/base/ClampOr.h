@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-/// `value` brought into [low, high]; NaN becomes `fallback`.
+/// `value` clamped to [low, high], or `fallback` if it is NaN.
 template <typename T>
 T clampOr(T value, T low, T high, T fallback) {
     if (std::isnan(value))

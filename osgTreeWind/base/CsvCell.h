@@ -5,12 +5,12 @@
 
 namespace osgTreeWind {
 
-/// A text as a cell of CSV, in quotes where it needs them: readers drop blanks about a cell.
+/// The text as a CSV cell, quoted if needed. Readers trim cells, so leading and trailing blanks need it.
 inline std::string csvCell(const std::string& text) {
-    constexpr const char *marks = ",\"\r\n", *blanks = " \t";
-    const bool isBare = text.find_first_of(marks) == std::string::npos && text.find_first_of(blanks) != 0 &&
-                        text.find_last_of(blanks) + 1 != text.size();
-    if (isBare || text.empty())
+    constexpr const char *special = ",\"\r\n", *blanks = " \t";
+    const bool needsQuotes = text.find_first_of(special) != std::string::npos ||
+                             text.find_first_of(blanks) == 0 || text.find_last_of(blanks) + 1 == text.size();
+    if (!needsQuotes || text.empty())
         return text;
     std::string quoted = "\"";
     for (const char c : text)
@@ -18,7 +18,7 @@ inline std::string csvCell(const std::string& text) {
     return quoted + '"';
 }
 
-/// Texts as a line of CSV, with its end.
+/// The texts as one CSV line, including the line end.
 template <typename Texts>
 std::string csvLine(const Texts& texts) {
     std::string line;

@@ -28,22 +28,23 @@ CsvReader::~CsvReader() {
 
 Result<bool> CsvReader::next() {
     _row.cells.clear();
-    _isWhole = false;
-    while (!_isWhole && !_text.empty()) {
+    _isRowComplete = false;
+    while (!_isRowComplete && !_text.empty()) {
         const std::size_t length = lineLength(_text);
         ++_line;
-        if (!_isBegun)
+        if (!_isInRow)
             _row.line = _line;
-        _isBegun = true;
+        _isInRow = true;
         const std::size_t parsed = csv_parse(&_parser, _text.data(), length, &onCell, &onRowEnd, this);
         if (parsed != length)
             return problem(_line, static_cast<int>(parsed) + 1,
                            "misplaced quotation mark; expected \"\" inside quotes");
         _text.remove_prefix(length);
     }
-    if (!_isWhole && !std::exchange(_isFinished, true) && csv_fini(&_parser, &onCell, &onRowEnd, this) != 0)
+    if (!_isRowComplete && !std::exchange(_isFlushed, true) &&
+        csv_fini(&_parser, &onCell, &onRowEnd, this) != 0)
         return problem(_row.line, 0, "quotation mark is never closed");
-    return _isWhole;
+    return _isRowComplete;
 }
 
 void CsvReader::onCell(void* cell, std::size_t length, void* self) {
@@ -52,9 +53,9 @@ void CsvReader::onCell(void* cell, std::size_t length, void* self) {
 
 void CsvReader::onRowEnd(int, void* self) {
     auto& reader = *static_cast<CsvReader*>(self);
-    reader._isBegun = false;
-    if (!reader._row.cells.empty()) // else a blank line, or the LF of a CR LF
-        reader._isWhole = true;
+    reader._isInRow = false;
+    if (!reader._row.cells.empty()) // otherwise a blank line, or the LF of a CR LF
+        reader._isRowComplete = true;
 }
 
 Diagnostic CsvReader::problem(int line, int column, const char* syntax) const {

@@ -10,17 +10,17 @@
 
 namespace osgTreeWind {
 
-/// Rows of a delimited text, one after the other, by libcsv, which is fed one line of the file at a time so
-/// that every row knows its line. Blank lines are none.
+/// Reads delimited text row by row with libcsv. It feeds libcsv one line at a time to know each row's line
+/// number. Blank lines are skipped.
 class CsvReader {
 public:
-    /// @param text as plainText() gives it; it outlives the reader.
+    /// @param text from plainText(); must outlive the reader.
     CsvReader(std::string_view text, std::string file, char delimiter);
     CsvReader(const CsvReader&) = delete;
     CsvReader& operator=(const CsvReader&) = delete;
     ~CsvReader();
 
-    /// Goes on to the next row; false: there is none. An error where quotes are not as they should be.
+    /// Advances to the next row. @return false at the end of the text, or an error for misplaced quotes.
     Result<bool> next();
     CsvTable::Row& row() { return _row; }
     const CsvTable::Row& row() const { return _row; }
@@ -30,12 +30,13 @@ private:
     static void onRowEnd(int, void* self);
     Diagnostic problem(int line, int column, const char* syntax) const;
 
-    std::string_view _text; ///< That is left.
+    std::string_view _text; ///< Not parsed yet.
     std::string _file;
     mutable csv_parser _parser; // csv_error takes no const
     CsvTable::Row _row;
     int _line = 0;
-    bool _isBegun = false, _isWhole = false, _isFinished = false; ///< The row; the text.
+    bool _isInRow = false, _isRowComplete = false;
+    bool _isFlushed = false; ///< csv_fini() was called.
 };
 
 } // namespace osgTreeWind

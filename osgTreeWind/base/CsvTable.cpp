@@ -19,14 +19,13 @@ namespace {
 
 using Row = CsvTable::Row;
 
-/// The columns that a header row names.
 Diagnostics readHeader(const Row& row, CsvTable& table) {
     table.headerLine = row.line;
     table.columns = row.cells;
-    constexpr std::size_t mostColumns = 10000; // they are found one by one
-    if (table.columns.size() > mostColumns)
+    constexpr std::size_t maxColumns = 10000; // column() searches linearly
+    if (table.columns.size() > maxColumns)
         return {fileProblem(table.file,
-                            "expected at most " + std::to_string(mostColumns) + " columns, found " +
+                            "expected at most " + std::to_string(maxColumns) + " columns, found " +
                                 std::to_string(table.columns.size()),
                             row.line)};
     Diagnostics problems;
@@ -38,8 +37,8 @@ Diagnostics readHeader(const Row& row, CsvTable& table) {
     return problems;
 }
 
-/// A number in which a comma parts the decimals, and full stops before it the thousands.
-std::optional<double> parseWithComma(std::string text) {
+/// Parses a number with a decimal comma and full stops as thousands separators.
+std::optional<double> parseDecimalComma(std::string text) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos)
         return parseNumber(text);
@@ -49,31 +48,31 @@ std::optional<double> parseWithComma(std::string text) {
     return parseNumber(text);
 }
 
-bool isNines(std::string_view digits, std::size_t fewest) {
-    return digits.size() >= fewest && digits.find_first_not_of('9') == std::string_view::npos;
+bool isNines(std::string_view digits, std::size_t minCount) {
+    return digits.size() >= minCount && digits.find_first_not_of('9') == std::string_view::npos;
 }
 
 } // namespace
 
 std::optional<double> CsvFormat::numberOf(const std::string& cell) const {
-    return decimalComma ? parseWithComma(cell) : parseNumber(cell);
+    return decimalComma ? parseDecimalComma(cell) : parseNumber(cell);
 }
 
 bool isMissing(std::string_view cell) {
-    static const std::set<std::string> marks = {
+    static const std::set<std::string> markers = {
         "",   "m",   "na",   "n/a",   "nan",     "null",      "none",   "nil", "nodata",
         "-",  "--",  "---",  "/",     "//",      "///",       "?",      "*",   ".",
         "..", "...", "k.a.", "k. a.", "unknown", "unbekannt", "inconnu"};
     if (cell.size() > 20)
         return false;
-    return marks.count(lower(std::string(trimmed(cell)))) > 0;
+    return markers.count(lower(std::string(trimmed(cell)))) > 0;
 }
 
 bool isMissing(double number) {
-    const std::string text = numberText(std::round(std::abs(number) * 1000.0) / 1000.0); // of floats too
-    const std::size_t stop = std::min(text.find('.'), text.size());
-    return isNines(std::string_view(text).substr(0, stop), number < 0.0 ? 2 : 3) &&
-           (stop == text.size() || isNines(std::string_view(text).substr(stop + 1), 1));
+    const std::string text = numberText(std::round(std::abs(number) * 1000.0) / 1000.0); // also for floats
+    const std::size_t point = std::min(text.find('.'), text.size());
+    return isNines(std::string_view(text).substr(0, point), number < 0.0 ? 2 : 3) &&
+           (point == text.size() || isNines(std::string_view(text).substr(point + 1), 1));
 }
 
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {
@@ -91,10 +90,10 @@ Result<double> CsvTable::number(const Row& row, std::size_t column) const {
 }
 
 Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, CsvFormat format,
-                             const std::function<void(const CsvTable& table, Row& row)>& take) {
+                             const std::function<void(const CsvTable& table, Row& row)>& onRow) {
     if (std::string_view("\0\"\r\n", 4).find(format.delimiter) != std::string_view::npos)
         return Diagnostic{file, 0, 0, "delimiter",
-                          "expected a character that can part cells, such as , ; or a tab"};
+                          "expected a character that can separate cells, such as , ; or a tab"};
 
     const Result<std::string_view> plain = plainText(text, file);
     if (!plain)
@@ -117,7 +116,7 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, Csv
                                                std::to_string(row.cells.size()),
                                            row.line));
         else if (problems.empty())
-            take(table, row);
+            onRow(table, row);
     }
     if (!found)
         return found.problems();
@@ -140,16 +139,16 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, CsvF
     return table;
 }
 
-double CsvCells::number(std::size_t column, const Range& range, const char* what) {
+double CsvCells::number(std::size_t column, const Range& range, const char* expected) {
     const std::optional<double> number = _table.format.numberOf(text(column));
     if (number && range.contains(*number))
         return *number;
-    expect(column, what ? what : "a number " + range.text());
+    failExpected(column, expected ? expected : "a number " + range.text());
     return 0.0;
 }
 
-void CsvCells::expect(std::size_t column, const std::string& what) {
-    fail(column, expectedFound(what, text(column)));
+void CsvCells::failExpected(std::size_t column, const std::string& expected) {
+    fail(column, expectedFound(expected, text(column)));
 }
 
 void CsvCells::fail(std::size_t column, const std::string& message) {
@@ -157,18 +156,19 @@ void CsvCells::fail(std::size_t column, const std::string& message) {
         _problem = Diagnostic{_table.file, _row.line, 0, _table.columns[column], message};
 }
 
-Diagnostics readCsvOf(std::istream& input, const std::string& file, const std::vector<std::string>& columns,
-                      const std::function<void(CsvCells& row)>& take) {
+Diagnostics readCsvWithColumns(std::istream& input, const std::string& file,
+                               const std::vector<std::string>& columns,
+                               const std::function<void(CsvCells& row)>& onRow) {
     const Result<std::string> text = readText(input, file);
     if (!text)
         return text.problems();
     std::optional<Diagnostic> problem;
     const Result<CsvTable> table =
-        readCsvRows(text.value(), file, ',', [&](const CsvTable& head, const Row& row) {
-            if (problem || head.columns != columns)
+        readCsvRows(text.value(), file, ',', [&](const CsvTable& header, const Row& row) {
+            if (problem || header.columns != columns)
                 return;
-            CsvCells cells(head, row);
-            take(cells);
+            CsvCells cells(header, row);
+            onRow(cells);
             problem = cells.problem();
         });
     if (!table)

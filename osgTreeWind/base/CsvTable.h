@@ -14,20 +14,22 @@ namespace osgTreeWind {
 
 struct Range;
 
-/// How the cells of a table are written.
+/// The delimiter and the number format of a table.
 struct CsvFormat {
-    CsvFormat(char parted = ',', bool comma = false) : delimiter(parted), decimalComma(comma) {}
+    CsvFormat(char delimiter = ',', bool decimalComma = false)
+        : delimiter(delimiter), decimalComma(decimalComma) {}
 
+    /// The cell as a finite number, or empty.
     std::optional<double> numberOf(const std::string& cell) const;
 
     char delimiter;
     bool decimalComma; ///< Whether "1,5" and "1.234,5" are numbers.
 };
 
-/// Whether a cell says that there is no value: empty, or "NA", "null", "M", "-" and the like.
+/// Whether a cell marks a missing value: empty, "NA", "null", "M", "-" and similar.
 bool isMissing(std::string_view cell);
-/// Whether a number is one that programs write where there is no value: -99, -99.9, -9999, 999, 999.9 and the
-/// like. Below zero two nines are enough, above it takes three.
+/// Whether a number marks a missing value: -99, -99.9, -9999, 999, 999.9 and similar, which is at least two
+/// nines for negative numbers and at least three for positive ones.
 bool isMissing(double number);
 
 /// A delimited text file with a header row (RFC 4180 quoting, parsed with libcsv).
@@ -54,13 +56,12 @@ struct CsvTable {
 /// @param file name for diagnostics only.
 Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, CsvFormat format = {});
 
-/// The same without ever holding all rows.
-/// @param take gets the table without rows, and each row in turn. All of it counts for nothing where the
-/// result is an error.
+/// Like readCsvTable(), but holds one row at a time. @return the table without rows.
+/// @param onRow gets the table without rows and each row. Discard what it collected if reading fails.
 Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, CsvFormat format,
-                             const std::function<void(const CsvTable& table, CsvTable::Row& row)>& take);
+                             const std::function<void(const CsvTable& table, CsvTable::Row& row)>& onRow);
 
-/// The cells of a row as what they say; the first that is not as it should be is remembered.
+/// Parses the cells of one row and keeps the first problem found.
 class CsvCells {
 public:
     CsvCells(const CsvTable& table, const CsvTable::Row& row) : _table(table), _row(row) {}
@@ -68,11 +69,11 @@ public:
     int line() const { return _row.line; }
     const std::string& text(std::size_t column) const { return _row.cells[column]; }
     bool has(std::size_t column) const { return !text(column).empty(); }
-    /// @param what it has to be, for the message; null: a number of that range. @return 0 where it is not.
-    double number(std::size_t column, const Range& range, const char* what = nullptr);
-    /// Remembers that a cell is not what was expected.
-    void expect(std::size_t column, const std::string& what);
-    /// The same in other words.
+    /// The cell as a number in `range`; otherwise 0, and a problem.
+    /// @param expected for the message; null: "a number" and the range.
+    double number(std::size_t column, const Range& range, const char* expected = nullptr);
+    /// Records the problem "expected EXPECTED, found 'CELL'".
+    void failExpected(std::size_t column, const std::string& expected);
     void fail(std::size_t column, const std::string& message);
     const std::optional<Diagnostic>& problem() const { return _problem; }
 
@@ -82,9 +83,10 @@ private:
     std::optional<Diagnostic> _problem;
 };
 
-/// Reads rows parted by commas below a header of just these columns.
-/// @param take gets one after the other, up to one that has a problem. @return what is wrong; empty: nothing.
-Diagnostics readCsvOf(std::istream& input, const std::string& file, const std::vector<std::string>& columns,
-                      const std::function<void(CsvCells& row)>& take);
+/// Reads comma-separated rows below a header that must consist of exactly these columns.
+/// @param onRow is called for each row, up to the first that has a problem.
+Diagnostics readCsvWithColumns(std::istream& input, const std::string& file,
+                               const std::vector<std::string>& columns,
+                               const std::function<void(CsvCells& row)>& onRow);
 
 } // namespace osgTreeWind

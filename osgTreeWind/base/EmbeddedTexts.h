@@ -6,16 +6,16 @@
 
 namespace osgTreeWind {
 
-/// A file of the sources as it was when the library was built.
+/// A source file that was compiled into the library.
 struct EmbeddedText {
-    std::string name; ///< Relative to the top folder, e.g. "shaders/law/noise.glsl".
+    std::string name; ///< Relative to the repository, e.g. "shaders/law/noise.glsl".
     std::string text;
 };
 
-/// All that the library carries: the shaders and the catalogue of species. Generated at build time.
+/// All embedded files: the shaders and the species catalogue. Generated at build time.
 const std::vector<EmbeddedText>& embeddedTexts();
 
-/// The embedded file of that name, or null if there is no such file.
+/// The embedded file with that name, or null.
 inline const EmbeddedText* findEmbeddedText(const std::string& name) {
     for (const EmbeddedText& embedded : embeddedTexts())
         if (embedded.name == name)

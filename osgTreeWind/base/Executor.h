@@ -6,12 +6,12 @@
 
 namespace osgTreeWind {
 
-/// Runs job(0) to job(count - 1), in any order and several at once if it likes, and returns when all are
-/// done. A host lends its own threads by handing over one of these, which several threads may call at once,
-/// and jobs too. What is computed does not depend on it.
+/// Runs job(0) to job(count - 1) in any order, possibly in parallel, and returns when all are done. A host
+/// passes one to run the library's work on its own threads. It must allow calls from several threads and from
+/// within jobs. Results do not depend on it.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
-/// One job after another in the calling thread.
+/// An Executor that runs the jobs one after another in the calling thread.
 inline void runInTurn(std::size_t count, const std::function<void(std::size_t)>& job) {
     for (std::size_t i = 0; i < count; ++i)
         job(i);

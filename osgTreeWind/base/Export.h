@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Marks what the library exports; all else in it is hidden (cmake/PublicHeaders.cmake).
+/// Exports a symbol from the library, which hides all others (cmake/PublicHeaders.cmake).
 #define OSGTREEWIND_EXPORT __attribute__((visibility("default")))

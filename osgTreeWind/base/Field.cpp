@@ -14,45 +14,45 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Replaces what is outside by the nearer end, and NaN.
+/// Clamps a member to its range and replaces NaN.
 struct Clamp {
     const Field& field;
     const Range range;
-    Member usual;
+    Member defaults;
 
     void operator()(int* number) const {
         *number = std::clamp(*number, static_cast<int>(range.min), static_cast<int>(range.max));
     }
     void operator()(float* number) const {
         *number = clampOr(*number, static_cast<float>(range.min), static_cast<float>(range.max),
-                          **std::get_if<float*>(&usual));
+                          **std::get_if<float*>(&defaults));
     }
     void operator()(double* number) const {
-        *number = clampOr(*number, range.min, range.max, **std::get_if<double*>(&usual));
+        *number = clampOr(*number, range.min, range.max, **std::get_if<double*>(&defaults));
     }
     void operator()(std::array<float, 4>* numbers) const {
         for (std::size_t i = 0; i < numbers->size(); ++i)
             (*numbers)[i] =
                 clampOr((*numbers)[i], static_cast<float>(range.min), static_cast<float>(range.max),
-                        (**std::get_if<std::array<float, 4>*>(&usual))[i]);
+                        (**std::get_if<std::array<float, 4>*>(&defaults))[i]);
     }
     void operator()(glm::dvec3* vector) const {
         for (int i = 0; i < 3; ++i)
             (*vector)[i] =
-                clampOr((*vector)[i], range.min, range.max, (**std::get_if<glm::dvec3*>(&usual))[i]);
+                clampOr((*vector)[i], range.min, range.max, (**std::get_if<glm::dvec3*>(&defaults))[i]);
     }
-    void operator()(const PartMember& part) const {
-        clampFields(*part.fields, part.object, std::get_if<PartMember>(&usual)->object);
+    void operator()(const NestedMember& part) const {
+        clampFields(*part.fields, part.object, std::get_if<NestedMember>(&defaults)->object);
     }
     template <typename T>
     void operator()(const T&) const {}
 };
 
-/// Says what is outside.
+/// Reports a member that is out of range.
 struct Check {
     const Field& field;
     const Range range;
-    const std::string& path; ///< Of the struct.
+    const std::string& path; ///< Path of the struct.
     Diagnostics& problems;
 
     std::string key() const { return path.empty() ? field.key : path + '.' + field.key; }
@@ -88,52 +88,54 @@ struct Check {
             for (const T value : *values)
                 number(static_cast<double>(value), "finite");
     }
-    void operator()(const WordMember& word) const {
+    void operator()(const EnumMember& word) const {
         const int value = word.get(word.object);
         for (const auto& known : field.words)
             if (known.second == value)
                 return;
-        add("expected one of its words, found " + std::to_string(value));
+        add("expected a value of the enumeration, found " + std::to_string(value));
     }
-    void operator()(const PartMember& part) const { checkFields(*part.fields, part.object, key(), problems); }
+    void operator()(const NestedMember& part) const {
+        checkFields(*part.fields, part.object, key(), problems);
+    }
     template <typename T>
     void operator()(const T*) const {}
 };
 
-/// Tells -0 from 0; NaN is NaN.
 template <typename T>
-bool sameNumber(T a, T b) {
+bool isNumberEqual(T a, T b) {
     return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
 }
 
-/// Compares with the same member of another struct.
-struct Same {
+/// Compares a member with the same member of another struct.
+struct Equal {
     Member other;
 
     template <typename T>
     bool operator()(const T* value) const {
         const T& b = **std::get_if<T*>(&other);
         if constexpr (std::is_floating_point_v<T>)
-            return sameNumber(*value, b);
+            return isNumberEqual(*value, b);
         else if constexpr (std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::dvec3>)
-            return sameNumber(value->x, b.x) && sameNumber(value->y, b.y) && sameNumber(value->z, b.z);
+            return isNumberEqual(value->x, b.x) && isNumberEqual(value->y, b.y) &&
+                   isNumberEqual(value->z, b.z);
         else if constexpr (std::is_same_v<T, std::array<float, 4>>)
-            return std::equal(value->begin(), value->end(), b.begin(), sameNumber<float>);
+            return std::equal(value->begin(), value->end(), b.begin(), isNumberEqual<float>);
         else
             return *value == b;
     }
-    bool operator()(const WordMember& word) const {
-        const WordMember& b = *std::get_if<WordMember>(&other);
+    bool operator()(const EnumMember& word) const {
+        const EnumMember& b = *std::get_if<EnumMember>(&other);
         return word.get(word.object) == b.get(b.object);
     }
-    bool operator()(const PartMember& part) const {
+    bool operator()(const NestedMember& part) const {
         return std::all_of(part.fields->begin(), part.fields->end(), [&](const Field& field) {
-            return sameField(field, part.object, std::get_if<PartMember>(&other)->object);
+            return isFieldEqual(field, part.object, std::get_if<NestedMember>(&other)->object);
         });
     }
 };
 
-/// Appends a member.
+/// Appends the bytes of a member.
 struct Append {
     std::string& bytes;
 
@@ -153,16 +155,16 @@ struct Append {
         for (const T& value : *values)
             (*this)(&value);
     }
-    void operator()(const WordMember& word) const {
+    void operator()(const EnumMember& word) const {
         const int value = word.get(word.object);
         (*this)(&value);
     }
-    void operator()(const PartMember& part) const { addFieldBytes(*part.fields, part.object, bytes); }
+    void operator()(const NestedMember& part) const { addFieldBytes(*part.fields, part.object, bytes); }
 };
 
 } // namespace
 
-std::vector<std::pair<std::string, int>> inOrder(const std::vector<std::string>& words) {
+std::vector<std::pair<std::string, int>> numberedFromZero(const std::vector<std::string>& words) {
     std::vector<std::pair<std::string, int>> result;
     for (const std::string& word : words)
         result.emplace_back(word, static_cast<int>(result.size()));
@@ -190,10 +192,10 @@ Range rangeOf(const Field& field, const Member& member) {
 
 } // namespace
 
-void clampFields(const Fields& fields, void* owner, const void* usual) {
+void clampFields(const Fields& fields, void* owner, const void* defaults) {
     for (const Field& field : fields) {
         const Member member = field.member(owner);
-        std::visit(Clamp{field, rangeOf(field, member), field.of(usual)}, member);
+        std::visit(Clamp{field, rangeOf(field, member), field.of(defaults)}, member);
     }
 }
 
@@ -209,13 +211,13 @@ void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes) 
         std::visit(Append{bytes}, field.of(owner));
 }
 
-bool sameField(const Field& field, const void* a, const void* b) {
-    return std::visit(Same{field.of(b)}, field.of(a));
+bool isFieldEqual(const Field& field, const void* a, const void* b) {
+    return std::visit(Equal{field.of(b)}, field.of(a));
 }
 
-bool sameFields(const Fields& fields, const void* a, const void* b) {
+bool areFieldsEqual(const Fields& fields, const void* a, const void* b) {
     return std::all_of(fields.begin(), fields.end(),
-                       [&](const Field& field) { return sameField(field, a, b); });
+                       [&](const Field& field) { return isFieldEqual(field, a, b); });
 }
 
 } // namespace osgTreeWind

@@ -18,53 +18,53 @@
 namespace osgTreeWind {
 
 struct Field;
-/// What a struct says, in the order of the manual: the one place for keys, ranges, units and words.
+/// Describes the members of a struct in the order of the manual: keys, ranges, units and enum words.
 using Fields = std::vector<Field>;
 
-/// The fields of a struct; each has a specialization beside it.
+/// The fields of a struct. Each such struct specializes this function.
 template <typename Struct>
 const Fields& fieldsOf();
 
-/// A member that is one of a few words: an enum.
-struct WordMember {
+/// A member of enum type.
+struct EnumMember {
     void* object;
     int (*get)(const void*);
     void (*set)(void*, int);
 };
-/// A member that has fields of its own.
-struct PartMember {
+/// A member that is itself a struct with fields.
+struct NestedMember {
     void* object;
     const Fields* fields;
 };
-using Member =
-    std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*, glm::dvec3*,
-                 glm::ivec3*, std::string*, std::vector<std::string>*, std::vector<double>*,
-                 std::vector<float>*, std::vector<glm::vec3>*, std::array<float, 4>*, WordMember, PartMember>;
+using Member = std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*,
+                            glm::dvec3*, glm::ivec3*, std::string*, std::vector<std::string>*,
+                            std::vector<double>*, std::vector<float>*, std::vector<glm::vec3>*,
+                            std::array<float, 4>*, EnumMember, NestedMember>;
 
-/// One thing that a struct says.
+/// Describes one member of a struct.
 struct Field {
-    const char* key;               ///< In a file.
-    Member (*member)(void* owner); ///< Where it is in a struct.
-    Range range;                   ///< Of a number, in `unit`.
-    std::string doc;               ///< What it is, for the manual.
-    std::string unit{};            ///< As in the manual; of "degrees" floats are in radians, a double is not.
-    std::vector<std::pair<std::string, int>> words{}; ///< Of an enum, with their values.
+    const char* key;               ///< The key in a file.
+    Member (*member)(void* owner); ///< Finds the member in a struct.
+    Range range;                   ///< Valid range of a number, in `unit`.
+    std::string doc;               ///< Description for the manual.
+    std::string unit{}; ///< For the manual. In "degrees", float members are radians, double members degrees.
+    std::vector<std::pair<std::string, int>> words{}; ///< Words and values of an enum.
 
-    bool degrees() const { return unit.rfind("degrees", 0) == 0; } ///< Or degrees a metre.
+    bool degrees() const { return unit.rfind("degrees", 0) == 0; } ///< In degrees, or degrees per metre.
     Member of(const void* owner) const { return member(const_cast<void*>(owner)); }
 };
 
-/// Two fields whose values, each in range, do not go together.
+/// Two values that are each in range but contradict each other.
 struct FieldConflict {
     std::string key;   ///< Empty: the struct as a whole.
-    std::string other; ///< Empty: none.
+    std::string other; ///< Key of the second value; may be empty.
     std::string message;
 };
 
 template <typename Struct, typename T>
 Struct* ownerOf(T Struct::*);
 
-/// Field::member of a member, or of a member of a member.
+/// A Field::member function for a member, or for a member of a member.
 template <auto First, auto... Rest>
 Member at(void* owner) {
     auto& member = static_cast<decltype(ownerOf(First))>(owner)->*First;
@@ -72,53 +72,53 @@ Member at(void* owner) {
     if constexpr (sizeof...(Rest) > 0)
         return at<Rest...>(&member);
     else if constexpr (std::is_enum_v<T>)
-        return WordMember{&member,
+        return EnumMember{&member,
                           [](const void* word) { return static_cast<int>(*static_cast<const T*>(word)); },
                           [](void* word, int value) { *static_cast<T*>(word) = static_cast<T>(value); }};
     else if constexpr (std::is_constructible_v<Member, T*>)
         return &member;
     else
-        return PartMember{&member, &fieldsOf<T>()};
+        return NestedMember{&member, &fieldsOf<T>()};
 }
 
-/// Field::words of an enum whose values count from 0.
-std::vector<std::pair<std::string, int>> inOrder(const std::vector<std::string>& words);
+/// Field::words for an enum whose values are 0, 1, 2, ...
+std::vector<std::pair<std::string, int>> numberedFromZero(const std::vector<std::string>& words);
 
-/// The field with that key, which is there.
+/// The field with that key, which must exist.
 const Field& fieldAt(const Fields& fields, const std::string& key);
 
-/// Ends of the range of a member that is a float: in radians where the field is in degrees.
+/// The range of a float member, in radians if the field is in degrees.
 Range memberRange(const Field& field);
 
-/// Brings every number into its range; NaN becomes that of `usual`.
-void clampFields(const Fields& fields, void* owner, const void* usual);
+/// Clamps every number to its range, and replaces NaN by the value in `defaults`.
+void clampFields(const Fields& fields, void* owner, const void* defaults);
 template <typename Struct>
-Struct clampedFields(Struct value, const Struct& usual = {}) {
-    clampFields(fieldsOf<Struct>(), &value, &usual);
+Struct clampedFields(Struct value, const Struct& defaults = {}) {
+    clampFields(fieldsOf<Struct>(), &value, &defaults);
     return value;
 }
 
-/// Adds what is out of range, with `path` and the key: "species[0].wood.density".
+/// Appends a problem for each value out of range, with `path` and its key: "species[0].wood.density".
 void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems);
 template <typename Struct>
 void checkFields(const Struct& value, const std::string& path, Diagnostics& problems) {
     checkFields(fieldsOf<Struct>(), &value, path, problems);
 }
 
-/// Appends all that a struct says, to the bit: what tells it from others of its kind.
+/// Appends the exact values of all fields, for use as a cache key.
 void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes);
 template <typename Struct>
 void addFieldBytes(const Struct& value, std::string& bytes) {
     addFieldBytes(fieldsOf<Struct>(), &value, bytes);
 }
 
-/// Whether two structs say the same of one field, to the bit.
-bool sameField(const Field& field, const void* a, const void* b);
-/// The same of all fields.
-bool sameFields(const Fields& fields, const void* a, const void* b);
+/// Whether one field has the same value in two structs. Distinguishes -0 from 0; NaN equals NaN.
+bool isFieldEqual(const Field& field, const void* a, const void* b);
+/// Whether isFieldEqual() holds for all fields.
+bool areFieldsEqual(const Fields& fields, const void* a, const void* b);
 template <typename Struct>
-bool sameFields(const Struct& a, const Struct& b) {
-    return sameFields(fieldsOf<Struct>(), &a, &b);
+bool areFieldsEqual(const Struct& a, const Struct& b) {
+    return areFieldsEqual(fieldsOf<Struct>(), &a, &b);
 }
 
 } // namespace osgTreeWind

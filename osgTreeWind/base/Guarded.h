@@ -15,9 +15,9 @@
 
 namespace osgTreeWind {
 
-/// What the exception that is being handled says; "out of memory" of std::bad_alloc.
-inline std::string messageOfException() noexcept {
-    // Texts so short that a string holds them without memory.
+/// The message of the exception being handled; "out of memory" for std::bad_alloc.
+inline std::string currentExceptionMessage() noexcept {
+    // The literals are short enough for std::string to hold without allocating.
     try {
         throw;
     } catch (const std::bad_alloc&) {
@@ -33,36 +33,34 @@ inline std::string messageOfException() noexcept {
     }
 }
 
-/// Runs an entry, and `caught` while an exception of it is being handled. Lets a thread end that is
-/// cancelled.
-template <typename Entry, typename Caught>
-void runCatching(const Entry& entry, const Caught& caught) {
+/// Calls `function`. If it throws, calls `onException` in the handler. Does not stop pthread cancellation.
+template <typename Function, typename OnException>
+void runCatching(const Function& function, const OnException& onException) {
     try {
-        entry();
+        function();
 #if defined(__GLIBCXX__)
     } catch (const abi::__forced_unwind&) {
         throw;
 #endif
     } catch (...) {
-        caught();
+        onException();
     }
 }
 
-/// Runs an entry whose callers are not to get an exception. @return what its exception says; empty: there was
-/// none.
-template <typename Entry>
-std::string runGuarded(const Entry& entry) {
+/// Calls `function` and catches its exceptions. @return the exception's message, or an empty text.
+template <typename Function>
+std::string runGuarded(const Function& function) {
     std::string problem;
-    runCatching(entry, [&] { problem = messageOfException(); });
+    runCatching(function, [&] { problem = currentExceptionMessage(); });
     return problem;
 }
 
-/// What such an entry returns, a Result or Diagnostics; of one that throws the Diagnostic that says why.
-template <typename Entry>
-auto guardedResult(const Entry& entry) {
-    std::optional<decltype(entry())> result;
-    const std::string problem = runGuarded([&] { result.emplace(entry()); });
-    return problem.empty() ? std::move(*result) : decltype(entry()){keyProblem({}, problem)};
+/// The Result or Diagnostics that `function` returns. An exception becomes a Diagnostic.
+template <typename Function>
+auto guardedResult(const Function& function) {
+    std::optional<decltype(function())> result;
+    const std::string problem = runGuarded([&] { result.emplace(function()); });
+    return problem.empty() ? std::move(*result) : decltype(function()){keyProblem({}, problem)};
 }
 
 } // namespace osgTreeWind

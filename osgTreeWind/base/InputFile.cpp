@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Why what is there is no regular file.
+/// Why the path is not a regular file; empty if it is one.
 std::optional<Diagnostic> problemOfKind(const std::string& path) {
     std::error_code problem;
     const std::filesystem::file_status status = std::filesystem::status(path, problem);
@@ -54,7 +54,7 @@ Result<std::string> readBytes(const std::string& path) {
 }
 
 Result<std::string> readBytes(std::ifstream& file, const std::string& path) {
-    file.clear(); // of an end that was met
+    file.clear(); // the end of the file may have been reached before
     const std::streamoff size = file.seekg(0, std::ios::end).tellg();
     if (const std::string memory =
             problemOfMemory("its bytes", static_cast<std::uint64_t>(std::max<std::streamoff>(size, 0)));
@@ -64,7 +64,7 @@ Result<std::string> readBytes(std::ifstream& file, const std::string& path) {
     file.seekg(0).read(&bytes[0], size);
     if (size < 0 || file.bad())
         return fileProblem(path, "cannot be read");
-    bytes.resize(static_cast<std::size_t>(file.gcount())); // less of one that is cut meanwhile
+    bytes.resize(static_cast<std::size_t>(file.gcount())); // fewer if the file was truncated meanwhile
     if (bytes.empty())
         return fileProblem(path, "the file is empty");
     return bytes;

@@ -9,21 +9,20 @@
 
 namespace osgTreeWind {
 
-/// Why a file cannot be read: nothing is there, or what is there is a folder, a pipe, a socket or a device,
-/// or this program may not read it. Never blocks, not even on a pipe.
+/// Why a file cannot be read: it does not exist, is not a regular file, or may not be read by this process.
+/// Empty if it can be read. Never blocks, not even on a pipe.
 std::optional<Diagnostic> problemOfInput(const std::string& path);
 
-/// A regular file, open for reading bytes, or why it cannot be read.
+/// Opens a regular file for reading in binary mode.
 Result<std::ifstream> openInput(const std::string& path);
 
-/// Reads all bytes of a file. A file that is empty, that cannot be read or that is larger than memoryLimit()
-/// is a problem.
+/// Reads all bytes of a file. An empty file, or one larger than memoryLimit(), is an error.
 Result<std::string> readBytes(const std::string& path);
-/// Reads all bytes of a file that openInput() opened, however far it was read before.
+/// Reads all bytes of a file opened by openInput(), from its start.
 /// @param path for messages.
 Result<std::string> readBytes(std::ifstream& file, const std::string& path);
 
-/// All of a text file as readText() gives it, or why it cannot be read.
+/// Opens a text file and reads it with readText().
 Result<std::string> readTextFile(const std::string& path);
 
 } // namespace osgTreeWind

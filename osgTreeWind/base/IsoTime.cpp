@@ -10,51 +10,50 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::string_view figures = "0123456789";
+constexpr std::string_view decimalDigits = "0123456789";
 
-/// Whether a text looks so: 0 stands for any digit, T for that letter or a blank.
-bool looksLike(std::string_view text, std::string_view form) {
-    return std::equal(text.begin(), text.end(), form.begin(), form.end(), [](char c, char like) {
-        const std::string_view choices = like == '0'   ? figures
-                                         : like == 'T' ? "Tt "
-                                                       : std::string_view(&like, 1);
+/// Whether the text matches a pattern in which 0 stands for any digit, and T for that letter or a blank.
+bool matchesPattern(std::string_view text, std::string_view pattern) {
+    return std::equal(text.begin(), text.end(), pattern.begin(), pattern.end(), [](char c, char expected) {
+        const std::string_view choices = expected == '0'   ? decimalDigits
+                                         : expected == 'T' ? "Tt "
+                                                           : std::string_view(&expected, 1);
         return choices.find(c) != std::string_view::npos;
     });
 }
 
-/// The whole number that digits make up.
-int wholeOf(std::string_view digits) {
+int parseDigits(std::string_view digits) {
     int whole = 0;
     for (const char digit : digits)
         whole = 10 * whole + (digit - '0');
     return whole;
 }
 
-/// "HH:MM" in minutes; empty for a time that does not exist.
+/// Parses "HH:MM" to minutes; empty for a time that does not exist.
 std::optional<int> minutesOf(std::string_view text) {
-    const int hour = wholeOf(text.substr(0, 2)), minute = wholeOf(text.substr(3, 2));
+    const int hour = parseDigits(text.substr(0, 2)), minute = parseDigits(text.substr(3, 2));
     return hour < 24 && minute < 60 ? std::optional(60 * hour + minute) : std::nullopt;
 }
 
-/// "SS" or "SS.S".
+/// Parses "SS" or "SS.S".
 std::optional<double> secondsOf(std::string_view text) {
-    const bool isWhole = looksLike(text, "00");
-    if (!isWhole && (!looksLike(text.substr(0, 3), "00.") || text.size() == 3 ||
-                     text.find_first_not_of(figures, 3) != std::string_view::npos))
+    const bool isWhole = matchesPattern(text, "00");
+    if (!isWhole && (!matchesPattern(text.substr(0, 3), "00.") || text.size() == 3 ||
+                     text.find_first_not_of(decimalDigits, 3) != std::string_view::npos))
         return std::nullopt;
     const std::optional<double> seconds = parseNumber(text);
-    return seconds && wholeOf(text.substr(0, 2)) < 60 ? seconds : std::nullopt;
+    return seconds && parseDigits(text.substr(0, 2)) < 60 ? seconds : std::nullopt;
 }
 
 } // namespace
 
 std::optional<double> parseIsoTime(std::string_view text) {
-    if (!looksLike(text.substr(0, 16), "0000-00-00T00:00"))
+    if (!matchesPattern(text.substr(0, 16), "0000-00-00T00:00"))
         return std::nullopt;
     std::tm date{};
-    date.tm_year = wholeOf(text.substr(0, 4)) - 1900;
-    date.tm_mon = wholeOf(text.substr(5, 2)) - 1;
-    const int day = date.tm_mday = wholeOf(text.substr(8, 2)), month = date.tm_mon;
+    date.tm_year = parseDigits(text.substr(0, 4)) - 1900;
+    date.tm_mon = parseDigits(text.substr(5, 2)) - 1;
+    const int day = date.tm_mday = parseDigits(text.substr(8, 2)), month = date.tm_mon;
     const std::time_t midnight = timegm(&date);
     const bool exists = date.tm_mday == day && date.tm_mon == month && date.tm_year > -1900;
     const std::optional<int> minutes = minutesOf(text.substr(11));
@@ -67,7 +66,7 @@ std::optional<double> parseIsoTime(std::string_view text) {
         rest.remove_prefix(end);
     }
     std::optional<int> zone = 0;
-    if (looksLike(rest, "+00:00") || looksLike(rest, "-00:00"))
+    if (matchesPattern(rest, "+00:00") || matchesPattern(rest, "-00:00"))
         zone = minutesOf(rest.substr(1));
     else if (!rest.empty() && rest != "Z" && rest != "z")
         return std::nullopt;

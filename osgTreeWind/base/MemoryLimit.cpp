@@ -16,7 +16,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// "1.5 GB", three digits.
+/// The size with at most three significant digits, such as "1.5 GB".
 std::string bytesText(std::uint64_t bytes) {
     const char* units[] = {" bytes", " kB", " MB", " GB", " TB"};
     auto number = static_cast<double>(bytes);
@@ -68,7 +68,7 @@ std::string problemOfMemory(const std::string& what, std::uint64_t bytes) {
     if (bytes <= limit)
         return {};
     return what + " need about " + bytesText(bytes) + " of memory; the limit is " + bytesText(limit) +
-           " (OSGTREEWIND_MAX_MEMORY sets another)";
+           " (set another with OSGTREEWIND_MAX_MEMORY)";
 }
 
 } // namespace osgTreeWind

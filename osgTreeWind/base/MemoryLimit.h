@@ -6,12 +6,13 @@
 
 namespace osgTreeWind {
 
-/// The most bytes of memory that may be taken at once: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a
-/// number with k, M, G or T, else what the machine has available now and the process may have (ulimit -v).
-/// The largest number where neither is known.
+/// The largest amount of memory, in bytes, that may be allocated at once: the environment variable
+/// OSGTREEWIND_MAX_MEMORY (bytes, or a number with k, M, G or T), or else the smaller of the machine's
+/// available memory and what `ulimit -v` leaves the process. The largest std::uint64_t if neither is known.
 std::uint64_t memoryLimit();
 
-/// How much memory `what` need and what the limit is; empty where they fit. @param what several of them.
+/// A message that states the memory needed and the limit; empty if `bytes` is within memoryLimit().
+/// @param what a plural noun, the subject of the message, such as "its bytes".
 std::string problemOfMemory(const std::string& what, std::uint64_t bytes);
 
 } // namespace osgTreeWind

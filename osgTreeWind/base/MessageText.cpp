@@ -6,11 +6,11 @@
 namespace osgTreeWind {
 
 std::string printable(std::string text) {
-    constexpr std::size_t longest = 200;
-    if (text.size() > longest) {
-        std::size_t end = longest;
+    constexpr std::size_t maxLength = 200;
+    if (text.size() > maxLength) {
+        std::size_t end = maxLength;
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-            --end; // never half a UTF-8 character
+            --end; // do not split a UTF-8 character
         text = text.substr(0, end) + "...";
     }
     std::replace_if(

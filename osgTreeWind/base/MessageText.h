@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-/// Words as they stand in messages.
+/// Formats texts for messages.
 namespace osgTreeWind {
 
-/// With control characters replaced by '?', cut to 200 bytes.
+/// The text with control characters replaced by '?', truncated to 200 bytes.
 std::string printable(std::string text);
-/// printable() between double quotes.
+/// printable() in double quotes.
 std::string inQuotes(const std::string& text);
 /// "a, b, c".
 std::string joined(const std::vector<std::string>& words);

@@ -7,15 +7,14 @@
 
 namespace osgTreeWind {
 
-/// The text as one finite decimal number, blanks around it ignored; empty for anything else
-/// (no text, trailing text, "nan", "inf", out of range). Independent of the locale.
+/// Parses one finite decimal number, ignoring blanks around it. Empty for anything else (no text, trailing
+/// text, "nan", "inf", out of range). Independent of the locale.
 std::optional<double> parseNumber(std::string_view text);
 
-/// The shortest text that reads back as `number`, whole numbers below 1e15 without an exponent.
-/// Independent of the locale.
+/// The shortest text that parses to exactly `number`, in any locale. Integers below 1e15 have no exponent.
 std::string numberText(double number);
 
-/// "expected WHAT, found 'TEXT'", on one line: a long text is cut, an empty one called nothing.
+/// "expected WHAT, found 'TEXT'" on one line. Truncates a long text and calls an empty one "nothing".
 std::string expectedFound(std::string_view what, std::string_view text);
 
 } // namespace osgTreeWind

@@ -5,8 +5,8 @@
 
 namespace osgTreeWind {
 
-/// Computed in double and rounded once: the float versions of the C library differ between machines in the
-/// last bit, and one seed has to give one tree on all of them. Angles in radians.
+/// Float functions that give the same result on all machines, so that a seed always grows the same tree. They
+/// compute in double and round once: float versions of the C library differ in the last bit. Radians.
 inline float sine(float angle) {
     return static_cast<float>(std::sin(static_cast<double>(angle)));
 }

@@ -8,12 +8,12 @@
 
 namespace osgTreeWind {
 
-/// What is wrong with a file, at a line of it; 0: with the file as a whole.
+/// A problem at a line of a file; line 0 means the file as a whole.
 inline Diagnostic fileProblem(const std::string& file, std::string message, int line = 0) {
     return {file, line, 0, {}, std::move(message)};
 }
 
-/// What is wrong with the value of a key or member, wherever it stands.
+/// A problem with the value of a key or member, without a place in a file.
 inline Diagnostic keyProblem(const std::string& key, std::string message) {
     return {{}, 0, 0, key, std::move(message)};
 }

@@ -5,8 +5,8 @@
 
 namespace osgTreeWind {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers from the same seed on every machine, which
-/// std::*_distribution does not promise.
+/// The SplitMix64 random number generator (Steele, Lea, Flood 2014). A seed gives the same sequence on every
+/// machine, which std::*_distribution does not guarantee.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : _state(seed) {}
@@ -19,7 +19,7 @@ public:
     }
     /// Uniform in [0, 1), 24 bits: exact in a float.
     float uniform() { return static_cast<float>(next() >> 40) * (1.0f / 16777216.0f); }
-    /// Uniform in [0, 1), 53 bits: fine enough for coordinates of a map.
+    /// Uniform in [0, 1), 53 bits: precise enough for map coordinates.
     double uniformDouble() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     /// Uniform in [-1, 1).
     float symmetric() { return 2.0f * uniform() - 1.0f; }

@@ -6,14 +6,14 @@
 
 namespace osgTreeWind {
 
-/// The values a number may take.
+/// A valid range of numbers, [min, max] or (min, max].
 struct Range {
     double min = -std::numeric_limits<float>::max();
     double max = std::numeric_limits<float>::max();
     bool aboveMin = false; ///< `min` itself is excluded.
 
     bool contains(double value) const { return value <= max && (aboveMin ? value > min : value >= min); }
-    std::string text() const; ///< As in "at least 1", "in (0, 1]".
+    std::string text() const; ///< For messages: "at least 1", "in (0, 1]".
 };
 
 constexpr Range within(double min, double max) {
@@ -26,7 +26,7 @@ constexpr Range atLeast(double min) {
     return {min, Range().max, false};
 }
 
-/// World coordinates, metres: any map projection of the Earth.
+/// World coordinates in metres, large enough for any map projection of the Earth.
 constexpr Range worldCoordinates = within(-1e8, 1e8);
 
 } // namespace osgTreeWind

@@ -22,17 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the program is: what the environment says, else in osgTreeWind/ beside the library; for a program
-/// into which the library was built, in the folder of libraries, installed or not.
-std::string placeOf(const ReaderProgram& reader) {
-    if (const char* named = std::getenv(reader.variable))
-        return named;
-    static const char inside = 0;
-    Dl_info here{};
-    dladdr(&inside, &here);
+/// The path of the program: the environment variable, or else osgTreeWind/ beside the library. For programs
+/// that link the library statically, it searches the library folders of the installation and the build.
+std::string findProgram(const ReaderProgram& reader) {
+    if (const char* path = std::getenv(reader.variable))
+        return path;
+    static const char symbol = 0;
+    Dl_info info{};
+    dladdr(&symbol, &info);
     std::error_code ignored;
-    fs::path object = here.dli_fname ? here.dli_fname : "", program;
-    if (!object.is_absolute()) // as a program was called
+    fs::path object = info.dli_fname ? info.dli_fname : "", program;
+    if (!object.is_absolute()) // argv[0] of a statically linked program
         object = fs::read_symlink("/proc/self/exe", ignored);
     for (const char* libraries : {"", OSGTREEWIND_LIBRARIES_FROM_PROGRAMS, "../lib"})
         if (program = object.parent_path() / libraries / "osgTreeWind" / reader.name;
@@ -41,10 +41,10 @@ std::string placeOf(const ReaderProgram& reader) {
     return program;
 }
 
-/// Starts a program whose standard input and output are one end of a socket, without the other descriptors
-/// and the screen of this process. @return errno.
-int start(const std::string& program, const std::vector<std::string>& command, pid_t& process,
-          int& descriptor) {
+/// Starts a program whose standard input and output are one end of a socket. It inherits no other
+/// descriptors, and its standard error is discarded. @return 0 or an errno value.
+int startProgram(const std::string& program, const std::vector<std::string>& arguments, pid_t& process,
+                 int& descriptor) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return errno;
@@ -55,7 +55,7 @@ int start(const std::string& program, const std::vector<std::string>& command, p
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     std::vector<std::string> words = {program};
-    words.insert(words.end(), command.begin(), command.end());
+    words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words)
         argv.push_back(word.data());
@@ -70,27 +70,27 @@ int start(const std::string& program, const std::vector<std::string>& command, p
     return error;
 }
 
-/// Waits for its end. @return how it came to it.
-std::string endOf(pid_t process) {
+/// Waits for the process to exit. @return the reason for the exit.
+std::string waitForExit(pid_t process) {
     int status = 0;
-    pid_t ended = 0;
-    while ((ended = waitpid(process, &status, 0)) < 0 && errno == EINTR)
+    pid_t waited = 0;
+    while ((waited = waitpid(process, &status, 0)) < 0 && errno == EINTR)
         ;
-    if (ended != process) // someone else waited for it
+    if (waited != process) // the host reaped it
         return "its reader ended early";
     if (!WIFSIGNALED(status))
         return "its reader ended with status " + std::to_string(WEXITSTATUS(status));
     if (WTERMSIG(status) == SIGALRM)
-        return "it took its reader too long";
+        return "its reader timed out";
     const char* name = sigdescr_np(WTERMSIG(status));
     return std::string("its reader ended with: ") + (name ? name : "a signal");
 }
 
 } // namespace
 
-ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command) {
-    const std::string program = placeOf(reader);
-    if (const int error = start(program, command, _process, _descriptor); error != 0)
+ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& arguments) {
+    const std::string program = findProgram(reader);
+    if (const int error = startProgram(program, arguments, _process, _descriptor); error != 0)
         _startProblem = std::string(reader.format) + " needs " + reader.library + ", and the program " +
                         program + ": " + std::generic_category().message(error);
 }
@@ -102,14 +102,14 @@ ReaderProcess::~ReaderProcess() {
 void ReaderProcess::close() {
     if (_descriptor < 0)
         return;
-    ::close(_descriptor); // ends a program that still writes, or waits for a question
+    ::close(_descriptor); // ends a program that is writing or waiting for a request
     _descriptor = -1;
-    _end = endOf(_process);
+    _exitReason = waitForExit(_process);
 }
 
 std::string ReaderProcess::problem() {
     close();
-    return _startProblem.empty() ? _end : _startProblem;
+    return _startProblem.empty() ? _exitReason : _startProblem;
 }
 
 } // namespace osgTreeWind

@@ -13,51 +13,51 @@
 
 namespace osgTreeWind {
 
-/// A program that reads a format in a process of its own: a damaged file, on which the library behind it may
-/// break, ends that process and not the one that has a forest.
+/// A program that reads a file format in a separate process, so that a damaged file cannot crash the host
+/// through a third-party library.
 struct ReaderProgram {
-    const char* name;     ///< It stands in osgTreeWind/ beside the library,
-    const char* variable; ///< or where this variable of the environment says.
-    const char* format;   ///< For people.
-    const char* library;  ///< What had to be there when it was built.
+    const char* name;     ///< File name, in osgTreeWind/ beside the library.
+    const char* variable; ///< Environment variable that overrides the program's path.
+    const char* format;   ///< Format name for messages.
+    const char* library;  ///< Library that the program needs at build time, for messages.
 };
 
-/// A reader program while it runs, with a way to it and back. It ends when this is destroyed.
+/// A running reader program with a two-way connection. The destructor ends the process.
 class ReaderProcess {
 public:
-    /// Starts it. @param command its arguments.
-    ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command);
+    /// Starts the program.
+    ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& arguments);
     ReaderProcess(const ReaderProcess&) = delete;
     ReaderProcess& operator=(const ReaderProcess&) = delete;
     ~ReaderProcess();
 
-    /// Its standard input and output; -1 where it was not started or has ended.
+    /// A socket to the program's standard input and output; -1 if it did not start or has ended.
     int descriptor() const { return _descriptor; }
     bool started() const { return _startProblem.empty(); }
-    /// Why it gives no answer. Ends it, if it has not ended by itself.
+    /// Why the program did not answer. Ends the process if it still runs.
     std::string problem();
 
 private:
     void close();
 
-    std::string _startProblem, _end;
+    std::string _startProblem, _exitReason;
     pid_t _process = -1;
     int _descriptor = -1;
 };
 
-/// What a program answers of a file. Any thread may ask.
-/// @param command its arguments, of which the file is the first.
+/// Reads a file with a reader program. Thread-safe.
+/// @param arguments of the program; the first is the file's path.
 template <typename T>
-Result<T> readBy(const ReaderProgram& reader, const std::vector<std::string>& command) {
-    if (const auto problem = problemOfInput(command.front()))
+Result<T> readWithProgram(const ReaderProgram& reader, const std::vector<std::string>& arguments) {
+    if (const auto problem = problemOfInput(arguments.front()))
         return *problem;
-    ReaderProcess process(reader, command);
+    ReaderProcess process(reader, arguments);
     auto answer = process.started() ? Wire::receive<T>(process.descriptor()) : std::nullopt;
     if (answer)
         return std::move(*answer);
-    const std::string what =
+    const std::string prefix =
         process.started() ? std::string("the ") + reader.format + " file is damaged: " : "";
-    return fileProblem(command.front(), what + process.problem());
+    return fileProblem(arguments.front(), prefix + process.problem());
 }
 
 } // namespace osgTreeWind

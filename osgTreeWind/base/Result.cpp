@@ -20,15 +20,15 @@ std::string Diagnostic::text() const {
     return result + message;
 }
 
-std::string linesOf(const Diagnostics& problems) {
+std::string toString(const Diagnostics& problems) {
     std::string lines;
     for (const Diagnostic& problem : problems)
         lines += (lines.empty() ? "" : "\n") + problem.text();
     return lines;
 }
 
-void warnOfNoValue(const Diagnostics& problems) {
-    std::cerr << "osgTreeWind: there is no value: " + problems.front().text() + '\n';
+void logBadAccess(const Diagnostics& problems) {
+    std::cerr << "osgTreeWind: value() of a failed Result: " + problems.front().text() + '\n';
 }
 
 } // namespace osgTreeWind

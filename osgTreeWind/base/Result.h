@@ -9,27 +9,27 @@
 
 namespace osgTreeWind {
 
-/// One problem found in an input: where it is, which key, and what was expected.
+/// A problem found in an input, with its location.
 struct OSGTREEWIND_EXPORT Diagnostic {
-    std::string file;    ///< Path as the user gave it; empty when the input is not a file.
-    int line = 0;        ///< 1-based; 0 when unknown.
-    int column = 0;      ///< 1-based; 0 when unknown.
-    std::string key;     ///< Dotted key or column name the problem is about; may be empty.
+    std::string file;    ///< Path as given by the user; empty if the input is not a file.
+    int line = 0;        ///< 1-based; 0 if unknown.
+    int column = 0;      ///< 1-based, in bytes; 0 if unknown.
+    std::string key;     ///< Dotted key or column name; may be empty.
     std::string message; ///< What is wrong and what was expected.
 
-    /// "file:line:column: key: message", leaving out what is unknown.
+    /// "file:line:column: key: message", without the parts that are unknown.
     std::string text() const;
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// Their texts, a line each; the last one without its end.
-OSGTREEWIND_EXPORT std::string linesOf(const Diagnostics& problems);
+/// The texts of the problems, one per line, without a final line end.
+OSGTREEWIND_EXPORT std::string toString(const Diagnostics& problems);
 
-/// Says on stderr that somebody took the value of a Result that has none, and why it has none.
-OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
+/// Reports on stderr that `value()` was called on an error.
+OSGTREEWIND_EXPORT void logBadAccess(const Diagnostics& problems);
 
-/// A value, or the problems that kept it from being made. Never throws, never ends a program.
+/// A value, or the problems that prevented it. Never throws.
 ///
 ///     auto file = readForestFile("wood.treewind");
 ///     if (!file)
@@ -38,24 +38,24 @@ OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
 template <typename T>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : _value(std::move(value)) {}                 ///< Succeeded.
-    Result(Diagnostic problem) : _problems{std::move(problem)} {} ///< Failed.
+    Result(T value) : _value(std::move(value)) {}                 ///< Success.
+    Result(Diagnostic problem) : _problems{std::move(problem)} {} ///< Error.
     /// @param problems at least one.
     Result(Diagnostics problems) : _problems(std::move(problems)) {}
 
     bool ok() const { return _problems.empty(); }   ///< Whether there is a value.
-    explicit operator bool() const { return ok(); } ///< The same.
+    explicit operator bool() const { return ok(); } ///< As ok().
 
-    /// The value; where there is none an empty one, T(), with a warning on stderr.
+    /// The value. For an error: T(), and a warning on stderr.
     T& value() {
         if (!ok())
-            warnOfNoValue(_problems);
+            logBadAccess(_problems);
         return _value;
     }
-    /// The same of one that is kept.
+    /// The value, as above.
     const T& value() const { return const_cast<Result*>(this)->value(); }
 
-    /// All problems in the order of the input; none when ok().
+    /// All problems in the order of the input; empty if ok().
     const Diagnostics& problems() const { return _problems; }
 
 private:

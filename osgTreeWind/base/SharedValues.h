@@ -9,17 +9,16 @@
 
 namespace osgTreeWind {
 
-/// Values made from what their keys say, each of them once for as long as somebody holds it. Any thread, any
-/// time: one makes a value, others that ask for it wait.
+/// A thread-safe cache of weak references. It makes the value of a key once and returns the same value for as
+/// long as a caller holds it. Threads that request a value while another makes it wait.
 template <typename Key, typename Pointer, typename Weak>
 class SharedValues {
 public:
-    /// The value of a key; null where `make` returns null.
-    /// @param make makes it and uses no other value of these. Where it throws or returns null, it is called
-    /// again for the next one who asks.
+    /// The value of a key, made if needed; null if `make` returns null.
+    /// @param make makes the value without using this cache. If it fails, the next request calls it again.
     template <typename Make>
     Pointer get(const Key& key, const Make& make) {
-        const std::shared_ptr<Entry> entry = entryOf(key);
+        const std::shared_ptr<Entry> entry = findOrAddEntry(key);
         const std::lock_guard<std::mutex> lock(entry->mutex);
         Pointer value = entry->value.lock();
         if (!value) {
@@ -29,7 +28,7 @@ public:
         return value;
     }
 
-    /// The value of a key; null while nobody holds it.
+    /// The value of a key; null if no caller holds it.
     Pointer find(const Key& key) {
         std::shared_ptr<Entry> entry;
         {
@@ -49,31 +48,31 @@ private:
         Weak value;
     };
 
-    std::shared_ptr<Entry> entryOf(const Key& key) {
+    std::shared_ptr<Entry> findOrAddEntry(const Key& key) {
         const std::lock_guard<std::mutex> lock(_mutex);
         const auto found = _entries.find(key);
         if (found != _entries.end())
             return found->second;
-        forget();
+        removeExpired();
         return _entries.emplace(key, std::make_shared<Entry>()).first->second;
     }
 
-    /// Drops entries whose values are gone and that no thread is about to fill.
-    void forget() {
+    /// Removes entries that have expired and that no thread is about to fill.
+    void removeExpired() {
         for (auto next = _entries.begin(); next != _entries.end();)
-            next = next->second.use_count() == 1 && isGone(*next->second) ? _entries.erase(next)
-                                                                          : std::next(next);
+            next = next->second.use_count() == 1 && isExpired(*next->second) ? _entries.erase(next)
+                                                                             : std::next(next);
     }
-    static bool isGone(Entry& entry) {
+    static bool isExpired(Entry& entry) {
         const std::lock_guard<std::mutex> lock(entry.mutex);
         return entry.value.expired();
     }
 
-    std::mutex _mutex; ///< Guards the map; locked before an entry's.
+    std::mutex _mutex; ///< Guards the map. Locked before the mutex of an entry.
     std::map<Key, std::shared_ptr<Entry>> _entries;
 };
 
-/// Such values by std::shared_ptr.
+/// SharedValues held by std::shared_ptr.
 template <typename Key, typename Value>
 using SharedConstants = SharedValues<Key, std::shared_ptr<const Value>, std::weak_ptr<const Value>>;
 

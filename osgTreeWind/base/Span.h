@@ -6,20 +6,20 @@
 
 namespace osgTreeWind {
 
-/// Values that stand in a row and belong to someone else.
+/// Non-owning, read-only view of a contiguous array.
 template <typename T>
 struct Span {
-    const T* data = nullptr; ///< The first of them; null where there are none.
-    std::size_t size = 0;    ///< How many there are.
+    const T* data = nullptr; ///< First element; may be null if empty.
+    std::size_t size = 0;    ///< Number of elements.
 
-    Span() = default;
-    Span(const T* first, std::size_t count) : data(first), size(count) {} ///< Of an array.
-    Span(const std::vector<T>& values)
-        : data(values.data()), size(values.size()) {} ///< Of all values; as long as they stay where they are.
+    Span() = default;                                                     ///< Empty.
+    Span(const T* first, std::size_t count) : data(first), size(count) {} ///< View of an array.
+    /// View of a whole vector; valid until the vector reallocates.
+    Span(const std::vector<T>& values) : data(values.data()), size(values.size()) {}
 
-    const T& operator[](std::size_t i) const { return data[i]; } ///< Unchecked.
-    const T* begin() const { return data; }                      ///< For loops.
-    const T* end() const { return data + size; }                 ///< One past the last.
+    const T& operator[](std::size_t i) const { return data[i]; } ///< Not bounds-checked.
+    const T* begin() const { return data; }                      ///< First element.
+    const T* end() const { return data + size; }                 ///< One past the last element.
 };
 
 } // namespace osgTreeWind

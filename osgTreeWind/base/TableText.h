@@ -10,21 +10,21 @@
 
 namespace osgTreeWind {
 
-/// A delimited table as spreadsheets and databases export it, and what had to be assumed to read it.
+/// The decoded text of a delimited table, as spreadsheets and databases export it, and its format.
 struct TableText {
     std::string text; ///< UTF-8, without a byte-order mark.
     CsvFormat format;
-    std::vector<std::string> notes; ///< One for each assumption: "is read as Windows-1252, ...".
+    std::vector<std::string> notes; ///< One for each assumption: "is no UTF-8 and is read as Windows-1252".
 };
 
-/// What a file says of the way its cells are written; what it does not say is found from the bytes.
+/// Format of a table as far as the user states it. The rest is detected from the bytes.
 struct TableOptions {
-    std::optional<char> delimiter; ///< Else the one that is most frequent in the header: ; tab | or a comma.
-    std::optional<bool> decimalComma; ///< Else numbers may have one where cells are not parted by commas.
+    std::optional<char> delimiter;    ///< Default: the most frequent of ; tab | and comma in the header.
+    std::optional<bool> decimalComma; ///< Default: true unless the delimiter is a comma.
 };
 
-/// A table from its bytes: UTF-8, UTF-16 behind a byte-order mark, or else Windows-1252.
-/// @param file name for diagnostics only. @return a problem where the bytes are no text.
-Result<TableText> tableText(std::string bytes, const std::string& file, const TableOptions& options = {});
+/// Decodes the bytes of a table: UTF-8, UTF-16 with a byte-order mark, or else Windows-1252.
+/// @param file name for diagnostics only. @return an error if the bytes are not text.
+Result<TableText> decodeTable(std::string bytes, const std::string& file, const TableOptions& options = {});
 
 } // namespace osgTreeWind

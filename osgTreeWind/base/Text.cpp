@@ -17,15 +17,16 @@ bool isBinary(char c) {
 
 } // namespace
 
-TextPlace placeInText(std::string_view text, std::size_t offset) {
-    TextPlace place;
+TextPosition positionInText(std::string_view text, std::size_t offset) {
+    TextPosition position;
     offset = std::min(offset, text.size());
     for (std::size_t i = 0; i < offset; ++i) {
         const bool lineEnds =
             text[i] == '\n' || (text[i] == '\r' && (i + 1 >= text.size() || text[i + 1] != '\n'));
-        place = lineEnds ? TextPlace{place.line + 1, 1} : TextPlace{place.line, place.column + 1};
+        position =
+            lineEnds ? TextPosition{position.line + 1, 1} : TextPosition{position.line, position.column + 1};
     }
-    return place;
+    return position;
 }
 
 Result<std::string_view> plainText(std::string_view bytes, const std::string& file) {
@@ -36,8 +37,8 @@ Result<std::string_view> plainText(std::string_view bytes, const std::string& fi
     const auto binary = std::find_if(bytes.begin(), bytes.end(), isBinary);
     if (binary == bytes.end())
         return bytes;
-    const TextPlace place = placeInText(bytes, static_cast<std::size_t>(binary - bytes.begin()));
-    return Diagnostic{file, place.line, place.column, {}, "expected text, found binary data"};
+    const TextPosition position = positionInText(bytes, static_cast<std::size_t>(binary - bytes.begin()));
+    return Diagnostic{file, position.line, position.column, {}, "expected text, found binary data"};
 }
 
 Result<std::string> readText(std::istream& input, const std::string& file) {
@@ -46,7 +47,7 @@ Result<std::string> readText(std::istream& input, const std::string& file) {
     char buffer[1 << 14];
     while (input.read(buffer, sizeof buffer) || input.gcount() > 0) {
         const std::size_t read = static_cast<std::size_t>(input.gcount()), size = text.size() + read;
-        if (size > large && size > text.capacity()) // it doubles
+        if (size > large && size > text.capacity()) // the capacity doubles
             if (const std::string memory = problemOfMemory("its bytes", 2 * size); !memory.empty())
                 return fileProblem(file, memory);
         text.append(buffer, read);

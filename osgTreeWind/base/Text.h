@@ -10,36 +10,36 @@
 
 namespace osgTreeWind {
 
-/// A place in a text, both 1-based; columns count bytes.
-struct TextPlace {
+/// A position in a text. Lines and columns are 1-based; columns count bytes.
+struct TextPosition {
     int line = 1;
     int column = 1;
 };
 
-/// Where the byte at `offset` stands; offsets past the end give the end. Lines end in LF, CR LF or CR.
-TextPlace placeInText(std::string_view text, std::size_t offset);
+/// The position of the byte at `offset`, at most the end of the text. Lines end in LF, CR LF or CR.
+TextPosition positionInText(std::string_view text, std::size_t offset);
 
-/// Bytes as a text, without a UTF-8 byte-order mark. No bytes at all, and control characters other than tab,
-/// CR, LF and form feed (binary data) are errors.
+/// Checks that bytes are text, and strips a UTF-8 byte-order mark. Empty input is an error, as are control
+/// characters other than tab, CR, LF and form feed (binary data).
 /// @param file name for diagnostics only.
 Result<std::string_view> plainText(std::string_view bytes, const std::string& file);
 
-/// All of a text input, and what plainText() says of it; an unreadable stream (a folder, say) is an error.
+/// Reads a stream to its end and checks it with plainText(). Exceeding memoryLimit() is an error.
 Result<std::string> readText(std::istream& input, const std::string& file);
 
-/// Null becomes an empty text.
+/// The text, or an empty string for null.
 inline std::string orEmpty(const char* text) {
     return text ? text : "";
 }
 
-/// Without spaces, tabs and line ends around it.
+/// The text without leading and trailing spaces, tabs and line ends.
 inline std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
     return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// With letters A to Z in lower case.
+/// The text with the letters A to Z in lower case.
 std::string lower(std::string text);
 
 } // namespace osgTreeWind

@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// FNV-1a, 64 bits.
+/// The 64-bit FNV-1a hash of the text.
 inline std::uint64_t hashOf(const std::string& text) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const char c : text)

@@ -17,7 +17,7 @@ namespace {
 
 constexpr long maxThreads = 256;
 
-unsigned wantedThreads() {
+unsigned defaultThreadCount() {
     if (const char* wanted = std::getenv("OSGTREEWIND_THREADS")) {
         const long number = std::strtol(wanted, nullptr, 10);
         if (number >= 1 && number <= maxThreads)
@@ -29,16 +29,16 @@ unsigned wantedThreads() {
 
 } // namespace
 
-/// What one call of run() brings.
+/// The jobs of one call of run().
 struct ThreadPool::Batch {
     const std::function<void(std::size_t)>& job;
     const std::size_t count;
     std::atomic<std::size_t> next{0};
-    std::size_t helpers = 0; // threads of the pool at work on it; guarded by State::mutex
-    std::condition_variable left;
+    std::size_t helpers = 0; // workers in runRemaining(); guarded by State::mutex
+    std::condition_variable helpersLeft;
 
     Batch(const std::function<void(std::size_t)>& job, std::size_t count) : job(job), count(count) {}
-    void share() {
+    void runRemaining() {
         for (std::size_t i = next++; i < count; i = next++)
             job(i);
     }
@@ -46,50 +46,50 @@ struct ThreadPool::Batch {
 
 struct ThreadPool::State {
     std::mutex mutex;
-    std::condition_variable brought;
-    std::vector<Batch*> batches; // guarded by `mutex`, as is what follows
-    bool ending = false;
+    std::condition_variable batchAdded;
+    std::vector<Batch*> batches; // guarded by `mutex`
+    bool isStopping = false;     // guarded by `mutex`
     std::vector<std::thread> threads;
 
-    Batch* open() const {
+    Batch* findOpenBatch() const {
         for (Batch* batch : batches)
             if (batch->next < batch->count)
                 return batch;
         return nullptr;
     }
 
-    void help() {
+    void runWorker() {
         std::unique_lock<std::mutex> lock(mutex);
         for (;;) {
             Batch* batch = nullptr;
-            brought.wait(lock, [&] { return ending || (batch = open()); });
-            if (ending)
+            batchAdded.wait(lock, [&] { return isStopping || (batch = findOpenBatch()); });
+            if (isStopping)
                 return;
             ++batch->helpers;
             lock.unlock();
-            batch->share();
+            batch->runRemaining();
             lock.lock();
             if (--batch->helpers == 0)
-                batch->left.notify_one();
+                batch->helpersLeft.notify_one();
         }
     }
 };
 
 ThreadPool::ThreadPool(unsigned threads) : _state(new State) {
-    const unsigned wanted = threads > 0 ? threads : wantedThreads();
+    const unsigned wanted = threads > 0 ? threads : defaultThreadCount();
     _state->threads.reserve(wanted - 1);
-    bool comes = true; // else the system has no more of them
-    for (unsigned i = 1; i < wanted && comes; ++i)
-        runCatching([&] { _state->threads.emplace_back([state = _state.get()] { state->help(); }); },
-                    [&] { comes = false; });
+    bool hasStarted = true; // false: the system's thread limit is reached
+    for (unsigned i = 1; i < wanted && hasStarted; ++i)
+        runCatching([&] { _state->threads.emplace_back([state = _state.get()] { state->runWorker(); }); },
+                    [&] { hasStarted = false; });
 }
 
 ThreadPool::~ThreadPool() {
     {
         const std::lock_guard<std::mutex> lock(_state->mutex);
-        _state->ending = true;
+        _state->isStopping = true;
     }
-    _state->brought.notify_all();
+    _state->batchAdded.notify_all();
     for (std::thread& thread : _state->threads)
         thread.join();
 }
@@ -107,12 +107,12 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& 
         _state->batches.push_back(&batch);
     }
     for (std::size_t i = 0; i < std::min(count - 1, _state->threads.size()); ++i)
-        _state->brought.notify_one();
-    batch.share();
+        _state->batchAdded.notify_one();
+    batch.runRemaining();
     std::unique_lock<std::mutex> lock(_state->mutex);
     std::vector<Batch*>& batches = _state->batches;
     batches.erase(std::find(batches.begin(), batches.end(), &batch));
-    batch.left.wait(lock, [&] { return batch.helpers == 0; });
+    batch.helpersLeft.wait(lock, [&] { return batch.helpers == 0; });
 }
 
 Executor ThreadPool::executor(unsigned threads) {
@@ -121,8 +121,8 @@ Executor ThreadPool::executor(unsigned threads) {
         return [pool = std::make_shared<ThreadPool>(threads)](std::size_t count, const Job& job) {
             pool->run(count, job);
         };
-    static ThreadPool ofTheProcess;
-    return [](std::size_t count, const Job& job) { ofTheProcess.run(count, job); };
+    static ThreadPool processPool;
+    return [](std::size_t count, const Job& job) { processPool.run(count, job); };
 }
 
 } // namespace osgTreeWind

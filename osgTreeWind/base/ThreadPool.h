@@ -7,26 +7,26 @@
 
 namespace osgTreeWind {
 
-/// A few threads that wait for work and share it with whoever brings it.
+/// A pool of worker threads that help calling threads run their jobs.
 class ThreadPool {
 public:
-    /// @param threads in all, a caller's own counted; 0: as the environment's OSGTREEWIND_THREADS says,
-    /// else one for each processor.
+    /// @param threads including the calling one; 0: the value of the environment variable
+    /// OSGTREEWIND_THREADS, or else one per processor.
     explicit ThreadPool(unsigned threads = 0);
-    /// Not while any thread is in run().
+    /// Must not be called while a thread is in run().
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     unsigned threadCount() const;
 
-    /// As Executor. Any number of threads may call it at once, and so may jobs: a caller works on its own
-    /// jobs only, and waits for none but those that another thread has begun. Jobs must not throw: runJobs()
-    /// keeps their exceptions.
+    /// Runs jobs as an Executor does. Thread-safe, and jobs may call it. A caller runs its own jobs only, and
+    /// waits only for those that workers have started. Jobs must not throw; runJobs() handles exceptions.
     void run(std::size_t count, const std::function<void(std::size_t)>& job);
 
-    /// The pool of the process, which starts at the first call; it serves all forests that no host lends
-    /// threads to. @param threads 0; else a pool of that many, which lives as long as the executor.
+    /// An executor that runs jobs on a pool.
+    /// @param threads 0: the pool of the process, started at the first call, for all forests without an
+    /// executor of the host. Otherwise a new pool of that size, owned by the executor.
     static Executor executor(unsigned threads = 0);
 
 private:

@@ -11,28 +11,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool liesIn(const fs::path& file, const std::string& folder) {
+bool isInFolder(const fs::path& file, const std::string& folder) {
     std::error_code problem;
     const fs::path root = fs::canonical(folder.empty() ? "." : folder, problem);
     return !problem && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
-bool liesInOneOf(const std::vector<std::string>& folders, const fs::path& path) {
+bool isInAnyFolder(const std::vector<std::string>& folders, const fs::path& path) {
     std::error_code problem;
     const fs::path file = fs::canonical(path, problem);
     return !problem && std::any_of(folders.begin(), folders.end(),
-                                   [&](const std::string& folder) { return liesIn(file, folder); });
+                                   [&](const std::string& folder) { return isInFolder(file, folder); });
 }
 
-/// Libraries open the parts of a shapefile and the world file of a raster by their names: those beside a file
-/// whose names begin as its own does.
-bool hasLinkOut(const fs::path& file, const std::vector<std::string>& folders) {
-    const std::string begin = file.stem().string() + '.';
+/// Libraries also open siblings with the same base name: parts of a shapefile, the world file of a raster.
+bool hasSiblingLinkOutside(const fs::path& file, const std::vector<std::string>& folders) {
+    const std::string prefix = file.stem().string() + '.';
     std::error_code problem;
     for (const fs::directory_entry& each :
          fs::directory_iterator(file.has_parent_path() ? file.parent_path() : fs::path("."), problem))
-        if (each.path().filename().string().rfind(begin, 0) == 0 && each.is_symlink(problem) &&
-            !liesInOneOf(folders, each.path()))
+        if (each.path().filename().string().rfind(prefix, 0) == 0 && each.is_symlink(problem) &&
+            !isInAnyFolder(folders, each.path()))
             return true;
     return false;
 }
@@ -45,14 +44,15 @@ std::string problemOfTrust(const std::string& path, const std::vector<std::strin
         return {};
     if (trust != std::string("folder"))
         return "is not opened: expected OSGTREEWIND_TRUST to be \"folder\" or empty";
-    if (!liesInOneOf(folders, path))
+    if (!isInAnyFolder(folders, path))
         return "is not opened: it lies outside the folders that OSGTREEWIND_TRUST=folder trusts";
-    return hasLinkOut(path, folders) ? "is not opened: a link beside it leads out of the folders that "
-                                       "OSGTREEWIND_TRUST=folder trusts"
-                                     : "";
+    return hasSiblingLinkOutside(path, folders)
+               ? "is not opened: a symbolic link next to it leads out of the folders that "
+                 "OSGTREEWIND_TRUST=folder trusts"
+               : "";
 }
 
-std::vector<std::string> foldersOf(const char* variable) {
+std::vector<std::string> foldersFromEnvironment(const char* variable) {
 #ifdef _WIN32
     constexpr char separator = ';';
 #else

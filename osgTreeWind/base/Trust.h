@@ -6,12 +6,12 @@
 
 namespace osgTreeWind {
 
-/// What keeps a file that another file names from being opened; empty: nothing. Where the environment
-/// variable OSGTREEWIND_TRUST is `folder`, it has to lie in one of these folders or below, once links are
-/// resolved. docs/trust.md says more.
+/// Why a file named by another file may not be opened; empty if it may. If the environment variable
+/// OSGTREEWIND_TRUST is `folder`, the file must be in or below one of `folders`, after resolving links
+/// (docs/trust.md).
 std::string problemOfTrust(const std::string& path, const std::vector<std::string>& folders);
 
-/// The folders of an environment variable, parted as those of PATH.
-std::vector<std::string> foldersOf(const char* variable);
+/// The folders listed in an environment variable, separated as in PATH.
+std::vector<std::string> foldersFromEnvironment(const char* variable);
 
 } // namespace osgTreeWind

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char32_t replacement = 0xfffd;
 
-/// The next character of a UTF-8 text, which loses it. `replacement` for a byte that begins none.
+/// Removes the first character of a UTF-8 text. @return it, or `replacement` for an invalid byte.
 char32_t takeCharacter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -26,15 +26,15 @@ char32_t takeCharacter(std::string_view& text) {
     constexpr unsigned char firstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
     constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     char32_t character = first & firstBits[length];
-    bool isGood = length > 0 && length <= text.size();
-    for (std::size_t i = 1; isGood && i < length; ++i) {
-        isGood = (byte(i) & 0xc0) == 0x80;
+    bool isValid = length > 0 && length <= text.size();
+    for (std::size_t i = 1; isValid && i < length; ++i) {
+        isValid = (byte(i) & 0xc0) == 0x80;
         character = character << 6 | (byte(i) & 0x3f);
     }
-    isGood = isGood && character >= least[length] && character <= 0x10ffff &&
-             (character < 0xd800 || character > 0xdfff);
-    text.remove_prefix(isGood ? length : 1);
-    return isGood ? character : replacement;
+    isValid = isValid && character >= least[length] && character <= 0x10ffff &&
+              (character < 0xd800 || character > 0xdfff);
+    text.remove_prefix(isValid ? length : 1);
+    return isValid ? character : replacement;
 }
 
 void append(std::string& text, char32_t character) {
@@ -54,7 +54,7 @@ void append(std::string& text, char32_t character) {
     add(0x80 | (character & 0x3f));
 }
 
-/// What 0x80 to 0x9f are in Windows-1252; 0: nothing.
+/// The characters 0x80 to 0x9f of Windows-1252; 0: unassigned.
 constexpr char16_t windows1252[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
                                       0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
                                       0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
@@ -91,12 +91,12 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian) {
     return text;
 }
 
-/// Letters that are others with a mark, by ranges of Latin-1 and Latin Extended-A.
-struct Unmarked {
+/// Base letters of accented Latin letters.
+struct BaseLetters {
     char32_t character;
     const char* letters;
 };
-constexpr Unmarked unmarked[] = {
+constexpr BaseLetters baseLetterTable[] = {
     {0xdf, "ss"}, {0xe6, "a"},  {0xe7, "c"},  {0xf0, "d"},  {0xf1, "n"},  {0xf8, "o"},  {0xfe, "th"},
     {0xfd, "y"},  {0xff, "y"},  {0x107, "c"}, {0x10d, "c"}, {0x10f, "d"}, {0x111, "d"}, {0x119, "e"},
     {0x11b, "e"}, {0x11f, "g"}, {0x131, "i"}, {0x142, "l"}, {0x144, "n"}, {0x148, "n"}, {0x151, "o"},
@@ -104,7 +104,7 @@ constexpr Unmarked unmarked[] = {
     {0x171, "u"}, {0x17a, "z"}, {0x17c, "z"}, {0x17e, "z"}, {0x103, "a"}, {0x105, "a"}, {0x163, "t"},
     {0x219, "s"}, {0x21b, "t"}};
 
-std::string withoutMark(char32_t character) {
+std::string baseLetters(char32_t character) {
     if (character >= 0xe0 && character <= 0xe5)
         return "a";
     if (character >= 0xe8 && character <= 0xeb)
@@ -115,9 +115,9 @@ std::string withoutMark(char32_t character) {
         return "o";
     if (character >= 0xf9 && character <= 0xfc)
         return "u";
-    for (const Unmarked& each : unmarked)
-        if (each.character == character)
-            return each.letters;
+    for (const BaseLetters& entry : baseLetterTable)
+        if (entry.character == character)
+            return entry.letters;
     std::string text;
     append(text, character);
     return text;
@@ -130,14 +130,14 @@ char32_t lowerCase(char32_t character) {
     return unicode ? static_cast<char32_t>(towlower_l(static_cast<wint_t>(character), unicode)) : character;
 }
 
-/// Of any width, and those that nobody sees.
+/// Includes control characters and zero-width spaces.
 bool isBlank(char32_t c) {
     return c <= ' ' || c == 0xa0 || (c >= 0x2000 && c <= 0x200d) || c == 0x2028 || c == 0x2029 ||
            c == 0x202f || c == 0x205f || c == 0x3000 || c == 0xfeff;
 }
 
-/// Hyphens and dashes, apostrophes, and accents that stand behind their letter.
-bool isLeftOut(char32_t c) {
+/// Hyphens and dashes, apostrophes, and combining accents.
+bool isIgnored(char32_t c) {
     return c == '-' || c == '\'' || c == '`' || c == 0xad || c == 0xb4 || (c >= 0x300 && c <= 0x36f) ||
            (c >= 0x2010 && c <= 0x2019);
 }
@@ -167,16 +167,16 @@ DecodedText decodeText(std::string bytes) {
 
 std::string foldedName(std::string_view text) {
     std::string name;
-    bool isParted = false;
+    bool isBlankPending = false;
     while (!text.empty()) {
         const char32_t character = lowerCase(takeCharacter(text));
         if (isBlank(character)) {
-            isParted = !name.empty();
+            isBlankPending = !name.empty();
             continue;
         }
-        if (isParted)
+        if (isBlankPending)
             name += ' ';
-        isParted = false;
+        isBlankPending = false;
         append(name, character);
     }
     return name;
@@ -186,12 +186,12 @@ std::string comparableName(std::string_view text) {
     std::string name;
     while (!text.empty()) {
         const char32_t character = lowerCase(takeCharacter(text));
-        if (isBlank(character) || isLeftOut(character))
+        if (isBlank(character) || isIgnored(character))
             continue;
-        const std::string letters = withoutMark(character);
-        const bool isSecond = letters == "e" && !name.empty() &&
-                              std::string_view("aou").find(name.back()) != std::string_view::npos;
-        if (!isSecond)
+        const std::string letters = baseLetters(character);
+        const bool isUmlautE = letters == "e" && !name.empty() &&
+                               std::string_view("aou").find(name.back()) != std::string_view::npos;
+        if (!isUmlautE)
             name += letters;
     }
     return name;

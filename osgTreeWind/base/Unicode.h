@@ -6,25 +6,23 @@
 
 namespace osgTreeWind {
 
-/// Whether bytes are UTF-8 as RFC 3629 has it: no surrogates, nothing longer than needed.
+/// Whether bytes are valid UTF-8 (RFC 3629): no surrogates, no overlong forms.
 bool isUtf8(std::string_view bytes);
 
-/// A text as UTF-8.
+/// A text converted to UTF-8.
 struct DecodedText {
     std::string text;
-    std::string assumed; ///< The encoding that the bytes were taken to have; empty where they say it.
+    std::string assumed; ///< Encoding that was assumed; empty if it was certain.
 };
 
-/// Bytes as UTF-8: they are UTF-8 already, or UTF-16 behind a byte-order mark, or else Windows-1252, of which
-/// ISO 8859-1 is a part.
+/// Converts bytes to UTF-8. They are UTF-8, UTF-16 with a byte-order mark, or else Windows-1252.
 DecodedText decodeText(std::string bytes);
 
-/// Without blanks around it, with one blank for blanks of any kind within, in lower case in any script.
+/// The text trimmed, with each run of blanks as one space, and in lower case for all scripts.
 std::string foldedName(std::string_view text);
 
-/// A name as common names are compared: in lower case, without accents, blanks, hyphens and apostrophes, and
-/// ae, oe and ue as a, o and u. "Roßkastanie" and "rosskastanie" are one, as are "Bäume", "Baume" and
-/// "Baeume".
+/// A key for comparing common names: lower case, without accents, blanks, hyphens and apostrophes, and with
+/// ae, oe and ue as a, o and u. "Roßkastanie" equals "rosskastanie", and "Bäume" equals "Baume" and "Baeume".
 std::string comparableName(std::string_view text);
 
 } // namespace osgTreeWind

@@ -10,12 +10,12 @@ namespace osgTreeWind {
 
 constexpr glm::vec3 up{0.0f, 0.0f, 1.0f};
 
-/// `v` with unit length, or `fallback` when `v` is too short to have a direction.
+/// `v` normalized, or `fallback` if `v` is shorter than 1e-4.
 inline glm::vec3 directionOr(const glm::vec3& v, const glm::vec3& fallback) {
     return glm::dot(v, v) > 1e-8f ? glm::normalize(v) : fallback;
 }
 
-/// A unit vector across the unit vector `axis`: the one nearest to +x, or to +y for an axis close to x.
+/// A unit vector perpendicular to the unit vector `axis`, close to +x, or to +y if `axis` is close to x.
 template <typename T>
 glm::vec<3, T> perpendicular(const glm::vec<3, T>& axis) {
     const glm::vec<3, T> hint = std::abs(axis.x) < T(0.9) ? glm::vec<3, T>(1, 0, 0) : glm::vec<3, T>(0, 1, 0);

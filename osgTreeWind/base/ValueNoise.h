@@ -8,16 +8,16 @@
 
 namespace osgTreeWind {
 
-/// In [0, 1), of a point of a grid that repeats after `period` columns and rows.
+/// A random number in [0, 1) for a point of a grid that repeats after `period` columns and rows.
 inline float randomAt(const glm::ivec2& point, const glm::ivec2& period, std::uint32_t stream) {
-    const glm::uvec2 own((point % period + period) % period);
-    std::uint32_t n = own.x * 0x9e3779b9u ^ own.y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
+    const glm::uvec2 wrapped((point % period + period) % period);
+    std::uint32_t n = wrapped.x * 0x9e3779b9u ^ wrapped.y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
     n = (n ^ (n >> 16)) * 0x7feb352du;
     n = (n ^ (n >> 15)) * 0x846ca68bu;
     return static_cast<float>((n ^ (n >> 16)) >> 8) * (1.0f / 16777216.0f);
 }
 
-/// Smooth between those of whole places (value noise), in [0, 1].
+/// Value noise in [0, 1]: a smooth interpolation of randomAt() between grid points.
 inline float valueNoise(const glm::vec2& place, const glm::ivec2& period, std::uint32_t stream) {
     const glm::vec2 cell = glm::floor(place), part = glm::smoothstep(0.0f, 1.0f, place - cell);
     const auto corner = [&](int i, int j) {
@@ -27,7 +27,7 @@ inline float valueNoise(const glm::vec2& place, const glm::ivec2& period, std::u
                     glm::mix(corner(0, 1), corner(1, 1), part.x), part.y);
 }
 
-/// Octaves of it, each twice as fine and half as strong, in [0, 1].
+/// Fractal noise in [0, 1]: octaves of value noise with doubled frequency and halved amplitude.
 inline float fractalNoise(const glm::vec2& place, int octaves, const glm::ivec2& period,
                           std::uint32_t stream) {
     float sum = 0.0f, weights = 0.0f, weight = 1.0f;

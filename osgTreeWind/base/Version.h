@@ -5,10 +5,10 @@
 
 /// The version of these headers (CONTRIBUTING.md, Versions).
 #define OSGTREEWIND_VERSION_MAJOR 2
-#define OSGTREEWIND_VERSION_MINOR 0 ///< With MAJOR it is the library's SOVERSION.
-#define OSGTREEWIND_VERSION_PATCH 0 ///< No interface differs by it.
+#define OSGTREEWIND_VERSION_MINOR 0 ///< MAJOR.MINOR is the library's SOVERSION.
+#define OSGTREEWIND_VERSION_PATCH 0 ///< Patch releases do not change the API.
 
-/// Whether these headers are of that version or a later one.
+/// Whether these headers have at least that version.
 #define OSGTREEWIND_VERSION_AT_LEAST(major, minor, patch)                                                    \
     (OSGTREEWIND_VERSION_MAJOR > (major) ||                                                                  \
      (OSGTREEWIND_VERSION_MAJOR == (major) &&                                                                \
@@ -17,7 +17,7 @@
 
 namespace osgTreeWind {
 
-/// The version of the library that is loaded, "2.0.0".
+/// The version of the loaded library, such as "2.0.0".
 OSGTREEWIND_EXPORT const char* libraryVersion();
 
 } // namespace osgTreeWind

@@ -10,42 +10,42 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Without SIGPIPE, which would end a host whose reader has ended.
-ssize_t put(int descriptor, const void* bytes, std::size_t size) {
+/// Writes without raising SIGPIPE, which would kill the host when its reader has ended.
+ssize_t writeBytes(int descriptor, const void* bytes, std::size_t size) {
     const ssize_t sent = ::send(descriptor, bytes, size, MSG_NOSIGNAL);
     return sent < 0 && errno == ENOTSOCK ? ::write(descriptor, bytes, size) : sent;
 }
 
 } // namespace
 
-bool Wire::pass(std::string& text) {
-    std::vector<char> letters(text.begin(), text.end());
-    const bool good = pass(letters);
-    text.assign(letters.begin(), letters.end());
+bool Wire::transfer(std::string& text) {
+    std::vector<char> characters(text.begin(), text.end());
+    const bool good = transfer(characters);
+    text.assign(characters.begin(), characters.end());
     return good;
 }
 
-bool Wire::pass(bool& value) {
+bool Wire::transfer(bool& value) {
     unsigned char byte = value;
-    const bool good = passBytes(&byte, 1) && byte <= 1;
+    const bool good = transferBytes(&byte, 1) && byte <= 1;
     value = byte == 1;
     return good;
 }
 
-bool Wire::pass(Diagnostic& problem) {
-    return pass(problem.file) && pass(problem.key) && pass(problem.message);
+bool Wire::transfer(Diagnostic& problem) {
+    return transfer(problem.file) && transfer(problem.key) && transfer(problem.message);
 }
 
-bool Wire::passBytes(void* bytes, std::size_t size) {
+bool Wire::transferBytes(void* bytes, std::size_t size) {
     auto* at = static_cast<char*>(bytes);
     while (size > 0) {
-        const ssize_t passed = _sends ? put(_descriptor, at, size) : ::read(_descriptor, at, size);
-        if (passed < 0 && errno == EINTR)
+        const ssize_t count = _sends ? writeBytes(_descriptor, at, size) : ::read(_descriptor, at, size);
+        if (count < 0 && errno == EINTR)
             continue;
-        if (passed <= 0)
+        if (count <= 0)
             return false;
-        at += passed;
-        size -= static_cast<std::size_t>(passed);
+        at += count;
+        size -= static_cast<std::size_t>(count);
     }
     return true;
 }

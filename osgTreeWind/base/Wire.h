@@ -15,49 +15,48 @@
 
 namespace osgTreeWind {
 
-/// The way of values from a process to another of the same build. pass() sends a value at one end and takes
-/// it in at the other; false when there is nobody there, or what comes makes no sense.
+/// Serializes values between two processes of the same build over a file descriptor. transfer() writes the
+/// value on a sender and reads it on a receiver. It returns false for a closed connection or invalid data.
 class Wire {
 public:
-    /// Sends a value, or what is wrong, to a file descriptor.
+    /// Sends a value, or the first problem of an error without its line and column.
     template <typename T>
     static bool send(int descriptor, Result<T>& result);
-    /// Reads what send() wrote: nothing where it ends too early or makes no sense.
+    /// Receives what send() sent; empty if the data is incomplete or invalid.
     template <typename T>
     static std::optional<Result<T>> receive(int descriptor);
 
-    /// One that sends values, for those who send one after another.
     static Wire sender(int descriptor) { return Wire(descriptor, true); }
     static Wire receiver(int descriptor) { return Wire(descriptor, false); }
 
-    /// A number, a struct of numbers, or a struct whose parts() is a std::tie() of the members to pass.
+    /// A number, a struct of numbers, or a struct whose parts() is a std::tie() of the members to transfer.
     template <typename T>
-    bool pass(T& value);
-    bool pass(bool& value);
+    bool transfer(T& value);
+    bool transfer(bool& value);
     template <typename First, typename Second>
-    bool pass(std::pair<First, Second>& values) {
-        return pass(values.first, values.second);
+    bool transfer(std::pair<First, Second>& values) {
+        return transfer(values.first, values.second);
     }
     template <typename T>
-    bool pass(std::vector<T>& values);
+    bool transfer(std::vector<T>& values);
     template <typename T>
-    bool pass(std::optional<T>& value);
-    bool pass(std::string& text);
-    bool pass(Diagnostic& problem);
-    /// Several, one after another.
+    bool transfer(std::optional<T>& value);
+    bool transfer(std::string& text);
+    bool transfer(Diagnostic& problem);
+    /// Several values in turn.
     template <typename First, typename Second, typename... More>
-    bool pass(First& first, Second& second, More&... more) {
-        return pass(first) && pass(second, more...);
+    bool transfer(First& first, Second& second, More&... more) {
+        return transfer(first) && transfer(second, more...);
     }
 
 private:
-    static constexpr std::size_t mostBytes = std::size_t(1) << 34;  // of one vector
-    static constexpr std::size_t mostAtOnce = std::size_t(1) << 29; // bytes of memory for what may not come
-    static constexpr std::size_t step = 1 << 20;                    // values
+    static constexpr std::size_t maxVectorBytes = std::size_t(1) << 34;
+    static constexpr std::size_t maxReservedBytes = std::size_t(1) << 29; // before the data has arrived
+    static constexpr std::size_t valuesPerRead = 1 << 20;
 
     Wire(int descriptor, bool sends) : _descriptor(descriptor), _sends(sends) {}
 
-    bool passBytes(void* bytes, std::size_t size);
+    bool transferBytes(void* bytes, std::size_t size);
 
     int _descriptor;
     bool _sends;
@@ -68,9 +67,9 @@ bool Wire::send(int descriptor, Result<T>& result) {
     Wire wire(descriptor, true);
     bool good = result.ok();
     if (good)
-        return wire.pass(good) && wire.pass(result.value());
+        return wire.transfer(good) && wire.transfer(result.value());
     Diagnostic problem = result.problems().front();
-    return wire.pass(good) && wire.pass(problem);
+    return wire.transfer(good) && wire.transfer(problem);
 }
 
 template <typename T>
@@ -79,51 +78,51 @@ std::optional<Result<T>> Wire::receive(int descriptor) {
     bool good = false;
     T value{};
     Diagnostic problem;
-    if (!wire.pass(good) || !(good ? wire.pass(value) : wire.pass(problem)))
+    if (!wire.transfer(good) || !(good ? wire.transfer(value) : wire.transfer(problem)))
         return std::nullopt;
     return good ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
 }
 
 template <typename T>
-bool Wire::pass(T& value) {
+bool Wire::transfer(T& value) {
     if constexpr (std::is_trivially_copyable_v<T>)
-        return passBytes(&value, sizeof value);
+        return transferBytes(&value, sizeof value);
     else
-        return std::apply([this](auto&... parts) { return this->pass(parts...); }, value.parts());
+        return std::apply([this](auto&... parts) { return this->transfer(parts...); }, value.parts());
 }
 
 template <typename T>
-bool Wire::pass(std::optional<T>& value) {
-    bool is = value.has_value();
-    if (!pass(is))
+bool Wire::transfer(std::optional<T>& value) {
+    bool hasValue = value.has_value();
+    if (!transfer(hasValue))
         return false;
-    if (is && !_sends)
+    if (hasValue && !_sends)
         value.emplace();
-    return !is || pass(*value);
+    return !hasValue || transfer(*value);
 }
 
 template <typename T>
-bool Wire::pass(std::vector<T>& values) {
+bool Wire::transfer(std::vector<T>& values) {
     std::size_t size = values.size();
-    if (!pass<std::size_t>(size) || size > mostBytes / sizeof(T))
+    if (!transfer<std::size_t>(size) || size > maxVectorBytes / sizeof(T))
         return false;
     if constexpr (!std::is_trivially_copyable_v<T>) {
         for (std::size_t i = 0; i < size; ++i) {
             if (!_sends)
                 values.emplace_back();
-            if (!pass(values[i]))
+            if (!transfer(values[i]))
                 return false;
         }
         return true;
     } else {
         if (_sends)
-            return passBytes(values.data(), size * sizeof(T));
+            return transferBytes(values.data(), size * sizeof(T));
         try {
-            values.reserve(std::min(size, mostAtOnce / sizeof(T)));
+            values.reserve(std::min(size, maxReservedBytes / sizeof(T)));
             while (values.size() < size) {
-                const std::size_t known = values.size(), some = std::min(step, size - known);
-                values.resize(known + some);
-                if (!passBytes(&values[known], some * sizeof(T)))
+                const std::size_t done = values.size(), count = std::min(valuesPerRead, size - done);
+                values.resize(done + count);
+                if (!transferBytes(&values[done], count * sizeof(T)))
                     return false;
             }
         } catch (const std::bad_alloc&) {

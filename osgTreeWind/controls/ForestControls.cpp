@@ -17,13 +17,13 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double frameTime = 1.0 / 30.0, slowest = 1.0 / 64.0; // seconds; over real time
+constexpr double stepTime = 1.0 / 30.0, minClockRate = 1.0 / 64.0; // seconds; simulation time over real time
 
-/// A date within the year that the season is that of (Season.h).
+/// The date of a season (Season.h).
 std::string dateText(float season) {
     constexpr double daysInSeason = 365.0 / 4.0, midwinter = 34.0; // from the first of January
     const std::time_t day = std::lround(midwinter + daysInSeason * static_cast<double>(season));
-    const std::time_t seconds = 86400 * day; // of 1970
+    const std::time_t seconds = 86400 * day; // in 1970
     std::tm date{};
     gmtime_r(&seconds, &date);
     char month[32];
@@ -31,23 +31,22 @@ std::string dateText(float season) {
     return std::to_string(date.tm_mday) + ' ' + month;
 }
 
-/// Whether both have the same field, as strong and turned alike.
-bool sameAir(const Wind& a, const Wind& b) {
+/// Whether two winds have the same field, strength and turn.
+bool hasSameField(const Wind& a, const Wind& b) {
     return a.field == b.field && a.adjustment.strength == b.adjustment.strength &&
            a.adjustment.turn == b.adjustment.turn;
 }
 
-/// Gives a wind the field and the adjustment of another one.
-void blowAs(const Wind& other, Wind& wind) {
+/// Copies the field and the adjustment of a wind.
+void copyField(const Wind& other, Wind& wind) {
     wind.field = other.field;
     wind.adjustment = other.adjustment;
 }
 
-/// What a person may put to a tree, one after the other: a helicopter of seven tonnes 15 m above it, a fan
-/// that blows at it from the west, a whirl beside it, a place out of the wind around it, a hundred kilograms
-/// of TNT 15 m west of it that go off a second later.
-/// @param foot of the tree, in the wind's frame. @param height of the tree, metres. @param time now, seconds.
-std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height, double time) {
+/// The sources of nextSource() in order: a helicopter of 7 t 15 m above the tree, a fan that blows from the
+/// west, a vortex beside the tree, a shelter around it, and 100 kg of TNT 15 m west of it that explode after
+/// 1 s. Parameters as of nextSource().
+std::vector<WindSource> placeableSources(const glm::dvec3& foot, double height, double time) {
     WindSource helicopter; // a Super Puma's rotor
     helicopter.position = foot + glm::dvec3(0.0, 0.0, height + 15.0);
     helicopter.radius = 7.8;
@@ -58,12 +57,12 @@ std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height, dou
     fan.toward = 90.0;
     fan.radius = 2.0;
     fan.speed = 30.0;
-    WindSource whirl;
-    whirl.kind = WindSource::Kind::Vortex;
-    whirl.position = foot + glm::dvec3(5.0, 0.0, 0.0);
-    whirl.radius = 4.0;
-    whirl.speed = 15.0;
-    whirl.height = 2.0 * height;
+    WindSource vortex;
+    vortex.kind = WindSource::Kind::Vortex;
+    vortex.position = foot + glm::dvec3(5.0, 0.0, 0.0);
+    vortex.radius = 4.0;
+    vortex.speed = 15.0;
+    vortex.height = 2.0 * height;
     WindSource shelter;
     shelter.kind = WindSource::Kind::Shelter;
     shelter.position = foot;
@@ -75,49 +74,49 @@ std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height, dou
     explosion.position = foot + glm::dvec3(-15.0, 0.0, 0.0);
     explosion.charge = 100.0;
     explosion.time = time + 1.0;
-    return {helicopter, fan, whirl, shelter, explosion};
+    return {helicopter, fan, vortex, shelter, explosion};
 }
 
 } // namespace
 
 ForestControls::ForestControls(Forest* forest) : _forest(forest) {}
 
-void ForestControls::steer(const std::function<void(WindSteering&)>& change) {
+void ForestControls::steerWind(const std::function<void(WindSteering&)>& change) {
     if (!_forest.valid())
         return;
-    _message.clear();
+    _error.clear();
     Wind now = _forest->getWind();
-    if (!_steers || !sameAir(now, _set)) {
-        _given = now;
+    if (!_isSteering || !hasSameField(now, _modifiedWind)) {
+        _hostWind = now;
         _steering = steeringOf(now);
-        _steers = true;
+        _isSteering = true;
     }
     change(_steering);
-    _set = steered(_given, _steering);
-    blowAs(_set, now);
+    _modifiedWind = steered(_hostWind, _steering);
+    copyField(_modifiedWind, now);
     _forest->setWind(std::move(now));
 }
 
 void ForestControls::changeSpeed(double metresPerSecond) {
-    steer([&](WindSteering& wind) { wind.strengthen(metresPerSecond); });
+    steerWind([&](WindSteering& wind) { wind.strengthen(metresPerSecond); });
 }
 
 void ForestControls::turnWind(double degrees) {
-    steer([&](WindSteering& wind) { wind.turnClockwise(degrees); });
+    steerWind([&](WindSteering& wind) { wind.turnClockwise(degrees); });
 }
 
 void ForestControls::changeGustiness(double by) {
-    steer([&](WindSteering& wind) { wind.changeGustiness(by); });
+    steerWind([&](WindSteering& wind) { wind.changeGustiness(by); });
 }
 
 void ForestControls::restoreWind() {
-    if (_forest.valid() && _steers) {
+    if (_forest.valid() && _isSteering) {
         Wind now = _forest->getWind();
-        blowAs(_given, now);
+        copyField(_hostWind, now);
         _forest->setWind(std::move(now));
     }
-    _steers = false;
-    _message.clear();
+    _isSteering = false;
+    _error.clear();
 }
 
 void ForestControls::changeSources(const std::function<void(std::vector<WindSource>&)>& change) {
@@ -130,15 +129,16 @@ void ForestControls::changeSources(const std::function<void(std::vector<WindSour
 
 void ForestControls::nextSource(const glm::dvec3& foot, double height, double time) {
     changeSources([&](std::vector<WindSource>& sources) {
-        const std::vector<WindSource> choice = sourcesByHand(foot, height, time);
-        const bool isThere = _byHand && !sources.empty() && sources.back().kind == choice[*_byHand].kind;
-        if (isThere)
+        const std::vector<WindSource> choice = placeableSources(foot, height, time);
+        const bool isPlaced =
+            _placedSource && !sources.empty() && sources.back().kind == choice[*_placedSource].kind;
+        if (isPlaced)
             sources.pop_back();
-        _byHand = isThere ? *_byHand + 1 : 0;
-        if (*_byHand < choice.size())
-            sources.push_back(choice[*_byHand]);
+        _placedSource = isPlaced ? *_placedSource + 1 : 0;
+        if (*_placedSource < choice.size())
+            sources.push_back(choice[*_placedSource]);
         else
-            _byHand.reset();
+            _placedSource.reset();
     });
 }
 
@@ -147,10 +147,10 @@ void ForestControls::removeSource() {
         if (!sources.empty())
             sources.pop_back();
     });
-    _byHand.reset();
+    _placedSource.reset();
 }
 
-void ForestControls::switchTierColors() {
+void ForestControls::toggleTierColors() {
     if (!_forest.valid())
         return;
     osg::StateSet* state = _forest->getOrCreateStateSet();
@@ -164,61 +164,61 @@ void ForestControls::switchTierColors() {
 
 void ForestControls::changeSeason(float seasons) {
     if (_forest.valid())
-        _forest->setSeason(withinYear(0.01f * std::round(100.0f * (_forest->getSeason() + seasons))));
+        _forest->setSeason(wrapSeason(0.01f * std::round(100.0f * (_forest->getSeason() + seasons))));
 }
 
-void ForestControls::grow(const std::function<void(ForestDescription&)>& change) {
+void ForestControls::rebuildForest(const std::function<void(ForestDescription&)>& change) {
     if (!_forest.valid())
         return;
     ForestDescription description = _forest->getSimulation().describe();
     change(description);
     const Diagnostics problems = _forest->setDescription(std::move(description));
-    _message = problems.empty() ? "" : problems.front().text();
+    _error = problems.empty() ? "" : problems.front().text();
 }
 
 void ForestControls::nextLaw() {
-    grow([](ForestDescription& forest) { // modal, thesis, thesis-smooth
+    rebuildForest([](ForestDescription& forest) { // modal, thesis, thesis-smooth
         forest.law = static_cast<MotionLaw>((static_cast<int>(forest.law) + 1) % 3);
     });
 }
 
 void ForestControls::changeGain(float factor) {
-    grow([factor](ForestDescription& forest) {
+    rebuildForest([factor](ForestDescription& forest) {
         forest.gain = std::clamp(factor * std::max(forest.gain, 0.1f), 0.0f, 100.0f);
     });
 }
 
-void ForestControls::switchDamage() {
-    grow([](ForestDescription& forest) { forest.damage = !forest.damage; });
+void ForestControls::toggleDamage() {
+    rebuildForest([](ForestDescription& forest) { forest.damage = !forest.damage; });
 }
 
-void ForestControls::switchTiers() {
-    grow([](ForestDescription& forest) { forest.drawing.tiers = !forest.drawing.tiers; });
+void ForestControls::toggleTiers() {
+    rebuildForest([](ForestDescription& forest) { forest.drawing.tiers = !forest.drawing.tiers; });
 }
 
-void ForestControls::switchBudget() {
+void ForestControls::toggleBudget() {
     constexpr float budget = 33.0f; // milliseconds
-    grow([](ForestDescription& forest) {
+    rebuildForest([](ForestDescription& forest) {
         forest.drawing.budget = forest.drawing.budget > 0.0f ? 0.0f : budget;
     });
 }
 
 void ForestControls::step() {
     _isPaused = true;
-    ++_steps;
+    ++_pendingSteps;
 }
 
-void ForestControls::changePace(double factor) {
-    _pace = std::clamp(_pace * factor, slowest, 1.0 / slowest);
+void ForestControls::changeClockRate(double factor) {
+    _clockRate = std::clamp(_clockRate * factor, minClockRate, 1.0 / minClockRate);
 }
 
 double ForestControls::simulationTime(double referenceTime) {
     if (!(std::abs(referenceTime) <= maxTime))
         return _time;
-    const double passed = _reference ? std::max(referenceTime - *_reference, 0.0) : 0.0;
-    _reference = referenceTime;
-    _time += _isPaused ? _steps * frameTime : passed * _pace;
-    _steps = 0;
+    const double passed = _lastReferenceTime ? std::max(referenceTime - *_lastReferenceTime, 0.0) : 0.0;
+    _lastReferenceTime = referenceTime;
+    _time += _isPaused ? _pendingSteps * stepTime : passed * _clockRate;
+    _pendingSteps = 0;
     return _time;
 }
 
@@ -229,11 +229,11 @@ std::string ForestControls::windText() const {
     if (!wind.field)
         return "calm" + sources;
     const WindSteering steering = steeringOf(wind);
-    if (steering.isMadeUp)
+    if (steering.isSynthetic)
         return formatted("%.1f m/s from %.0f\xc2\xb0, gusts %.0f %%", steering.speed, steering.from,
                          100.0 * steering.gustiness) +
                sources;
-    std::string text = "as given";
+    std::string text = "of the host";
     if (steering.strength != 1.0)
         text += formatted(", times %.3g", steering.strength);
     if (steering.turn != 0.0)
@@ -252,17 +252,17 @@ std::string ForestControls::text() const {
     if (forest.damage)
         text += ", with damage";
     if (!forest.drawing.tiers)
-        text += ", all in full";
+        text += ", all trees in full detail";
     if (forest.drawing.budget > 0.0f)
         text += formatted(", budget %.3g ms", static_cast<double>(forest.drawing.budget));
     const osg::StateSet* state = _forest->getStateSet();
     if (state && state->getDefinePair("TIERS_COLORED"))
-        text += "\ncolours red: in full; yellow to green: by boughs; blue: pictures; violet: far tiles";
+        text += "\ncolours red: full detail; yellow to green: boughs; blue: pictures; violet: far tiles";
     text += formatted("\ntime    %.1f s", _time);
     if (_isPaused)
         text += ", paused";
-    else if (_pace != 1.0)
-        text += formatted(", x %.3g", _pace);
+    else if (_clockRate != 1.0)
+        text += formatted(", x %.3g", _clockRate);
     return text;
 }
 

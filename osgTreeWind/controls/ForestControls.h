@@ -14,65 +14,63 @@
 
 namespace osgTreeWind {
 
-/// What a person changes on a forest while it runs, and its clock. Between frames.
+/// Interactive controls of a running forest and of its clock. Call them between frames.
 class ForestControls {
 public:
     explicit ForestControls(Forest* forest);
-    /// Null once it is gone; then nothing below does anything.
+    /// Null after the forest was deleted; then the functions below have no effect.
     Forest* forest() const { return _forest.get(); }
 
-    // The wind (WindSteering).
+    // Wind, by WindSteering.
     void changeSpeed(double metresPerSecond);
     void turnWind(double degrees);
     void changeGustiness(double by);
-    /// The field and the adjustment that it had when the host last set it.
-    void restoreWind();
+    void restoreWind(); ///< Restores the field and the adjustment that the host set last.
 
-    /// Puts the next source of wind beside a tree in place of the present one: a helicopter, a fan, a whirl,
-    /// a shelter, an explosion, then no source.
+    /// Replaces the last call's source by the next kind: helicopter, fan, vortex, shelter, explosion, none.
+    /// @param foot of a tree, in the wind's frame. @param height of the tree, metres. @param time seconds.
     void nextSource(const glm::dvec3& foot, double height, double time);
-    void keepSource() { _byHand.reset(); } ///< The next one comes beside it.
-    void removeSource();                   ///< The last of the wind's.
+    void keepSource() { _placedSource.reset(); } ///< Makes nextSource() add another source.
+    void removeSource();                         ///< Removes the last source of the wind.
 
-    void changeSeason(float seasons); ///< Season.h
+    void changeSeason(float seasons); ///< As in Season.h.
 
-    // Trees are put up anew for these, at rest, as they are by now.
+    // These rebuild the forest with its current trees, at rest.
     void nextLaw();
     void changeGain(float factor);
-    void switchDamage();
-    void switchTiers();
-    void switchBudget(); ///< 33 ms a frame, or none.
+    void toggleDamage();
+    void toggleTiers();
+    void toggleBudget(); ///< 33 ms per frame, or none.
 
-    /// Each tree in the colour of its tier, or in its own.
-    void switchTierColors();
+    void toggleTierColors(); ///< Draws trees in the colours of their tiers, or in their own.
 
-    void pause() { _isPaused = !_isPaused; }
-    void step(); ///< On by a thirtieth of a second of a forest that pauses.
-    void changePace(double factor);
-    /// That of a frame at a host's own time, seconds.
+    void togglePause() { _isPaused = !_isPaused; }
+    void step(); ///< Pauses, and advances the clock by 1/30 s.
+    void changeClockRate(double factor);
+    /// The simulation time of a frame. @param referenceTime of the host, seconds.
     double simulationTime(double referenceTime);
 
-    /// Why the last change was not made, for a line; empty: it was.
-    const std::string& message() const { return _message; }
-    /// Wind, season, law and clock, a line each.
+    /// Why the last change failed; empty if it succeeded.
+    const std::string& error() const { return _error; }
+    /// Status lines: wind, season, law, clock.
     std::string text() const;
 
 private:
-    void steer(const std::function<void(WindSteering&)>& change);
-    void grow(const std::function<void(ForestDescription&)>& change);
+    void steerWind(const std::function<void(WindSteering&)>& change);
+    void rebuildForest(const std::function<void(ForestDescription&)>& change);
     void changeSources(const std::function<void(std::vector<WindSource>&)>& change);
     std::string windText() const;
 
     osg::observer_ptr<Forest> _forest;
-    Wind _given, _set;    ///< The host's wind, and our modified copy.
-    bool _steers = false; ///< The forest's wind is `_set`, unless the host set another.
+    Wind _hostWind, _modifiedWind; ///< The host's wind, and our modified copy.
+    bool _isSteering = false;      ///< `_modifiedWind` was set; the host may have replaced it.
     WindSteering _steering;
     bool _isPaused = false;
-    double _pace = 1.0, _time = 0.0;
-    int _steps = 0;                     ///< That wait.
-    std::optional<std::size_t> _byHand; ///< Which of them is the last source of the wind.
-    std::optional<double> _reference;
-    std::string _message;
+    double _clockRate = 1.0, _time = 0.0;
+    int _pendingSteps = 0;
+    std::optional<std::size_t> _placedSource; ///< Index of the kind that nextSource() added last.
+    std::optional<double> _lastReferenceTime;
+    std::string _error;
 };
 
 } // namespace osgTreeWind

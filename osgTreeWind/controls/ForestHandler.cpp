@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/controls/ForestControls.h>
 #include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/controls/SelectedTree.h>
 #include <osgTreeWind/controls/TextPanel.h>
-#include <osgTreeWind/controls/WatchedTree.h>
 #include <osgTreeWind/controls/WindArrows.h>
 #include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/instanced/DrawnTrees.h>
@@ -12,9 +12,9 @@
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/View>
@@ -32,65 +32,65 @@ using Event = osgGA::GUIEventAdapter;
 
 struct Key {
     int key;
-    const char *name, *does;
+    const char *name, *description;
     void (*act)(ForestControls&);
 };
 
 const Key keys[] = {
-    {Event::KEY_Up, "Up", "a stronger wind", [](ForestControls& f) { f.changeSpeed(1.0); }},
-    {Event::KEY_Down, "Down", "a weaker wind", [](ForestControls& f) { f.changeSpeed(-1.0); }},
+    {Event::KEY_Up, "Up", "stronger wind", [](ForestControls& f) { f.changeSpeed(1.0); }},
+    {Event::KEY_Down, "Down", "weaker wind", [](ForestControls& f) { f.changeSpeed(-1.0); }},
     {Event::KEY_Right, "Right", "turn the wind clockwise", [](ForestControls& f) { f.turnWind(15.0); }},
-    {Event::KEY_Left, "Left", "turn it back", [](ForestControls& f) { f.turnWind(-15.0); }},
-    {Event::KEY_Page_Up, "PageUp", "gustier", [](ForestControls& f) { f.changeGustiness(0.05); }},
-    {Event::KEY_Page_Down, "PageDown", "steadier", [](ForestControls& f) { f.changeGustiness(-0.05); }},
-    {'0', "0", "the wind that was given", [](ForestControls& f) { f.restoreWind(); }},
+    {Event::KEY_Left, "Left", "turn the wind counter-clockwise",
+     [](ForestControls& f) { f.turnWind(-15.0); }},
+    {Event::KEY_Page_Up, "PageUp", "stronger gusts", [](ForestControls& f) { f.changeGustiness(0.05); }},
+    {Event::KEY_Page_Down, "PageDown", "weaker gusts", [](ForestControls& f) { f.changeGustiness(-0.05); }},
+    {'0', "0", "original wind", [](ForestControls& f) { f.restoreWind(); }},
     {']', "]", "later in the year", [](ForestControls& f) { f.changeSeason(0.1f); }},
     {'[', "[", "earlier in the year", [](ForestControls& f) { f.changeSeason(-0.1f); }},
-    {'p', "p", "pause, and go on", [](ForestControls& f) { f.pause(); }},
-    {'n', "n", "a thirtieth of a second on", [](ForestControls& f) { f.step(); }},
-    {'+', "+", "time goes faster", [](ForestControls& f) { f.changePace(2.0); }},
-    {'-', "-", "time goes slower", [](ForestControls& f) { f.changePace(0.5); }},
-    {'m', "m", "the next law of motion", [](ForestControls& f) { f.nextLaw(); }},
-    {'g', "g", "half the answer to the wind", [](ForestControls& f) { f.changeGain(0.5f); }},
-    {'G', "G", "twice the answer to the wind", [](ForestControls& f) { f.changeGain(2.0f); }},
-    {'d', "d", "the wind brings down trees, or none", [](ForestControls& f) { f.switchDamage(); }},
-    {'v', "v", "far trees in full, or in tiers", [](ForestControls& f) { f.switchTiers(); }},
-    {'V', "V", "trees in the colours of their tiers, or in their own",
-     [](ForestControls& f) { f.switchTierColors(); }},
-    {'R', "R", "the source of wind stays, r puts another", [](ForestControls& f) { f.keepSource(); }},
-    {Event::KEY_Delete, "Delete", "take away the last source", [](ForestControls& f) { f.removeSource(); }},
-    {'b', "b", "far trees coarser where frames take over 33 ms, or not",
-     [](ForestControls& f) { f.switchBudget(); }},
+    {'p', "p", "pause or continue", [](ForestControls& f) { f.togglePause(); }},
+    {'n', "n", "step by 1/30 s", [](ForestControls& f) { f.step(); }},
+    {'+', "+", "faster clock", [](ForestControls& f) { f.changeClockRate(2.0); }},
+    {'-', "-", "slower clock", [](ForestControls& f) { f.changeClockRate(0.5); }},
+    {'m', "m", "next law of motion", [](ForestControls& f) { f.nextLaw(); }},
+    {'g', "g", "half the response to the wind", [](ForestControls& f) { f.changeGain(0.5f); }},
+    {'G', "G", "twice the response to the wind", [](ForestControls& f) { f.changeGain(2.0f); }},
+    {'d', "d", "damage by wind on or off", [](ForestControls& f) { f.toggleDamage(); }},
+    {'v', "v", "far trees in full detail or in tiers", [](ForestControls& f) { f.toggleTiers(); }},
+    {'V', "V", "colours of the tiers on or off", [](ForestControls& f) { f.toggleTierColors(); }},
+    {'R', "R", "keep the wind source; r adds another", [](ForestControls& f) { f.keepSource(); }},
+    {Event::KEY_Delete, "Delete", "remove the last wind source", [](ForestControls& f) { f.removeSource(); }},
+    {'b', "b", "coarser far trees if frames take over 33 ms, on or off",
+     [](ForestControls& f) { f.toggleBudget(); }},
 };
 struct Switch {
     int key;
-    const char *name, *does;
+    const char *name, *description;
 };
 constexpr Switch sourceKey{
-    'r', "r", "a helicopter, a fan, a whirl, a shelter, an explosion or none at the tree clicked"},
-    arrowsKey{'a', "a", "arrows of the wind"}, streaksKey{'A', "A", "streaks that travel with the wind"},
-    panelKey{'i', "i", "the text at the left"}, helpKey{'h', "h", "these keys"};
+    'r', "r", "next wind source at the clicked tree: helicopter, fan, vortex, shelter, explosion, none"},
+    arrowsKey{'a', "a", "arrows of the wind"}, streaksKey{'A', "A", "paths of the air near the camera"},
+    panelKey{'i', "i", "status text"}, helpKey{'h', "h", "list of the keys"};
 constexpr const char* clickName = "click";
-constexpr const char* clickDoes = "what a tree is, and how it sways";
+constexpr const char* clickEffect = "data of a tree";
 
 template <class Visit>
 void forEachKey(const Visit& visit) {
     for (const Key& key : keys)
-        visit(key.name, key.does);
+        visit(key.name, key.description);
     for (const Switch& key : {sourceKey, arrowsKey, streaksKey, panelKey, helpKey})
-        visit(key.name, key.does);
-    visit(clickName, clickDoes);
+        visit(key.name, key.description);
+    visit(clickName, clickEffect);
 }
 
 std::string helpText() {
     std::string text;
-    forEachKey([&](const char* name, const char* does) {
-        text += formatted(text.empty() ? "%-9s %s" : "\n%-9s %s", name, does);
+    forEachKey([&](const char* name, const char* description) {
+        text += formatted(text.empty() ? "%-9s %s" : "\n%-9s %s", name, description);
     });
     return text;
 }
 
-/// Into the forest's frame.
+/// From the scene's root to the forest's frame.
 osg::Matrix toForest(Forest& forest) {
     const osg::NodePathList paths = forest.getParentalNodePaths();
     return paths.empty() ? osg::Matrix() : osg::computeWorldToLocal(paths.front());
@@ -100,9 +100,9 @@ std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
     if (!forest.getInstanced())
         return text;
-    const DrawnTrees drawn(InstancedParts::trees(*forest.getInstanced())->listedTrees());
-    return text + formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", drawn.full, drawn.byBoughs,
-                            drawn.asPictures);
+    const DrawnTrees drawn(InstancedParts::trees(*forest.getInstanced())->treesByTier());
+    return text + formatted("; drawn: %zu in full detail, %zu by boughs, %zu as pictures", drawn.full,
+                            drawn.byBoughs, drawn.asPictures);
 }
 
 } // namespace
@@ -113,84 +113,85 @@ public:
 
     bool handle(const Event& event, osg::View& view);
 
-    EntryGuard guard;
+    ExceptionGuard guard;
     ForestControls controls;
     TextPanel panel;
-    std::optional<WatchedTree> watched;
+    std::optional<SelectedTree> selected;
     unsigned unit = 0;
 
 private:
-    bool press(int key);
-    void pick(const Event& event, osg::View& view);
-    void refresh(double now, osg::View& view);
-    void putSource();
-    void showWind(Forest& forest, osg::View& view);
+    bool handleKey(int key);
+    void selectTree(const Event& event, osg::View& view);
+    void updateOverlay(double now, osg::View& view);
+    void placeSource();
+    void updateWindOverlay(Forest& forest, osg::View& view);
     std::string statusText(Forest& forest) const;
 
     osg::ref_ptr<WindArrows> _arrows = new WindArrows;
     osg::ref_ptr<WindStreaks> _streaks = new WindStreaks;
-    bool _withText = true, _withHelp = false, _withArrows = false, _withStreaks = false;
-    double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
-    unsigned _frames = 0;                     ///< Since then.
-    std::optional<osg::Vec3d> _sourceFoot;    ///< Of the tree it is put to, in the wind's frame.
+    bool _showsText = true, _showsHelp = false, _showsArrows = false, _showsStreaks = false;
+    double _lastTextTime = -1.0, _frameTime = 0.0; ///< Seconds.
+    unsigned _frames = 0;                          ///< Since `_lastTextTime`.
+    std::optional<osg::Vec3d> _sourceFoot;         ///< Foot of the clicked tree, in the wind's frame.
     double _sourceHeight = 0.0;
     double _time = 0.0; ///< Of the simulation.
-    const ForestSimulation* _watchedIn = nullptr;
+    const ForestSimulation* _selectedIn = nullptr;
     float _pushedX = 0.0f, _pushedY = 0.0f;
 };
 
-bool ForestHandler::State::press(int key) {
-    _shownAt = -1.0;
+bool ForestHandler::State::handleKey(int key) {
+    _lastTextTime = -1.0;
     const auto* found =
         std::find_if(std::begin(keys), std::end(keys), [key](const Key& k) { return k.key == key; });
     if (found != std::end(keys))
         found->act(controls);
     else if (key == sourceKey.key)
-        putSource();
+        placeSource();
     else if (key == arrowsKey.key)
-        _withArrows = !_withArrows;
+        _showsArrows = !_showsArrows;
     else if (key == streaksKey.key)
-        _withStreaks = !_withStreaks;
+        _showsStreaks = !_showsStreaks;
     else if (key == panelKey.key)
-        _withText = !_withText;
+        _showsText = !_showsText;
     else if (key == helpKey.key)
-        _withHelp = !_withHelp;
+        _showsHelp = !_showsHelp;
     else
         return false;
     return true;
 }
 
-void ForestHandler::State::putSource() {
+void ForestHandler::State::placeSource() {
     Forest& forest = *controls.forest();
     const ForestSimulation& simulation = forest.getSimulation();
-    if (watched && simulation.holds(watched->id())) {
-        const PlacedTree& tree = SimulationParts::forest(simulation).trees[simulation.slotOf(watched->id())];
+    if (selected && simulation.holds(selected->id())) {
+        const PlacedTree& tree =
+            SimulationAccess::forest(simulation).trees[simulation.slotOf(selected->id())];
         _sourceFoot = toOsg(tree.position);
         if (forest.getWind().frame == WindFrame::Scene)
             *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));
-        _sourceHeight = static_cast<double>(SimulationParts::forest(simulation).measured(tree).height);
+        _sourceHeight = static_cast<double>(SimulationAccess::forest(simulation).sizeOf(tree).height);
     }
-    if (_sourceFoot) // else nothing was clicked yet
+    if (_sourceFoot) // a tree was clicked before
         controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight, _time);
 }
 
-void ForestHandler::State::pick(const Event& event, osg::View& view) {
-    constexpr float still = 3.0f; // pixels
+void ForestHandler::State::selectTree(const Event& event, osg::View& view) {
+    constexpr float maxDrag = 3.0f; // pixels
     Forest* forest = controls.forest();
-    if (std::abs(event.getX() - _pushedX) > still || std::abs(event.getY() - _pushedY) > still)
+    if (std::abs(event.getX() - _pushedX) > maxDrag || std::abs(event.getY() - _pushedY) > maxDrag)
         return; // the camera was moved
     osg::ref_ptr<osgUtil::LineSegmentIntersector> line = new osgUtil::LineSegmentIntersector(
         osgUtil::Intersector::PROJECTION, event.getXnormalized(), event.getYnormalized());
     osgUtil::IntersectionVisitor visitor(line);
     view.getCamera()->accept(visitor);
-    _shownAt = -1.0;
-    watched.reset();
+    _lastTextTime = -1.0;
+    selected.reset();
     for (const osgUtil::LineSegmentIntersector::Intersection& hit : line->getIntersections()) {
         const auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get());
         if (!tree || std::find(hit.nodePath.begin(), hit.nodePath.end(), forest) == hit.nodePath.end())
             continue;
-        _watchedIn = &forest->getSimulation();
-        watched.emplace(*_watchedIn, tree->getTree());
+        _selectedIn = &forest->getSimulation();
+        selected.emplace(*_selectedIn, tree->getTree());
         unit = tree->getUnit(hit.primitiveIndex);
         return;
     }
@@ -198,14 +199,14 @@ void ForestHandler::State::pick(const Event& event, osg::View& view) {
 
 std::string ForestHandler::State::statusText(Forest& forest) const {
     std::string text = controls.text() + drawnText(forest) + formatted("\nframe   %.1f ms", 1e3 * _frameTime);
-    if (const std::string tree = watched ? watched->text(forest.getSimulation()) : ""; !tree.empty())
+    if (const std::string tree = selected ? selected->text(forest.getSimulation()) : ""; !tree.empty())
         text += '\n' + tree;
-    if (!controls.message().empty())
-        text += "\nnot     " + controls.message();
+    if (!controls.error().empty())
+        text += "\nerror   " + controls.error();
     return text + "\n\nh       keys";
 }
 
-void ForestHandler::State::showWind(Forest& forest, osg::View& view) {
+void ForestHandler::State::updateWindOverlay(Forest& forest, osg::View& view) {
     constexpr float most = 300.0f; // metres
     osg::Vec3d eye, centre, up;
     view.getCamera()->getViewMatrixAsLookAt(eye, centre, up);
@@ -222,47 +223,47 @@ void ForestHandler::State::showWind(Forest& forest, osg::View& view) {
         if (!forest.containsNode(picture))
             forest.addChild(picture);
     };
-    show(_arrows, _withArrows, middle, isAll ? bound.radius() : most);
+    show(_arrows, _showsArrows, middle, isAll ? bound.radius() : most);
     constexpr float near = 50.0f; // metres
     osg::Vec3d ahead = centre - eye;
     ahead.normalize();
-    show(_streaks, _withStreaks, (eye + ahead * 0.8 * near) * toForest(forest), near);
+    show(_streaks, _showsStreaks, (eye + ahead * 0.8 * near) * toForest(forest), near);
 }
 
-void ForestHandler::State::refresh(double now, osg::View& view) {
-    constexpr double patience = 0.2; // seconds
+void ForestHandler::State::updateOverlay(double now, osg::View& view) {
+    constexpr double textInterval = 0.2; // seconds
     Forest& forest = *controls.forest();
     if (const osg::Viewport* viewport = view.getCamera()->getViewport())
         panel.setSize(static_cast<int>(viewport->width()), static_cast<int>(viewport->height()));
-    showWind(forest, view);
+    updateWindOverlay(forest, view);
     _time = view.getFrameStamp()->getSimulationTime();
-    if (_watchedIn != &forest.getSimulation())
-        watched.reset(); // other trees are there
+    if (_selectedIn != &forest.getSimulation())
+        selected.reset(); // the forest has other trees now
     ++_frames;
-    if (_shownAt >= 0.0 && now - _shownAt < patience)
+    if (_lastTextTime >= 0.0 && now - _lastTextTime < textInterval)
         return;
-    if (_shownAt >= 0.0)
-        _frameTime = (now - _shownAt) / _frames;
-    panel.show(_withText ? statusText(forest) : "", _withHelp ? helpText() : "");
-    _shownAt = now;
+    if (_lastTextTime >= 0.0)
+        _frameTime = (now - _lastTextTime) / _frames;
+    panel.show(_showsText ? statusText(forest) : "", _showsHelp ? helpText() : "");
+    _lastTextTime = now;
     _frames = 0;
 }
 
-/// @return whether nobody else is to handle it.
+/// @return whether the event is handled.
 bool ForestHandler::State::handle(const Event& event, osg::View& view) {
     switch (event.getEventType()) {
     case Event::FRAME:
-        refresh(event.getTime(), view);
+        updateOverlay(event.getTime(), view);
         return false;
     case Event::KEYDOWN:
-        return press(event.getKey());
+        return handleKey(event.getKey());
     case Event::PUSH:
         _pushedX = event.getX();
         _pushedY = event.getY();
         return false;
     case Event::RELEASE:
         if (event.getButton() == Event::LEFT_MOUSE_BUTTON)
-            pick(event, view);
+            selectTree(event, view);
         return false;
     default:
         return false;
@@ -282,7 +283,7 @@ double ForestHandler::simulationTime(double referenceTime) {
 }
 
 TreeId ForestHandler::getTree() const {
-    return _state->watched ? _state->watched->id() : noTree;
+    return _state->selected ? _state->selected->id() : noTree;
 }
 
 unsigned ForestHandler::getUnit() const {
@@ -293,14 +294,14 @@ bool ForestHandler::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIAction
     osg::View* view = action.asView();
     bool handled = false;
     if (!event.getHandled() && view && _state->controls.forest())
-        _state->guard.run("a key, a click or the panel has no effect",
+        _state->guard.run("a key, a click or the status text has no effect",
                           [&] { handled = _state->handle(event, *view); });
     return handled;
 }
 
 void ForestHandler::getUsage(osg::ApplicationUsage& usage) const {
-    forEachKey([&](const char* name, const char* does) {
-        usage.addKeyboardMouseBinding(std::string("Forest: ") + name, does);
+    forEachKey([&](const char* name, const char* description) {
+        usage.addKeyboardMouseBinding(std::string("Forest: ") + name, description);
     });
 }
 

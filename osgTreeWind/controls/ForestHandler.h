@@ -12,9 +12,9 @@ namespace osgTreeWind {
 
 class Forest;
 
-/// Keys and mouse by which a person steers a forest in a viewer: wind, season, law, clock; a click says what
-/// a tree is and how it sways. `h` shows the keys (docs/view.md). Add it to the viewer, and what it shows to
-/// the scene's root, outside of transforms:
+/// An event handler that lets a user control a forest by keys: wind, season, law and clock. A click selects a
+/// tree and shows its data. `h` lists the keys (docs/view.md). Add the handler to the viewer, and its overlay
+/// to the root of the scene, not below a transform:
 ///
 ///     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);
 ///     viewer.addEventHandler(handler);
@@ -22,28 +22,28 @@ class Forest;
 ///     while (!viewer.done())
 ///         viewer.frame(handler->simulationTime(viewer.elapsedTime()));
 ///
-/// One viewer, which calls it in its event traversal.
+/// A handler serves one viewer and one forest. Call its functions in the event traversal or between frames.
 class OSGTREEWIND_EXPORT ForestHandler : public osgGA::GUIEventHandler {
 public:
-    /// Of a forest, which it does not keep; without one, or once that is gone, nothing happens.
+    /// @param forest not referenced. If it is null or was deleted, the handler has no effect.
     explicit ForestHandler(Forest* forest);
 
-    /// The text over the picture.
+    /// A camera that draws the status text over the scene.
     osg::Node* getOverlay() const;
-    /// The simulation time of a frame, which may pause, or go faster or slower than a host's own: pass it to
-    /// the viewer. A host with a clock of its own does without. @param referenceTime seconds; what is not
-    /// within 1e15 changes nothing.
+    /// The simulation time to pass to viewer.frame(), with the user's pauses, steps and clock rate. A host
+    /// with its own clock does not need it. @param referenceTime the host's time, seconds; values that are
+    /// not finite or beyond 1e15 are ignored.
     double simulationTime(double referenceTime);
 
-    /// The tree that was clicked last; noTree: none, or beside all.
+    /// The selected tree; noTree after a click beside all trees.
     TreeId getTree() const;
-    /// Which of its branch units (Forest::branch()).
+    /// The clicked branch unit of the selected tree, for Forest::branch().
     unsigned getUnit() const;
 
     using osgGA::GUIEventHandler::handle;
-    /// osgGA::GUIEventHandler: keys, clicks, and a frame's panel.
+    /// osgGA::GUIEventHandler: handles keys and clicks, and updates the overlay in each frame.
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action) override;
-    /// osgGA::GUIEventHandler: the keys, for `--help-keys`.
+    /// osgGA::GUIEventHandler: adds the keys, for `--help-keys`.
     void getUsage(osg::ApplicationUsage& usage) const override;
 
 protected:

@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// std::printf() into a string, cut to 200 bytes.
+/// Formats a string as std::printf() does, truncated to 199 bytes.
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
     char text[200];

@@ -7,9 +7,9 @@
 
 namespace osgTreeWind {
 
-/// Has OSG's statistics (key `s`) show what forests say of themselves in a view's osg::Stats (docs/view.md):
-/// a line for each. Once for each handler, before its first key. @param handler an osgViewer::StatsHandler;
-/// the library itself does without osgViewer.
+/// Adds the attributes that forests report in a view's osg::Stats (docs/view.md) to OSG's statistics display
+/// (key `s`), one line per attribute. Call it once per handler, before the display is first shown.
+/// @param handler an osgViewer::StatsHandler; a template, as the library does not depend on osgViewer.
 template <typename StatsHandler>
 void addStatisticsLines(StatsHandler& handler) {
     const osg::Vec4 color(0.6f, 1.0f, 0.5f, 1.0f);

@@ -11,10 +11,10 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float linesOnScreen = 48.0f, smallest = 12.0f; // pixels
+constexpr float linesPerScreen = 48.0f, minCharacterSize = 12.0f; // pixels
 
-/// Of even columns where it is there; OSG's own is small, and the same everywhere.
-osg::ref_ptr<osgText::Font> fontForColumns() {
+/// DejaVu Sans Mono if installed, else OSG's built-in font, which is small and not monospace.
+osg::ref_ptr<osgText::Font> monospaceFont() {
     constexpr const char* file = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
     std::error_code error;
     osg::ref_ptr<osgText::Font> font =
@@ -22,7 +22,7 @@ osg::ref_ptr<osgText::Font> fontForColumns() {
     return font ? font : osgText::Font::getDefaultFont();
 }
 
-osg::ref_ptr<osgText::Text> textOf(osgText::Font* font) {
+osg::ref_ptr<osgText::Text> makeText(osgText::Font* font) {
     osg::ref_ptr<osgText::Text> text = new osgText::Text;
     text->setDataVariance(osg::Object::DYNAMIC);
     text->setFont(font);
@@ -46,18 +46,18 @@ TextPanel::TextPanel() : _camera(new osg::Camera) {
     state->setMode(GL_FOG, osg::StateAttribute::OFF);
     state->setMode(GL_BLEND, osg::StateAttribute::ON);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
-    const osg::ref_ptr<osgText::Font> font = fontForColumns();
-    _corner = textOf(font);
+    const osg::ref_ptr<osgText::Font> font = monospaceFont();
+    _corner = makeText(font);
     _corner->setAlignment(osgText::TextBase::LEFT_BOTTOM);
-    _middle = textOf(font);
+    _middle = makeText(font);
     _middle->setAlignment(osgText::TextBase::LEFT_CENTER);
     setSize(1280, 720);
 }
 
 void TextPanel::setSize(int width, int height) {
     if (_size == osg::Vec2(static_cast<float>(width), static_cast<float>(height)))
-        return; // glyphs are made anew
-    const float size = std::max(static_cast<float>(height) / linesOnScreen, smallest);
+        return; // a change would rebuild the glyphs
+    const float size = std::max(static_cast<float>(height) / linesPerScreen, minCharacterSize);
     _size.set(static_cast<float>(width), static_cast<float>(height));
     _camera->setProjectionMatrixAsOrtho2D(0.0, width, 0.0, height);
     for (osgText::Text* text : {_corner.get(), _middle.get()}) {

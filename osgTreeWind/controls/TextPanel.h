@@ -8,17 +8,17 @@
 
 namespace osgTreeWind {
 
-/// Two texts over a picture, of a size that can be read on any screen: one at the lower left (OSG's
-/// statistics are above), and one that fills the middle.
+/// Two texts over the scene, scaled to the window: at the lower left, below OSG's statistics, and in the
+/// middle.
 class TextPanel {
 public:
     TextPanel();
 
-    /// Draws them, after all else.
+    /// The camera that draws the texts after the scene.
     osg::Camera* camera() { return _camera.get(); }
-    /// Of the window, pixels.
+    /// Sets the size of the window in pixels.
     void setSize(int width, int height);
-    /// UTF-8, lines of columns; empty: none. Between frames.
+    /// Sets the texts: UTF-8, aligned for a monospace font; empty: hidden. Between frames.
     void show(const std::string& corner, const std::string& middle);
 
 private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/controls/WindArrows.h>
 
-#include <osgTreeWind/controls/WindOverForest.h>
+#include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationParts.h>
-#include <osgTreeWind/wind/GivenWind.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/wind/HostWind.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,32 +13,32 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr unsigned pointsOfArrow = 6; // a shaft and two barbs
-constexpr float clearance = 2.0f;     // metres above the highest tree
+constexpr unsigned pointsPerArrow = 6; // a shaft and two barbs
+constexpr float clearance = 2.0f;      // metres above the highest tree
 
 } // namespace
 
 WindArrows::WindArrows() {
-    becomeLines(*this, pointsOfArrow * across * across, 2.0f);
+    setUpLines(*this, pointsPerArrow * across * across, 2.0f);
 }
 
 void WindArrows::show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach) {
     auto& points = static_cast<osg::Vec3Array&>(*getVertexArray());
     auto& colours = static_cast<osg::Vec4Array&>(*getColorArray());
-    const WindFieldPtr wind = SimulationParts::wind(simulation)->here();
-    const float above = highestTree(SimulationParts::forest(simulation)) + clearance;
+    const WindFieldPtr wind = SimulationAccess::wind(simulation)->fieldWithoutTrees();
+    const float above = maxTreeHeight(SimulationAccess::forest(simulation)) + clearance;
     std::size_t next = 0;
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < across; ++i) {
             const glm::vec2 share = (2.0f * glm::vec2(i, j) + 1.0f) / static_cast<float>(across) - 1.0f,
                             at = middle + reach * share;
-            const float ground = groundAt(simulation.description(), at);
+            const float ground = groundHeight(simulation.description(), at);
             const glm::vec3 foot(at, ground + above);
             const glm::vec3 air = wind ? wind->velocity(WindPlace(foot, ground), time) : glm::vec3(0.0f);
             const glm::vec3 side(-air.y, air.x, 0.0f), tip = foot + 0.5f * air, tail = foot - 0.5f * air;
-            const glm::vec3 ends[pointsOfArrow] = {
+            const glm::vec3 ends[pointsPerArrow] = {
                 tail, tip, tip, tip - 0.25f * air + 0.12f * side, tip, tip - 0.25f * air - 0.12f * side};
-            const osg::Vec4 colour = colourOfWind(glm::length(air));
+            const osg::Vec4 colour = windColour(glm::length(air));
             for (const glm::vec3& end : ends) {
                 points[next] = toOsg(end);
                 colours[next++] = colour;

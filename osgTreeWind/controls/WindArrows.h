@@ -7,16 +7,16 @@
 
 namespace osgTreeWind {
 
-/// A field of arrows that show the wind over a forest, as it is given: toward where the air goes, a metre of
-/// length for each m/s, from dark blue (calm) over green to yellow (20 m/s and more).
+/// A square grid of arrows that shows the undisturbed wind above a forest. They point downwind; their length
+/// is 1 m for each m/s, their colour windColour().
 class WindArrows : public osg::Geometry {
 public:
-    static constexpr int across = 24; ///< Arrows a side.
+    static constexpr int across = 24; ///< Arrows per side.
 
     WindArrows();
 
-    /// The wind of now, above the trees. Between frames.
-    /// @param middle of the field, and half of its side, the forest's coordinates, metres.
+    /// Shows the wind at a time, above the trees. Between frames.
+    /// @param middle centre of the grid. @param reach half its side; both in the forest's frame, metres.
     void show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach);
 
 protected:

@@ -11,38 +11,38 @@
 
 namespace osgTreeWind {
 
-/// Streaks of air that travel with the wind, as it is given, between and above the trees: what each has
-/// passed in the last second, lighter than the arrows of that wind (WindArrows).
+/// Streaks that show the path of air particles in the last second, in the undisturbed wind, among and above
+/// the trees. Their colours are lighter than those of WindArrows.
 class WindStreaks : public osg::Geometry {
 public:
     static constexpr unsigned count = 900;
 
     WindStreaks();
 
-    /// Carries them on to a time. Between frames.
-    /// @param middle of where they are, and half of its side, the forest's coordinates, metres.
+    /// Moves the particles to a time. Between frames.
+    /// @param middle centre of the square. @param reach half its side; both in the forest's frame, metres.
     void show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach);
 
 protected:
     ~WindStreaks() override = default;
 
 private:
-    static constexpr unsigned points = 8; ///< Of a streak.
+    static constexpr unsigned points = 8; ///< Per streak.
     struct Streak {
-        std::array<glm::vec3, points> way; ///< The newest first.
-        float life = 0.0f;                 ///< Seconds that are left.
+        std::array<glm::vec3, points> trail; ///< Newest point first.
+        float life = 0.0f;                   ///< Remaining time, seconds.
     };
 
-    void begin(Streak& streak, const ForestDescription& forest, const glm::vec2& middle, float reach,
-               float highest);
-    float chance() {
+    void restart(Streak& streak, const ForestDescription& forest, const glm::vec2& middle, float reach,
+                 float highest);
+    float randomUnit() {
         return static_cast<float>(_random() - _random.min()) / static_cast<float>(_random.max());
     }
 
     std::vector<Streak> _streaks{count};
     std::minstd_rand _random;
-    double _time = 0.0, _marked = 0.0; ///< Seconds: of the last call, and of the last point of ways.
-    bool _began = false;
+    double _time = 0.0, _lastTrailTime = 0.0; ///< Of the last call, and of the last trail points; seconds.
+    bool _hasStarted = false;
 };
 
 } // namespace osgTreeWind

@@ -35,11 +35,11 @@ void ForestTechnique::speciesAdded() {}
 
 void ForestTechnique::seasonChanged() {}
 
-BranchTransform* ForestTechnique::follow(TreeId, unsigned) {
+BranchTransform* ForestTechnique::followBranch(TreeId, unsigned) {
     return nullptr;
 }
 
-bool ForestTechnique::unfollow(TreeId, unsigned) {
+bool ForestTechnique::releaseBranch(TreeId, unsigned) {
     return false;
 }
 

@@ -16,8 +16,8 @@ class BranchwiseForest;
 class ForestSimulation;
 class InstancedForest;
 
-/// How a Forest draws its trees: the child of the Forest that holds what is drawn. A host derives its own and
-/// hands it to Forest::setTechnique(). This one draws nothing, and moves the trees.
+/// Base class of the ways to draw a Forest: the child of the Forest that holds the drawables. A host derives
+/// its own technique and passes it to Forest::setTechnique(). This class moves the trees and draws nothing.
 ///
 ///     class Lines : public osgTreeWind::ForestTechnique {
 ///     public:
@@ -37,33 +37,31 @@ class InstancedForest;
 class OSGTREEWIND_EXPORT ForestTechnique : public osg::Group {
 public:
     ForestTechnique();
-    /// Copies the settings; the Forest that gets the copy calls its setSimulation(), which makes the
-    /// children.
+    /// Copies the settings. The Forest that receives the copy calls setSimulation(), which adds the children.
     ForestTechnique(const ForestTechnique& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, ForestTechnique)
 
-        /// Draws these trees from now on, in place of those before. The Forest calls it with each new
-        /// description, and when it takes the technique. This one removes all children. If it throws, the
-        /// Forest keeps its former trees.
-        /// @param simulation which update() moves on; null: no trees.
-        virtual void setSimulation(std::shared_ptr<ForestSimulation> simulation);
+    /// Replaces the trees to draw. The Forest calls it when it receives the technique or a new
+    /// description. The base class removes all children. If it throws, the Forest keeps its former trees.
+    /// @param simulation advanced by update(); null for no trees.
+    virtual void setSimulation(std::shared_ptr<ForestSimulation> simulation);
     ForestSimulation* getSimulation() const { return _simulation.get(); } ///< May be null.
 
-    /// Advances the simulation to the frame's simulation time, and updates what is drawn.
+    /// Advances the simulation to the simulation time of the frame and updates the drawables.
     virtual void update(const osg::FrameStamp& stamp);
-    /// A tree was added, moved, changed or removed. @param slot of ForestSimulation.
+    /// Called after a tree was added, moved, changed or removed. @param slot of the ForestSimulation.
     virtual void treeChanged(std::size_t slot);
-    virtual void speciesAdded();  ///< The simulation has a species more, whose trees may come.
-    virtual void seasonChanged(); ///< The simulation is in another season.
+    virtual void speciesAdded();  ///< Called after a species was added, before its first tree.
+    virtual void seasonChanged(); ///< Called after the season of the simulation changed.
 
-    /// The transform that moves with a unit of a tree, always the same one; null where there is no such unit,
-    /// or the technique has no transforms, as this one.
-    virtual BranchTransform* follow(TreeId tree, unsigned unit);
-    /// Removes the transform that follow() made, and its children. @return false if it was not followed.
-    virtual bool unfollow(TreeId tree, unsigned unit);
+    /// @return the transform that moves with a unit of a tree, the same one at each call; null if there is no
+    /// such unit or the technique has no transforms. The base class has none.
+    virtual BranchTransform* followBranch(TreeId tree, unsigned unit);
+    /// Removes the transform that followBranch() made, and its children. @return false if there was none.
+    virtual bool releaseBranch(TreeId tree, unsigned unit);
 
-    virtual InstancedForest* asInstancedForest();   ///< This, if it is one; else null.
-    virtual BranchwiseForest* asBranchwiseForest(); ///< This, if it is one; else null.
+    virtual InstancedForest* asInstancedForest();   ///< Null for other techniques.
+    virtual BranchwiseForest* asBranchwiseForest(); ///< Null for other techniques.
 
 protected:
     ~ForestTechnique() override;

@@ -19,15 +19,15 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t mostProblems = 100;
+constexpr std::size_t maxProblems = 100;
 
 void add(Diagnostics& problems, const std::string& key, const std::string& message) {
     problems.push_back(keyProblem(key, message));
 }
 
-/// What is out of range, or else does not go together.
+/// Reports values out of range, or if there are none, conflicts between values.
 template <typename Struct>
-void checkWhole(const Struct& value, const std::string& path, Diagnostics& problems) {
+void checkStruct(const Struct& value, const std::string& path, Diagnostics& problems) {
     const std::size_t before = problems.size();
     checkFields(value, path, problems);
     if (problems.size() == before)
@@ -59,8 +59,8 @@ void checkTiles(const ForestTiles& tiles, Diagnostics& problems) {
     };
     expect("size", tiles.size, tileSizes);
     expect("range", tiles.range, tileSizes);
-    expect("columns", tiles.columns, tilesInARow);
-    expect("rows", tiles.rows(), tilesInARow);
+    expect("columns", tiles.columns, tileCounts);
+    expect("rows", tiles.rows(), tileCounts);
     expect("id_files", tiles.idFiles, tileIdFiles);
     checkPlace({tiles.corner, 0.0}, "tiles.corner", problems);
     if (tiles.columns > 0 && tiles.tiles.size() % tiles.columns != 0)
@@ -74,16 +74,16 @@ void checkTiles(const ForestTiles& tiles, Diagnostics& problems) {
 void checkMotion(const ForestDescription& forest, Diagnostics& problems) {
     checkFields(forest, "motion", problems);
     if (forest.damage && forest.law != MotionLaw::Modal)
-        add(problems, "motion.damage", "expected false under any law but \"modal\"");
+        add(problems, "motion.damage", "expected false, since the law is not \"modal\"");
     if (forest.tiles && forest.law != MotionLaw::Modal)
-        add(problems, "tiles", "expected the law \"modal\" with it");
+        add(problems, "tiles", "expected the law \"modal\" with tiles");
     if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))
         add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());
 }
 
-/// Moves the problems of a part behind the others, with its path before their keys.
-void addOfPart(Diagnostics&& ofPart, const char* list, std::size_t index, Diagnostics& problems) {
-    for (Diagnostic& problem : ofPart) {
+/// Appends the problems of an element of a list, with its path prepended to their keys.
+void addPartProblems(Diagnostics&& partProblems, const char* list, std::size_t index, Diagnostics& problems) {
+    for (Diagnostic& problem : partProblems) {
         problem.key = std::string(list) + '[' + std::to_string(index) + "]." + problem.key;
         problems.push_back(std::move(problem));
     }
@@ -94,9 +94,9 @@ void addOfPart(Diagnostics&& ofPart, const char* list, std::size_t index, Diagno
 Diagnostics check(const Species& species) {
     Diagnostics problems;
     checkFields(species, "", problems);
-    checkWhole(species.tree.wood, "tree", problems);
+    checkStruct(species.tree.wood, "tree", problems);
     if (species.tree.palm)
-        checkWhole(*species.tree.palm, "palm", problems);
+        checkStruct(*species.tree.palm, "palm", problems);
     if (species.tree.growth)
         checkFields(*species.tree.growth, "habit", problems);
     if (species.tree.scans)
@@ -112,7 +112,7 @@ Diagnostics check(const TreePlacement& tree, const ForestDescription& forest) {
             "there is no species " + std::to_string(tree.species) + "; the forest has " +
                 std::to_string(forest.species.size()) + ", from 0 on");
     checkPlace(tree.position, "position", problems);
-    if (problems.empty() && !(glm::distance(tree.position, forest.origin) <= farthestTree))
+    if (problems.empty() && !(glm::distance(tree.position, forest.origin) <= maxTreeDistance))
         add(problems, "position", "expected at most 100 km from the origin");
     TreePlacement given = tree;
     for (float* size : {&given.size.height, &given.size.trunkDiameter, &given.size.crownWidth})
@@ -130,7 +130,7 @@ Diagnostics check(const ForestDescription& forest) {
     checkMotion(forest, problems);
     if (!frameSteps.contains(forest.step))
         add(problems, "step", "expected a finite number " + frameSteps.text());
-    checkWhole(forest.drawing, "drawing", problems);
+    checkStruct(forest.drawing, "drawing", problems);
     for (Diagnostic& problem : check(forest.wind))
         problems.push_back(std::move(problem));
     if (!seasons.contains(static_cast<double>(forest.season)))
@@ -138,14 +138,14 @@ Diagnostics check(const ForestDescription& forest) {
     checkPlace(forest.origin, "origin", problems);
     if (forest.tiles)
         checkTiles(*forest.tiles, problems);
-    if (forest.trees.size() > mostTrees)
-        add(problems, "tree", "more than " + std::to_string(mostTrees) + " trees in all");
-    for (std::size_t i = 0; i < forest.species.size() && problems.size() < mostProblems; ++i)
-        addOfPart(check(forest.species[i]), "species", i, problems);
-    for (std::size_t i = 0; i < forest.trees.size() && problems.size() < mostProblems; ++i)
-        addOfPart(check(forest.trees[i], forest), "tree", i, problems);
-    if (problems.size() > mostProblems)
-        problems.resize(mostProblems);
+    if (forest.trees.size() > maxTrees)
+        add(problems, "tree", "more than " + std::to_string(maxTrees) + " trees in all");
+    for (std::size_t i = 0; i < forest.species.size() && problems.size() < maxProblems; ++i)
+        addPartProblems(check(forest.species[i]), "species", i, problems);
+    for (std::size_t i = 0; i < forest.trees.size() && problems.size() < maxProblems; ++i)
+        addPartProblems(check(forest.trees[i], forest), "tree", i, problems);
+    if (problems.size() > maxProblems)
+        problems.resize(maxProblems);
     return problems;
 }
 

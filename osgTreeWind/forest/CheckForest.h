@@ -7,17 +7,17 @@
 
 namespace osgTreeWind {
 
-/// Finds what no file could say: numbers that are out of range or not finite, unknown words, a tree without a
-/// species or too far from the origin. Keys are those of a file with indices from 0, as
-/// "species[1].wood.density". A forest refuses a description for which this finds something.
-/// @return the first 100 problems; empty when all is well.
+/// Validates a forest. Reports numbers that are out of range or not finite, invalid enum values, and trees
+/// without a species or too far from the origin. Keys are those of a file, with 0-based indices:
+/// "species[1].wood.density". A Forest rejects a description that has problems.
+/// @return the first 100 problems; empty if the description is valid.
 OSGTREEWIND_EXPORT Diagnostics check(const ForestDescription& description);
 
-/// The same for one tree, as `addTree()` and `changeTree()` take it.
-/// @param forest has the species and the origin; its trees do not count.
+/// Validates one tree for `addTree()` and `changeTree()`.
+/// @param forest provides the species and the origin; its trees are ignored.
 OSGTREEWIND_EXPORT Diagnostics check(const TreePlacement& tree, const ForestDescription& forest);
 
-/// The same for one species, as `addSpecies()` takes it.
+/// Validates one species for `addSpecies()`.
 OSGTREEWIND_EXPORT Diagnostics check(const Species& species);
 
 } // namespace osgTreeWind

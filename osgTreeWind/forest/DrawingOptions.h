@@ -3,17 +3,16 @@
 
 namespace osgTreeWind {
 
-/// How far from all detail trees may be drawn, by the height they have on the screen, in pixels:
-/// full > reduced > impostor >= 0. Laws of a branch draw every tree in full.
+/// Level-of-detail thresholds, as heights of a tree on the screen in pixels: full > reduced > impostor >= 0.
+/// The thesis' laws draw all trees in full detail.
 struct DrawingOptions {
-    bool tiers = true;   ///< Off: everything in full.
-    float full = 800.0f; ///< At least this high: all leaf cards, from four times that every vertex of bark.
-                         ///< Below: ever fewer and larger cards,
-    float reduced = 250.0f; ///< down to this height: the fewest.
-    float impostor = 80.0f; ///< Below this height an impostor. 0: no impostors.
-    float blend = 0.1f;     ///< Share of a threshold over which two tiers cross-fade.
-    /// Milliseconds that the frame of a view is to take: where it takes longer, trees are drawn as if they
-    /// were lower, down to a quarter. 0: none, and what is drawn does not depend on the machine.
+    bool tiers = true;      ///< False: full detail at any height.
+    float full = 800.0f;    ///< From this height, all leaf cards; from four times it, every bark vertex.
+    float reduced = 250.0f; ///< Below this height, the fewest leaf cards; up to `full`, their number grows.
+    float impostor = 80.0f; ///< Below this height, an impostor. 0: no impostors.
+    float blend = 0.1f;     ///< Share of a threshold over which two levels cross-fade.
+    /// Target duration of a view's frame in milliseconds. In slower frames, trees are drawn as if they were
+    /// lower, down to a quarter. 0: no target, so that the picture does not depend on the machine's speed.
     float budget = 0.0f;
 };
 

@@ -20,63 +20,59 @@ namespace osgTreeWind {
 
 /// The law by which wind moves branches (docs/frame.md, docs/thesis.md).
 enum class MotionLaw {
-    Thesis,       ///< Appendix B as published: no restoring force, one step a frame.
+    Thesis,       ///< Appendix B as published: no restoring force, one step per frame.
     ThesisSmooth, ///< The text of §3.1: partial steps and the level term.
-    Modal,        ///< The whole tree coupled, swaying in a few modes; SI units and seconds.
+    Modal,        ///< Modal dynamics of the whole tree, in SI units and seconds.
 };
 
-/// One tree: which species, where, how large. check() says what is out of range.
+/// Species, position and size of one tree. check() validates it.
 struct TreePlacement {
     std::size_t species = 0; ///< Index into ForestDescription::species.
-    /// Foot of the trunk in world coordinates, metres (x east, y north, z up): each within 1e8, and together
-    /// at most 100 km from the origin, where the floats of geometry still resolve 8 mm.
+    /// Foot of the trunk in world coordinates, metres (x east, y north, z up): each within 1e8, and at most
+    /// 100 km from the origin, where the floats of geometry still resolve 8 mm.
     glm::dvec3 position{0.0};
-    float heading =
-        0.0f;      ///< Turn about the vertical, radians, counter-clockwise from above; within 1e6 degrees.
-    TreeSize size; ///< A crown not given follows the trunk, other sizes follow the model.
-    float leaves = 1.0f;    ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
-    std::uint32_t seed = 0; ///< Picks one of the species' shapes, and the noise streams.
-    bool openGrown = false; ///< Stands by itself: such a crown is wider and deeper than in a forest.
-    /// Stands at the edge of a wood, which is open where its heading points.
-    bool atEdge = false;
-    std::string name{};         ///< An inventory's id; empty: none. Where two have one, it is the first's.
-    EstimatedSizes estimated{}; ///< Of `size`.
-    bool tiled = false;         ///< Came with a tile, and goes with it: no file says it.
+    /// Rotation about the vertical, radians, counter-clockwise from above; within 1e6 degrees.
+    float heading = 0.0f;
+    TreeSize size;       ///< A missing crown width follows the trunk; other missing sizes follow the model.
+    float leaves = 1.0f; ///< Share of its leaves that the tree bears in summer, 0 (bare) to 1.
+    std::uint32_t seed = 0;     ///< Selects one of the species' shapes and the noise streams.
+    bool openGrown = false;     ///< Stands free; the crown is wider and deeper than in a forest.
+    bool atEdge = false;        ///< Stands at the edge of a forest that is open toward `heading`.
+    std::string name{};         ///< Id in an inventory; may be empty. Of equal names, only the first counts.
+    EstimatedSizes estimated{}; ///< Which members of `size` are estimates.
+    bool tiled = false;         ///< Belongs to a loaded tile. Not part of any file.
 };
 
-/// A whole forest as plain values: what a .treewind file says. check() says what is out of range.
+/// A whole forest as plain values: the content of a .treewind file. check() validates it.
 struct ForestDescription {
-    std::vector<Species> species;     ///< That trees are of, by index.
-    std::vector<TreePlacement> trees; ///< In the order that ids go by.
-    std::optional<ForestTiles> tiles; ///< More trees, which come and go; under the law `modal`.
+    std::vector<Species> species;     ///< Referenced by index.
+    std::vector<TreePlacement> trees; ///< Tree ids follow this order.
+    std::optional<ForestTiles> tiles; ///< Further trees, loaded on demand; law `modal` only.
     /// World position of the scene's origin, metres, each within 1e8; geometry is relative to it.
     glm::dvec3 origin{0.0};
-    /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
-    /// none.
+    /// Projected CRS of the world in metres, in any form that PROJ accepts ("EPSG:25832"); may be empty.
     std::string crs;
-    /// The map that a host's scene is in, likewise; empty: none. A reader of models puts the forest where it
-    /// stands there (placeOnHostMap()).
+    /// CRS of the host's scene, in the same form; may be empty. OSG's model reader then places the forest in
+    /// that scene (hostMapTransform()).
     std::string hostCrs;
-    GroundPtr ground; ///< Null: none. Trees stand where they are put (StandOnGround.h puts them on it).
-    MotionLaw law = MotionLaw::Modal; ///< How they move.
-    /// On the answer of `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    GroundPtr ground;                 ///< May be null. Trees are placed on it only by StandOnGround.h.
+    MotionLaw law = MotionLaw::Modal; ///< How wind moves the trees.
+    /// Factor on the motion under `modal`, [0, 100]; 1 is physical, more exaggerates.
     float gain = 1.0f;
-    /// Whether the wind brings down trees that it pulls at beyond what roots and stems bear, and in autumn
-    /// leaves that hang loose; `modal` alone.
+    /// Whether wind can uproot and break trees and blow loose autumn leaves off; law `modal` only.
     bool damage = false;
-    /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
+    /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; empty: Perlin noise.
     std::optional<float> noiseExponent;
-    Wind wind; ///< That moves them; its canopy is that of every wind the forest is given later.
-    float season = midsummer; ///< Of the year (Season.h).
-    /// How long a frame of a viewer lasts, seconds, whatever time the viewer gives, [0, 60]; 0: its time
-    /// counts.
+    Wind wind;                ///< Its canopy also applies to every wind that the forest is given later.
+    float season = midsummer; ///< Time of year (Season.h).
+    /// Simulated time per frame, seconds, [0, 60]; 0: the viewer's time.
     double step = 0.0;
-    DrawingOptions drawing; ///< How they are drawn.
+    DrawingOptions drawing; ///< How the trees are drawn.
 
-    bool crsChosen = false;         ///< `crs` is what an inventory asked for, the file does not say it.
-    std::vector<std::string> notes; ///< What a person should know about how the input was taken.
-    std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.
-    std::string folder; ///< Absolute folder against which paths in `source` resolve.
+    bool crsFromInventory = false;  ///< `crs` was chosen for an inventory and is not in the file.
+    std::vector<std::string> notes; ///< How the input was interpreted, for the user to review.
+    std::string source;             ///< Text of the .treewind file it was read from; may be empty.
+    std::string folder;             ///< Absolute folder against which paths in `source` resolve.
 };
 
 } // namespace osgTreeWind

@@ -9,22 +9,21 @@ template <>
 const Fields& fieldsOf<DrawingOptions>() {
     using P = DrawingOptions;
     static const Fields fields = {
-        {"tiers", at<&P::tiers>, {}, "false: everything in full"},
+        {"tiers", at<&P::tiers>, {}, "Whether trees that look small have less detail"},
         {"full", at<&P::full>, above(0, 100000),
-         "from this height on all leaf cards, and bark that is off by a few pixels at most; from four times "
-         "it every vertex",
+         "Height from which all leaf cards are drawn; from four times this height, also all vertices",
          "pixels"},
         {"reduced", at<&P::reduced>, above(0, 100000),
-         "between `full` and this height ever fewer and larger leaf cards, and less bark; below: the fewest",
+         "Height from which the number of leaf cards grows, up to all at `full`; below it, trees have the "
+         "fewest",
          "pixels"},
         {"impostor", at<&P::impostor>, within(0, 100000),
-         "below this height: a picture of the tree that leans with it. 0: no pictures", "pixels"},
+         "Height below which a tree is drawn as a picture (impostor); 0: no impostors", "pixels"},
         {"blend", at<&P::blend>, within(0, 0.9),
-         "share of a threshold over which one form gives way to the next, leaf card by leaf card, to a "
-         "picture pixel by pixel"},
+         "Width of the cross-fade between two levels, as a share of the threshold"},
         {"budget", at<&P::budget>, within(0, 10000),
-         "what the frame of a view is to take: where it takes longer, trees are drawn as if they were lower, "
-         "down to a quarter of their height. 0: none",
+         "Target duration of a frame; 0: none. Slower frames give trees the detail of smaller ones, down to "
+         "a quarter of their height",
          "ms"},
     };
     return fields;
@@ -37,18 +36,17 @@ const Fields& fieldsOf<ForestDescription>() {
         {"law",
          at<&P::law>,
          {},
-         "how trees answer the wind",
+         "Law by which trees move",
          "",
          {{"modal", static_cast<int>(MotionLaw::Modal)},
           {"thesis", static_cast<int>(MotionLaw::Thesis)},
           {"thesis-smooth", static_cast<int>(MotionLaw::ThesisSmooth)}}},
-        {"gain", at<&P::gain>, gains,
-         "on how far the law `\"modal\"` bends trees: 1 is physical; more exaggerates for the eye, at the "
-         "same pace"},
+        {"gain", at<&P::gain>, gains, "Factor on the bending of trees under `\"modal\"`; 1 is physical"},
         {"damage",
          at<&P::damage>,
          {},
-         "whether the wind brings trees down, and leaves in autumn (risk.md); law `\"modal\"` alone"},
+         "Whether the wind brings down trees, boughs and autumn leaves ([risk.md](risk.md)); `\"modal\"` "
+         "only"},
     };
     return fields;
 }
@@ -60,19 +58,21 @@ std::string wordOf(MotionLaw law) {
     return {};
 }
 
-const Fields& fieldsOfFile() {
+const Fields& forestFileFields() {
     static const Fields fields = {
         {"crs",
          at<&ForestDescription::crs>,
          {},
-         "coordinate reference system of the world: a map in metres, as PROJ calls it (`\"EPSG:25832\"`)"},
+         "Projection of world coordinates, in metres, such as `\"EPSG:25832\"`"},
         {"host_crs",
          at<&ForestDescription::hostCrs>,
          {},
-         "map of the scene that reads the file as a model, likewise: the forest then stands at its place "
-         "there"},
+         "Projection of the host program's scene; a forest loaded as a model then stands at its place in "
+         "that scene"},
         {"step", at<&ForestDescription::step>, frameSteps,
-         "how long a frame lasts, whatever time the viewer gives; 0: the viewer's time counts", "s"},
+         "Simulated time per frame, for repeatable pictures; 0 uses the viewer's time. The environment "
+         "variable `OSGTREEWIND_STEP` overrides it",
+         "s"},
     };
     return fields;
 }
@@ -81,12 +81,9 @@ template <>
 const Fields& fieldsOf<EstimatedSizes>() {
     using P = EstimatedSizes;
     static const Fields fields = {
-        {"height",
-         at<&P::height>,
-         {},
-         "nobody measured it: it followed from the species, as sizes do that an inventory has not"},
-        {"trunk_diameter", at<&P::trunkDiameter>, {}, "likewise"},
-        {"crown_width", at<&P::crownWidth>, {}, "likewise"},
+        {"height", at<&P::height>, {}, "Whether the height was [estimated](#sizes-that-are-not-measured)"},
+        {"trunk_diameter", at<&P::trunkDiameter>, {}, "Whether the trunk diameter was estimated"},
+        {"crown_width", at<&P::crownWidth>, {}, "Whether the crown width was estimated"},
     };
     return fields;
 }
@@ -95,31 +92,30 @@ template <>
 const Fields& fieldsOf<TreePlacement>() {
     using P = TreePlacement;
     static const Fields fields = {
-        {"height", at<&P::size, &TreeSize::height>, above(0, 150), "ground to highest point", "m"},
-        {"trunk_diameter", at<&P::size, &TreeSize::trunkDiameter>, above(0, 20), "at breast height", "m"},
+        {"height", at<&P::size, &TreeSize::height>, above(0, 150), "Total height", "m"},
+        {"trunk_diameter", at<&P::size, &TreeSize::trunkDiameter>, above(0, 20),
+         "Stem diameter at breast height (DBH)", "m"},
         {"crown_width", at<&P::size, &TreeSize::crownWidth>, above(0, 150),
-         "mean of east-west and north-south", "m"},
+         "Mean of the crown's east-west and north-south widths", "m"},
         {"open_grown",
          at<&P::openGrown>,
          {},
-         "it stands by itself: its crown is as deep as its species grows, whatever `[species.crown]` says of "
-         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there. Where "
-         "neither this nor `at_edge` is said of a tree that grows by light, its neighbours tell"},
+         "Whether the tree stands free, so that its crown is deeper, and wider unless `crown_width` is "
+         "given. Without this key and `at_edge`, the neighbours decide for trees with a `[species.habit]`"},
         {"at_edge",
          at<&P::atEdge>,
          {},
-         "it stands at the edge of a wood, which is open to where its `heading` points: there its crown is "
-         "as deep as in the open"},
+         "Whether the tree stands at the edge of a wood, with a deep crown toward its `heading`"},
         {"leaves", at<&P::leaves>, within(0, 1),
-         "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
+         "Share of its leaves that the tree bears; overrides `motion.leaves`"},
         {"heading", at<&P::heading>, within(-1e6, 1e6),
-         "turn about the vertical, counter-clockwise from above", "degrees"},
+         "Rotation about the vertical, counter-clockwise from above", "degrees"},
         {"seed",
          at<&P::seed>,
          {},
-         "picks the shape and its motion; without it `seed` and its place in the file, from 0, and up to 63 "
-         "more where neighbours would have the same form"},
-        {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
+         "Seed of shape and motion; without it, the file's `seed` plus the tree's index, plus up to 63 so "
+         "that neighbours differ"},
+        {"id", at<&P::name>, {}, "Unique name, any text"},
         {"estimated", at<&P::estimated>, {}, ""},
     };
     return fields;

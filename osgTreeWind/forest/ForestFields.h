@@ -10,30 +10,27 @@ template <>
 const Fields& fieldsOf<DrawingOptions>();
 template <>
 const Fields& fieldsOf<TreePlacement>();
-/// Of what a tree says.
+/// The range of a field of TreePlacement.
 inline const Range& treeRange(const std::string& key) {
     return fieldAt(fieldsOf<TreePlacement>(), key).range;
 }
 template <>
 const Fields& fieldsOf<EstimatedSizes>();
-/// Of [motion], but for the noise.
+/// Fields of [motion], except for the noise.
 template <>
 const Fields& fieldsOf<ForestDescription>();
-/// Of a law, in a file.
+/// The word for a law in a file.
 std::string wordOf(MotionLaw law);
-/// Of a ForestDescription: what a file says of it in no table.
-const Fields& fieldsOfFile();
+/// Fields of ForestDescription in the root table of a file.
+const Fields& forestFileFields();
 
-/// Of ForestDescription::gain and noiseExponent.
-constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
-/// Of ForestDescription::season.
-constexpr Range seasons = within(0, 4);
-/// Of ForestDescription::step, seconds.
-constexpr Range frameSteps = within(0, 60);
-constexpr std::size_t mostTrees = 1000000;
-constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
-/// Of ForestTiles: metres of `size` and `range`, columns or rows, and `idFiles`.
-constexpr Range tileSizes = within(10, 100000), tilesInARow = within(1, 10000),
+// Ranges of ForestDescription::gain, noiseExponent, season and step (seconds).
+constexpr Range gains = within(0, 100), noiseExponents = within(0, 3), seasons = within(0, 4),
+                frameSteps = within(0, 60);
+constexpr std::size_t maxTrees = 1000000;
+constexpr double maxTreeDistance = 100000.0; ///< From the origin, metres; floats still resolve 8 mm.
+/// Ranges of ForestTiles: `size` and `range` in metres, columns and rows, and `idFiles`.
+constexpr Range tileSizes = within(10, 100000), tileCounts = within(1, 10000),
                 tileIdFiles = within(0, 100000);
 
 std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);

@@ -13,34 +13,31 @@
 
 namespace osgTreeWind {
 
-/// Trees that lie in a folder in square tiles, a file each, and come and go with the camera (docs/worlds.md).
+/// Trees in square tiles, one file per tile, that are loaded around the camera (docs/worlds.md).
 struct OSGTREEWIND_EXPORT ForestTiles {
-    /// One of them.
+    /// What is known of a tile before it loads.
     struct Tile {
-        std::uint32_t trees = 0; ///< None: there is no file.
-        float low = 0.0f;        ///< Of its trees' feet the lowest, metres in the world's frame,
-        float high = 0.0f;       ///< and the highest.
+        std::uint32_t trees = 0; ///< Number of trees. A tile without trees has no file.
+        float low = 0.0f;        ///< Lowest foot of its trees, world z in metres.
+        float high = 0.0f;       ///< Highest foot of its trees, world z in metres.
     };
 
-    std::string folder;        ///< Of the files: a path, or a URL that OSG reads from.
+    std::string folder;        ///< Path or URL of the tile files, for OSG to read.
     double size = 1000.0;      ///< Side of a tile, metres, [10, 100000].
-    glm::dvec2 corner{0.0};    ///< Of tile (0, 0): its least x and y, in the world's frame.
-    std::uint32_t columns = 0; ///< Of tiles, eastward.
-    /// Metres, [10, 100000]: from where on a tile's trees are there, to the nearest place it may have a tree
-    /// at.
+    glm::dvec2 corner{0.0};    ///< South-west corner of tile (0, 0), world coordinates.
+    std::uint32_t columns = 0; ///< Number of tiles eastward.
+    /// Distance from the camera to the nearest point of a tile at which it loads, metres, [10, 100000].
     double range = 2000.0;
-    std::vector<Tile> tiles;           ///< Row by row, eastward, then northward: whole rows.
-    std::vector<std::string> inForest; ///< Names of species of which trees stand in a forest,
-    std::vector<std::string> inOpen;   ///< and in the open (TreePlacement::openGrown).
-    /// Names of trees of tiles that are there no more.
-    std::set<std::string> removed;
-    std::uint32_t idFiles = 0; ///< Over which the names are spread that trees have of their own.
+    std::vector<Tile> tiles;           ///< Row-major from the south-west; whole rows.
+    std::vector<std::string> inForest; ///< Names of species with trees in a stand.
+    std::vector<std::string> inOpen;   ///< Names of species with open-grown trees.
+    std::set<std::string> removed;     ///< Names of permanently removed trees.
+    std::uint32_t idFiles = 0;         ///< Number of files that map tree ids to tiles.
 
-    std::uint32_t rows() const {
-        return columns ? static_cast<std::uint32_t>(tiles.size() / columns) : 0;
-    }                              ///< Of tiles, northward.
-    std::size_t treeCount() const; ///< Of all tiles.
-    /// Its least x and y, in the world's frame.
+    /// Number of tiles northward.
+    std::uint32_t rows() const { return columns ? static_cast<std::uint32_t>(tiles.size() / columns) : 0; }
+    std::size_t treeCount() const; ///< Trees of all tiles.
+    /// South-west corner of a tile, world coordinates.
     glm::dvec2 cornerOf(std::size_t tile) const;
 };
 

@@ -9,11 +9,10 @@
 
 namespace osgTreeWind {
 
-/// Takes places of a forest's node, metres from its origin, to the map of its host (`hostCrs`). On another
-/// map than the forest's own it is turned and scaled on the level as that map is at the origin, and heights
-/// stay; away from the origin the two maps part as they bend: by millimetres in a kilometre between UTM
-/// zones. A problem where the forest has no map, a map is not in metres, or the origin lies outside the
-/// host's map.
-OSGTREEWIND_EXPORT Result<glm::dmat4> placeOnHostMap(const ForestDescription& forest);
+/// The transform from a forest's node, metres from its origin, to the CRS of the host's scene (`hostCrs`). It
+/// rotates and scales horizontally to match the host's projection at the forest's origin, and keeps heights.
+/// The error grows away from the origin: millimetres per kilometre between UTM zones.
+/// @return an error if a CRS is missing or not in metres, or the origin is outside the host's projection.
+OSGTREEWIND_EXPORT Result<glm::dmat4> hostMapTransform(const ForestDescription& forest);
 
 } // namespace osgTreeWind

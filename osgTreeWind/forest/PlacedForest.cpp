@@ -2,7 +2,7 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/base/ReserveGrowth.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
@@ -15,36 +15,36 @@ namespace osgTreeWind {
 
 namespace {
 
-bool same(const TreeSize& a, const TreeSize& b) {
+bool isSameSize(const TreeSize& a, const TreeSize& b) {
     return a.height == b.height && a.trunkDiameter == b.trunkDiameter && a.crownWidth == b.crownWidth;
 }
 
 } // namespace
 
-PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed,
+PlacedForest::PlacedForest(ForestDescription forest, const std::function<void()>& onTree,
                            const Executor& executor)
-    : _families(std::make_shared<const ShapeFamilies>(given)) {
-    const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
-    if (given.tiles)
-        _struck = given.tiles->removed;
-    _description = std::make_shared<const ForestDescription>(std::move(given));
+    : _families(std::make_shared<const ShapeFamilies>(forest)) {
+    const std::vector<TreePlacement> placements = std::exchange(forest.trees, {});
+    if (forest.tiles)
+        _removedPermanently = forest.tiles->removed;
+    _description = std::make_shared<const ForestDescription>(std::move(forest));
     growShapes(executor);
     setSeason(description().season);
 
     trees.reserve(placements.size());
     for (const TreePlacement& placement : placements) {
-        PlacedTree tree = fitted(placement);
+        PlacedTree tree = makePlacedTree(placement);
         tree.firstUnit = static_cast<std::uint32_t>(units);
         tree.firstLeaf = static_cast<std::uint32_t>(leaves);
-        units += unitsOf(tree);
-        leaves += leavesOf(tree);
+        units += unitCount(tree);
+        leaves += leafCount(tree);
         put(trees.size(), tree, placement.name);
-        if (placed)
-            placed();
+        if (onTree)
+            onTree();
     }
 }
 
-/// Of the species that have none yet.
+/// Grows the shapes of species that have none yet.
 void PlacedForest::growShapes(const Executor& executor) {
     const std::size_t first = _models.size();
     std::vector<std::pair<const TreeParameters*, std::uint32_t>> shapes;
@@ -66,29 +66,29 @@ std::size_t PlacedForest::addSpecies(Species species, const Executor& executor) 
     families->add(species, true, true);
     _families = families;
     _seasonLeaves.push_back(leafShare(species.appearance, _season));
-    const auto described = std::make_shared<ForestDescription>(description());
-    described->species.push_back(std::move(species));
-    _description = described;
+    const auto extended = std::make_shared<ForestDescription>(description());
+    extended->species.push_back(std::move(species));
+    _description = extended;
     growShapes(executor);
     return _species.size() - 1;
 }
 
-PlacedTree PlacedForest::fitted(const TreePlacement& placement, const PlacedTree* before) const {
+PlacedTree PlacedForest::makePlacedTree(const TreePlacement& placement, const PlacedTree* previous) const {
     PlacedTree tree;
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
-    const bool sized = before && same(placement.size, measured(*before));
-    TreePlacement asked = placement;
-    if (sized)
-        asked.size = before->given; // by which it got its shape
-    const std::size_t family = _families->indexOf(asked);
+    const bool isSized = previous && isSameSize(placement.size, sizeOf(*previous));
+    TreePlacement selecting = placement;
+    if (isSized)
+        selecting.size = previous->givenSize; // the size that selected its shape
+    const std::size_t family = _families->indexOf(selecting);
     tree.model = _firstModels[family] + placement.seed % _families->all()[family].shapes;
-    const bool kept = sized && before->model == tree.model;
-    tree.given = kept ? before->given : placement.size;
-    tree.estimated = kept ? before->estimated : placement.estimated;
-    tree.openGrown = kept ? before->openGrown : placement.openGrown;
-    tree.scale =
-        kept ? before->scale : fitTree(modelOf(tree), wholeSize(tree.given, species, tree.openGrown));
+    const bool isKept = isSized && previous->model == tree.model;
+    tree.givenSize = isKept ? previous->givenSize : placement.size;
+    tree.estimated = isKept ? previous->estimated : placement.estimated;
+    tree.openGrown = isKept ? previous->openGrown : placement.openGrown;
+    tree.scale = isKept ? previous->scale
+                        : fitTree(modelOf(tree), completeSize(tree.givenSize, species, tree.openGrown));
     tree.atEdge = placement.atEdge;
     tree.tiled = placement.tiled;
     tree.position = glm::vec3(placement.position - description().origin);
@@ -105,7 +105,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.species = tree.species;
     placement.position = glm::dvec3(tree.position) + description().origin;
     placement.heading = tree.heading;
-    placement.size = measured(tree);
+    placement.size = sizeOf(tree);
     placement.leaves = tree.summerLeaves;
     placement.openGrown = tree.openGrown;
     placement.atEdge = tree.atEdge;
@@ -119,12 +119,12 @@ ForestDescription PlacedForest::describe() const {
     now.season = _season;
     now.source.clear();
     if (now.tiles)
-        now.tiles->removed = _struck;
+        now.tiles->removed = _removedPermanently;
     for (std::size_t slot = 0; slot < trees.size(); ++slot) {
         if (!trees[slot].alive || trees[slot].tiled)
             continue;
         TreePlacement tree = placementOf(slot);
-        tree.size = trees[slot].given;
+        tree.size = trees[slot].givenSize;
         tree.estimated = trees[slot].estimated;
         tree.openGrown = trees[slot].openGrown;
         now.trees.push_back(std::move(tree));
@@ -133,7 +133,7 @@ ForestDescription PlacedForest::describe() const {
 }
 
 void PlacedForest::setSeason(float season) {
-    _season = withinYear(season);
+    _season = wrapSeason(season);
     _seasonLeaves.clear();
     for (const Species& species : description().species)
         _seasonLeaves.push_back(leafShare(species.appearance, _season));
@@ -143,7 +143,7 @@ void PlacedForest::setSeason(float season) {
 
 void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& name) {
     if (slot == trees.size()) {
-        makeRoomFor(trees, slot + 1);
+        reserveGrowth(trees, slot + 1);
         trees.emplace_back();
     }
     PlacedTree& old = trees[slot];
@@ -159,9 +159,9 @@ void PlacedForest::remove(std::size_t slot) {
     names.set(static_cast<std::uint32_t>(slot), {});
 }
 
-void PlacedForest::strike(std::size_t slot) {
+void PlacedForest::removePermanently(std::size_t slot) {
     if (trees[slot].tiled)
-        _struck.insert(names.of(static_cast<std::uint32_t>(slot)));
+        _removedPermanently.insert(names.of(static_cast<std::uint32_t>(slot)));
 }
 
 bool PlacedForest::holds(TreeId id) const {
@@ -174,7 +174,7 @@ std::size_t PlacedForest::speciesOfModel(std::size_t model) const {
     return _families->all()[static_cast<std::size_t>(after - _firstModels.begin()) - 1].species;
 }
 
-glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {
+glm::vec3 rotateAboutZ(const glm::vec3& v, float sine, float cosine) {
     return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
 }
 

@@ -15,90 +15,86 @@ namespace osgTreeWind {
 
 class ShapeFamilies;
 
-/// Shapes by index; none is null.
+/// Shapes by index; never null.
 using SharedModels = std::vector<std::shared_ptr<const TreeModel>>;
 
-/// A tree where it stands.
+/// A tree of a PlacedForest: its shape, scale and position in the scene.
 struct PlacedTree {
     std::uint32_t model = 0;   ///< Index into PlacedForest::models().
-    std::uint32_t species = 0; ///< Index into the description's.
+    std::uint32_t species = 0; ///< Index into ForestDescription::species.
     TreeScale scale;           ///< Of the model.
     glm::vec3 position{0.0f};  ///< Scene coordinates.
-    float heading = 0.0f;      ///< Radians, counterclockwise from above.
-    float leaves = 1.0f;       ///< Share that it bears now,
-    float summerLeaves = 1.0f; ///< and in summer.
-    std::uint32_t seed = 0;    ///< Picks its shape, and what is at random in its motion.
-    // For the laws of a branch; 0 in a tree that was added later.
-    std::uint32_t firstUnit = 0;  ///< Units of all trees before it.
-    std::uint32_t firstLeaf = 0;  ///< Leaf clusters of all trees before it.
-    std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
-    bool alive = true;            ///< No: it was removed, and nothing else here counts.
-    bool openGrown = false;       ///< In the open (TreePlacement::openGrown).
+    float heading = 0.0f;      ///< Radians, counter-clockwise from above.
+    float leaves = 1.0f;       ///< Share of its leaves in the current season.
+    float summerLeaves = 1.0f; ///< Share of its leaves in summer.
+    std::uint32_t seed = 0;    ///< Selects the shape and the noise streams.
+    // Offsets for the thesis' laws; 0 in a tree that was added later.
+    std::uint32_t firstUnit = 0;  ///< Number of units of all trees before it.
+    std::uint32_t firstLeaf = 0;  ///< Number of leaf clusters of all trees before it.
+    std::uint32_t generation = 0; ///< Number of earlier trees in this slot.
+    bool alive = true;            ///< False: removed; all other members are meaningless.
+    bool openGrown = false;       ///< TreePlacement::openGrown.
     bool atEdge = false;          ///< TreePlacement::atEdge.
     bool tiled = false;           ///< TreePlacement::tiled.
-    EstimatedSizes estimated;     ///< Of `given`.
-    TreeSize given;               ///< From which, with openGrown, `scale` follows.
+    EstimatedSizes estimated;     ///< Of `givenSize`.
+    TreeSize givenSize;           ///< The size that `scale` follows from.
 };
 
-/// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes. Read by many threads while
-/// none writes.
+/// A forest at rest, with grown shapes and placed trees. Copies share the shapes. Threads may read it
+/// concurrently while none writes.
 struct PlacedForest {
-    /// @param given for which check() finds nothing. @param placed called after each tree; may be empty.
-    /// @param executor grows its shapes; none: the threads of the process.
-    explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {},
+    /// @param forest must pass check(). @param onTree called after each tree; may be empty.
+    /// @param executor grows the shapes; empty: the thread pool of the process.
+    explicit PlacedForest(ForestDescription forest, const std::function<void()>& onTree = {},
                           const Executor& executor = {});
 
-    std::vector<PlacedTree> trees; ///< By slot: in the order of the description, then as they were added.
-    std::size_t units = 0;         ///< Of the description's trees,
-    std::size_t leaves = 0;        ///< and their leaf clusters.
-    TreeNames names;               ///< That trees have, by slot.
+    std::vector<PlacedTree> trees; ///< By slot: in the order of the description, then as added.
+    std::size_t units = 0;         ///< Total units of the description's trees.
+    std::size_t leaves = 0;        ///< Total leaf clusters of the description's trees.
+    TreeNames names;               ///< Names of trees by slot.
 
-    /// As given, but without its trees, and with its first season. Stays where it is until addSpecies().
+    /// The constructor's description (also its season), without trees. Invalidated by addSpecies().
     const ForestDescription& description() const { return *_description; }
-    /// Shapes, shared by trees and by forests.
+    /// All shapes, shared by trees and forests.
     const SharedModels& models() const { return _models; }
-    /// Grows the shapes of one more species, for which check() finds nothing. @param executor as above.
-    /// @return its index.
+    /// Adds a species and grows its shapes. @param species must pass check(). @return its index.
     std::size_t addSpecies(Species species, const Executor& executor = {});
 
-    /// Its shape.
     const TreeModel& modelOf(const PlacedTree& tree) const { return *_models[tree.model]; }
-    /// Its species, which stays where it is as long as this or a copy lives.
+    /// The reference is valid as long as this forest or a copy exists.
     const Species& speciesOf(const PlacedTree& tree) const { return *_species[tree.species]; }
-    /// Of which species a model is a shape.
+    /// Index of the species that a model belongs to.
     std::size_t speciesOfModel(std::size_t model) const;
-    /// How many it has.
-    std::size_t unitsOf(const PlacedTree& tree) const { return modelOf(tree).skeleton.units.size(); }
-    /// How many clusters it has.
-    std::size_t leavesOf(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
+    std::size_t unitCount(const PlacedTree& tree) const { return modelOf(tree).skeleton.units.size(); }
+    /// Number of leaf clusters.
+    std::size_t leafCount(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
 
-    /// A tree for which check() finds nothing, as it would stand. Of a species whose trees all stood in a
-    /// forest, or all in the open, as the forest was made, it takes their shapes. The scale of `before` is
-    /// kept where the placement gives its model and measured sizes.
-    PlacedTree fitted(const TreePlacement& placement, const PlacedTree* before = nullptr) const;
-    /// Its sizes as it stands.
-    TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
-    /// What gives that tree again; all of its sizes are given.
+    /// Selects the shape and computes the scale for a placement that passes check(). If the species had
+    /// shapes for only one growing space when the forest was built, it uses those. @param previous if the
+    /// placement has its size and model, its scale and given size are kept.
+    PlacedTree makePlacedTree(const TreePlacement& placement, const PlacedTree* previous = nullptr) const;
+    /// Size of the scaled model.
+    TreeSize sizeOf(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
+    /// A placement from which makePlacedTree() makes the same tree again. It gives all sizes.
     TreePlacement placementOf(std::size_t slot) const;
-    /// The forest as it is by now, but for its wind: what gives it again, with the trees that are alive by
-    /// slot and the sizes they were given. Not what any file says: without a source.
+    /// Describes the current forest except for its wind: with the trees that are alive, in slot order with
+    /// their given sizes, and without `source`.
     ForestDescription describe() const;
-    /// Of the year, as it is by now (Season.h).
+    /// Current time of year (Season.h).
     float season() const { return _season; }
-    /// Has all trees bear the leaves they bear then.
+    /// Sets the season, and with it the leaves of all trees.
     void setSeason(float season);
 
-    /// Puts a tree into a slot, at most trees.size(), instead of the one that stands or stood there.
+    /// Puts a tree into a slot, which it replaces or, for trees.size(), appends.
     void put(std::size_t slot, PlacedTree tree, const std::string& name);
-    /// The tree in a slot is there no more, and its id is of none.
+    /// Removes a tree and invalidates its id.
     void remove(std::size_t slot);
-    /// Has the tree of a tile not come again, once it is gone. Others are none of its business.
-    void strike(std::size_t slot);
-    /// ForestTiles::removed, as it is by now.
-    const std::set<std::string>& struck() const { return _struck; }
+    /// Prevents the tree of a tile from being loaded again. No effect on trees that do not come from a tile.
+    void removePermanently(std::size_t slot);
+    /// Current value of ForestTiles::removed.
+    const std::set<std::string>& removedPermanently() const { return _removedPermanently; }
 
-    bool holds(TreeId id) const; ///< Whether that tree is there.
-    /// Of the tree in a slot.
+    bool holds(TreeId id) const; ///< Whether the id names a tree of this forest.
     TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
 
 private:
@@ -106,15 +102,15 @@ private:
 
     std::shared_ptr<const ForestDescription> _description;
     SharedModels _models;
-    std::vector<std::shared_ptr<const Species>> _species; ///< The description's.
+    std::vector<std::shared_ptr<const Species>> _species; ///< Of the description.
     std::shared_ptr<const ShapeFamilies> _families;
     std::vector<std::uint32_t> _firstModels; ///< Per family.
     float _season = midsummer;
-    std::vector<float> _seasonLeaves; ///< Per species, share of what its trees bear in summer.
-    std::set<std::string> _struck;
+    std::vector<float> _seasonLeaves; ///< Per species, share of the summer leaves.
+    std::set<std::string> _removedPermanently;
 };
 
-/// v turned counter-clockwise about the vertical.
-glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine);
+/// Rotates `v` counter-clockwise about the vertical.
+glm::vec3 rotateAboutZ(const glm::vec3& v, float sine, float cosine);
 
 } // namespace osgTreeWind

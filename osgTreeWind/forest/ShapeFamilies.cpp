@@ -14,65 +14,62 @@
 namespace osgTreeWind {
 namespace {
 
-/// Numbers of trees by their heights, in steps.
-using Steps = std::map<int, std::size_t>;
+/// Number of trees by height class.
+using HeightClasses = std::map<int, std::size_t>;
 
-constexpr double step = 1.25;
-constexpr int mostSteps = 12; // from the usual height
-/// Of the trees of a stand by height, those that forms are grown for: small, middling and large ones.
-constexpr std::array<double, 3> grownFor{0.15, 0.5, 0.85};
+constexpr double classRatio = 1.25;
+constexpr int maxClass = 12; // on both sides of the default height
+/// Quantiles of the heights in a group that get shapes: small, medium and large trees.
+constexpr std::array<double, 3> shapeQuantiles{0.15, 0.5, 0.85};
+/// Number of trees of a group that determine the proportions of its shapes.
+constexpr std::size_t maxSamples = 1000;
 
-/// Trees of a stand by which its forms get their proportions.
-constexpr std::size_t mostMeasured = 1000;
-
-int stepOf(float height, float usual) {
-    if (!(height > 0.0f) || !(usual > 0.0f))
+int heightClass(float height, float defaultHeight) {
+    if (!(height > 0.0f) || !(defaultHeight > 0.0f))
         return 0;
-    const double steps = std::log(static_cast<double>(height / usual)) / std::log(step);
-    return static_cast<int>(std::clamp<double>(std::round(steps), -mostSteps, mostSteps));
+    const double steps = std::log(static_cast<double>(height / defaultHeight)) / std::log(classRatio);
+    return static_cast<int>(std::clamp<double>(std::round(steps), -maxClass, maxClass));
 }
 
-float heightOf(int steps, float usual) {
-    double height = static_cast<double>(usual);
-    for (int i = 0; i < std::abs(steps); ++i)
-        height = steps > 0 ? height * step : height / step;
+float classHeight(int index, float defaultHeight) {
+    double height = static_cast<double>(defaultHeight);
+    for (int i = 0; i < std::abs(index); ++i)
+        height = index > 0 ? height * classRatio : height / classRatio;
     return static_cast<float>(height);
 }
 
-/// The step of a tree below which a share of all are.
-int stepAt(const Steps& steps, double share) {
+int quantileClass(const HeightClasses& classes, double quantile) {
     std::size_t all = 0, below = 0;
-    for (const auto& [at, trees] : steps)
+    for (const auto& [index, trees] : classes)
         all += trees;
-    for (const auto& [at, trees] : steps) {
+    for (const auto& [index, trees] : classes) {
         below += trees;
-        if (static_cast<double>(below) >= share * static_cast<double>(all))
-            return at;
+        if (static_cast<double>(below) >= quantile * static_cast<double>(all))
+            return index;
     }
     return 0;
 }
 
-Steps::iterator nearest(Steps& steps, int to) {
-    return std::min_element(steps.begin(), steps.end(), [to](const auto& a, const auto& b) {
-        return std::abs(a.first - to) < std::abs(b.first - to);
+HeightClasses::iterator nearestClass(HeightClasses& classes, int index) {
+    return std::min_element(classes.begin(), classes.end(), [index](const auto& a, const auto& b) {
+        return std::abs(a.first - index) < std::abs(b.first - index);
     });
 }
 
-/// The steps that forms are grown for, with the trees nearest to each. @param usual whether the usual height
-/// is one of them.
-Steps grownSteps(const Steps& steps, bool usual) {
-    Steps few;
-    if (usual)
-        few[0] = 0;
-    for (const double share : grownFor)
-        few[stepAt(steps, share)] = 0;
-    for (const auto& [at, trees] : steps)
-        nearest(few, at)->second += trees;
-    return few;
+/// The height classes to grow shapes for, with the trees nearest to each.
+HeightClasses shapeClasses(const HeightClasses& classes, bool hasDefaultHeight) {
+    HeightClasses selected;
+    if (hasDefaultHeight)
+        selected[0] = 0;
+    for (const double quantile : shapeQuantiles)
+        selected[quantileClass(classes, quantile)] = 0;
+    for (const auto& [index, trees] : classes)
+        nearestClass(selected, index)->second += trees;
+    return selected;
 }
 
-/// Rounded to a power of 1.1, and at most a third or three times; 1 of none.
-float medianInTenths(std::vector<float>& factors) {
+/// The median rounded to a power of 1.1 and clamped to about [1/3, 3]; 1 for an empty list.
+float roundedMedian(std::vector<float>& factors) {
     if (factors.empty())
         return 1.0f;
     const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
@@ -81,125 +78,126 @@ float medianInTenths(std::vector<float>& factors) {
     return static_cast<float>(std::pow(1.1, std::clamp(steps, -11.0, 11.0)));
 }
 
-/// Takes away the step with the fewest trees, which others then stand for. @return false where it has to
-/// stay.
-bool dropOne(Steps& steps, bool usual) {
-    auto least = steps.end();
-    for (auto at = steps.begin(); at != steps.end(); ++at)
-        if (!(usual && at->first == 0) && (least == steps.end() || at->second < least->second))
-            least = at;
-    if (steps.size() < 2 || least == steps.end())
+/// Merges the class with the fewest trees into the nearest one. @return false if none can be merged.
+bool mergeSmallestClass(HeightClasses& classes, bool hasDefaultHeight) {
+    auto smallest = classes.end();
+    for (auto it = classes.begin(); it != classes.end(); ++it)
+        if (!(hasDefaultHeight && it->first == 0) &&
+            (smallest == classes.end() || it->second < smallest->second))
+            smallest = it;
+    if (classes.size() < 2 || smallest == classes.end())
         return false;
-    const auto [at, trees] = *least;
-    steps.erase(least);
-    nearest(steps, at)->second += trees;
+    const auto [index, trees] = *smallest;
+    classes.erase(smallest);
+    nearestClass(classes, index)->second += trees;
     return true;
 }
 
 } // namespace
 
 ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
-    std::vector<Stands> stands(forest.species.size());
+    std::vector<TreeGroups> groups(forest.species.size());
     for (const TreePlacement& tree : forest.trees) {
-        if (tree.species >= stands.size())
+        if (tree.species >= groups.size())
             continue;
         const Species& species = forest.species[tree.species];
-        Stand& stand = stands[tree.species][companyOf(tree, species)];
-        const int at = stepOf(tree.size.height, usualHeight(species));
-        ++stand.trees[at];
+        TreeGroup& group = groups[tree.species][growingSpaceOf(tree, species)];
+        const int index = heightClass(tree.size.height, usualHeight(species));
+        ++group.trees[index];
         if (!(tree.size.height > 0.0f))
-            stand.usual = true;
+            group.hasDefaultHeight = true;
         else if (growsByLight(species))
-            stand.sizes.emplace_back(at, withCrown(tree.size, species.crown, tree.openGrown));
+            group.sizes.emplace_back(index, withCrown(tree.size, species.crown, tree.openGrown));
     }
-    for (std::size_t i = 0; i < stands.size(); ++i) {
-        const auto namedIn = [&](const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const auto isNamedIn = [&](const std::vector<std::string>& names) {
             return std::find(names.begin(), names.end(), forest.species[i].name) != names.end();
         };
-        if (forest.tiles && namedIn(forest.tiles->inForest))
-            addUsual(stands[i][InForest]);
-        if (forest.tiles && namedIn(forest.tiles->inOpen))
-            addUsual(stands[i][InOpen]);
-        add(forest.species[i], stands[i]);
+        if (forest.tiles && isNamedIn(forest.tiles->inForest))
+            addDefaultHeight(groups[i][InForest]);
+        if (forest.tiles && isNamedIn(forest.tiles->inOpen))
+            addDefaultHeight(groups[i][Open]);
+        add(forest.species[i], groups[i]);
     }
 }
 
-void ShapeFamilies::addUsual(Stand& stand) {
-    ++stand.trees[0];
-    stand.usual = true;
+void ShapeFamilies::addDefaultHeight(TreeGroup& group) {
+    ++group.trees[0];
+    group.hasDefaultHeight = true;
 }
 
-/// Gives forms the median proportions of their trees, in steps of a tenth.
-void ShapeFamilies::proportion(Family& family, const Species& species, Stand& stand, int at) {
-    std::vector<float> trunks, crowns; // over what the laws of the species say
-    const std::size_t apart = 1 + stand.sizes.size() / mostMeasured;
-    for (std::size_t i = 0; i < stand.sizes.size(); i += apart) {
-        const auto& [step, size] = stand.sizes[i];
-        if (nearest(stand.trees, step)->first != at)
+/// Gives the shapes of a height class the median proportions of its trees, rounded to a power of 1.1.
+void ShapeFamilies::applyProportions(Family& family, const Species& species, TreeGroup& group, int index) {
+    std::vector<float> trunks, crowns; // relative to the allometry of the species
+    const std::size_t stride = 1 + group.sizes.size() / maxSamples;
+    for (std::size_t i = 0; i < group.sizes.size(); i += stride) {
+        const auto& [sizeClass, size] = group.sizes[i];
+        if (nearestClass(group.trees, sizeClass)->first != index)
             continue;
-        const TreeSize usual = wholeSize({size.height, 0.0f, 0.0f}, species, family.openGrown);
-        trunks.push_back(size.trunkDiameter > 0.0f ? size.trunkDiameter / usual.trunkDiameter : 1.0f);
-        crowns.push_back(size.crownWidth > 0.0f ? size.crownWidth / usual.crownWidth : 1.0f);
+        const TreeSize expected = completeSize({size.height, 0.0f, 0.0f}, species, family.openGrown);
+        trunks.push_back(size.trunkDiameter > 0.0f ? size.trunkDiameter / expected.trunkDiameter : 1.0f);
+        crowns.push_back(size.crownWidth > 0.0f ? size.crownWidth / expected.crownWidth : 1.0f);
     }
     GrowthParameters& growth = *family.tree.growth;
-    growth.size.trunkDiameter *= medianInTenths(trunks);
-    growth.size.crownWidth *= medianInTenths(crowns);
+    growth.size.trunkDiameter *= roundedMedian(trunks);
+    growth.size.crownWidth *= roundedMedian(crowns);
     if (!family.openGrown)
         growth.site.distance = growth.size.crownWidth;
 }
 
-ShapeFamilies::Company ShapeFamilies::companyOf(const TreePlacement& tree, const Species& species) {
-    return tree.openGrown ? InOpen : tree.atEdge && growsByLight(species) ? AtEdge : InForest;
+ShapeFamilies::GrowingSpace ShapeFamilies::growingSpaceOf(const TreePlacement& tree, const Species& species) {
+    return tree.openGrown ? Open : tree.atEdge && growsByLight(species) ? AtEdge : InForest;
 }
 
 void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
-    Stands stands;
+    TreeGroups groups;
     if (inForest)
-        addUsual(stands[InForest]);
+        addDefaultHeight(groups[InForest]);
     if (inOpen)
-        addUsual(stands[InOpen]);
-    add(species, stands);
+        addDefaultHeight(groups[Open]);
+    add(species, groups);
 }
 
-void ShapeFamilies::add(const Species& species, Stands stands) {
+void ShapeFamilies::add(const Species& species, TreeGroups groups) {
     const bool bySize = growsByLight(species);
-    const float usual = usualHeight(species);
-    if (stands[InForest].trees.empty() && stands[AtEdge].trees.empty() && stands[InOpen].trees.empty())
-        addUsual(stands[InForest]);
-    if (!bySize && !stands[InForest].trees.empty())
-        stands[InOpen].trees.clear();
+    const float defaultHeight = usualHeight(species);
+    if (groups[InForest].trees.empty() && groups[AtEdge].trees.empty() && groups[Open].trees.empty())
+        addDefaultHeight(groups[InForest]);
+    if (!bySize && !groups[InForest].trees.empty())
+        groups[Open].trees.clear();
     std::size_t families = 0;
-    for (Stand& stand : stands) {
-        if (!stand.trees.empty())
-            stand.trees = bySize ? grownSteps(stand.trees, stand.usual) : Steps{{0, stand.trees.size()}};
-        families += stand.trees.size();
+    for (TreeGroup& group : groups) {
+        if (!group.trees.empty())
+            group.trees = bySize ? shapeClasses(group.trees, group.hasDefaultHeight)
+                                 : HeightClasses{{0, group.trees.size()}};
+        families += group.trees.size();
     }
     const std::size_t shapes = shapeCount(species);
-    const std::size_t most = std::max<std::size_t>(shapes / 2, 1); // so that trees of a family differ
-    for (bool some = true; some && families > most;) {
-        some = false;
-        for (Stand& stand : stands)
-            if (families > most && dropOne(stand.trees, stand.usual)) {
-                some = true;
+    const std::size_t maxFamilies = std::max<std::size_t>(shapes / 2, 1); // so that trees of a family differ
+    for (bool isMerged = true; isMerged && families > maxFamilies;) {
+        isMerged = false;
+        for (TreeGroup& group : groups)
+            if (families > maxFamilies && mergeSmallestClass(group.trees, group.hasDefaultHeight)) {
+                isMerged = true;
                 --families;
             }
     }
-    std::vector<std::size_t> trees; // of each family
+    std::vector<std::size_t> trees; // by family
     const std::size_t first = _all.size();
-    for (const Company company : {InForest, AtEdge, InOpen})
-        for (const auto& [at, count] : stands[company].trees) {
+    for (const GrowingSpace space : {InForest, AtEdge, Open})
+        for (const auto& [index, count] : groups[space].trees) {
             Family family;
-            family.species = _ofSpecies.size();
-            family.openGrown = company == InOpen;
-            family.atEdge = company == AtEdge;
-            family.height = heightOf(at, usual);
+            family.species = _familyRanges.size();
+            family.openGrown = space == Open;
+            family.atEdge = space == AtEdge;
+            family.height = classHeight(index, defaultHeight);
             family.tree = growthOf(species, family.openGrown, family.atEdge, family.height);
-            if (bySize && !(at == 0 && stands[company].usual))
-                proportion(family, species, stands[company], at);
+            if (bySize && !(index == 0 && groups[space].hasDefaultHeight))
+                applyProportions(family, species, groups[space], index);
             _all.push_back(std::move(family));
             trees.push_back(count);
         }
-    // The next shape goes to the family that has most trees for each.
+    // Each further shape goes to the family with the most trees per shape.
     for (std::size_t i = families; i < shapes; ++i) {
         std::size_t neediest = 0;
         for (std::size_t other = 1; other < families; ++other)
@@ -207,26 +205,25 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
                 neediest = other;
         ++_all[first + neediest].shapes;
     }
-    _ofSpecies.emplace_back(first, _all.size());
-    _usualHeights.push_back(usual);
+    _familyRanges.emplace_back(first, _all.size());
+    _defaultHeights.push_back(defaultHeight);
 }
 
 std::size_t ShapeFamilies::indexOf(const TreePlacement& tree) const {
-    const auto [first, end] = _ofSpecies[tree.species];
-    const float usual = _usualHeights[tree.species];
-    const float height = tree.size.height > 0.0f ? tree.size.height : usual;
-    // If its own company has no family, wood and edge stand for each other before the open does.
-    const auto strangeness = [&](const Family& family) {
-        const int company = family.openGrown != tree.openGrown                ? 2
-                            : !tree.openGrown && family.atEdge != tree.atEdge ? 1
-                                                                              : 0;
-        const float off =
+    const auto [first, end] = _familyRanges[tree.species];
+    const float height = tree.size.height > 0.0f ? tree.size.height : _defaultHeights[tree.species];
+    // If the tree's growing space has no family, stand and edge are closer to each other than to the open.
+    const auto mismatch = [&](const Family& family) {
+        const int space = family.openGrown != tree.openGrown                ? 2
+                          : !tree.openGrown && family.atEdge != tree.atEdge ? 1
+                                                                            : 0;
+        const float logRatio =
             family.height > 0.0f && height > 0.0f ? std::abs(std::log(height / family.height)) : 0.0f;
-        return std::make_tuple(company, off);
+        return std::make_tuple(space, logRatio);
     };
     std::size_t best = first;
     for (std::size_t i = first + 1; i < end; ++i)
-        if (strangeness(_all[i]) < strangeness(_all[best]))
+        if (mismatch(_all[i]) < mismatch(_all[best]))
             best = i;
     return best;
 }

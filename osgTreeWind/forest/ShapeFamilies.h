@@ -12,52 +12,51 @@
 
 namespace osgTreeWind {
 
-/// The shapes that a forest grows. Those of a species are of families: for the company that its trees stand
-/// in, a forest, its edge or the open, and for their heights, where it grows by light: small, middling and
-/// large ones, in steps of a quarter. All families of a species together have as many shapes as it is to
-/// have, and one each at least; those with many trees have more. A species whose trees grow alike has one
-/// family, and one without trees is grown for the forest.
+/// Plans which shapes a forest grows. The shapes of a species are grouped in families by growing space (in a
+/// stand, at its edge, open-grown) and, for species that grow by light, by height: small, medium and large,
+/// in height classes with a ratio of 1.25. The families of a species share its number of shapes in proportion
+/// to their trees, with at least one shape each. A species without trees is grown for a stand.
 class ShapeFamilies {
 public:
     explicit ShapeFamilies(const ForestDescription& forest);
 
-    /// The next species, whose trees stand in a forest, in the open or both.
+    /// Adds the next species, with trees in stands, open-grown trees or both.
     void add(const Species& species, bool inForest, bool inOpen);
 
     struct Family {
         std::size_t species = 0; ///< Index into ForestDescription::species.
-        bool openGrown = false;  ///< TreePlacement::openGrown,
-        bool atEdge = false;     ///< and atEdge of its trees.
-        float height = 0.0f;     ///< To which they grow, metres; 0: the species does not say.
+        bool openGrown = false;  ///< TreePlacement::openGrown of its trees.
+        bool atEdge = false;     ///< TreePlacement::atEdge of its trees.
+        float height = 0.0f;     ///< To which it is grown, metres; 0: the species does not say.
         TreeParameters tree;
-        std::uint32_t shapes = 1; ///< A tree's seed modulo that is its own.
+        std::uint32_t shapes = 1; ///< Number of shapes. A tree has the shape `seed % shapes`.
     };
-    /// By species.
+    /// All families, ordered by species.
     const std::vector<Family>& all() const { return _all; }
-    /// Index of that of a tree: of its company, or of another one where no tree stood in its own; and of the
-    /// height nearest to its own.
+    /// Index of the family that fits a tree: that of its growing space, or of another one if that has no
+    /// family; then the one closest in height.
     std::size_t indexOf(const TreePlacement& tree) const;
-    /// countLargest() of each, grown on the threads of the process.
+    /// countLargest() of each family, grown on the thread pool of the process.
     std::vector<TreeCounts> countLargest() const;
 
 private:
-    enum Company { InForest, AtEdge, InOpen };
-    /// Trees of a species that stand in one company.
-    struct Stand {
-        std::map<int, std::size_t> trees; ///< How many, by their heights in steps from the usual one.
-        bool usual = false;               ///< Some have that one, since theirs is not given.
-        std::vector<std::pair<int, TreeSize>> sizes; ///< Those that are given, with their steps.
+    enum GrowingSpace { InForest, AtEdge, Open };
+    /// Trees of a species in one growing space.
+    struct TreeGroup {
+        std::map<int, std::size_t> trees; ///< Number of trees by height class; class 0 is the default height.
+        bool hasDefaultHeight = false;    ///< The height of some trees is not given.
+        std::vector<std::pair<int, TreeSize>> sizes; ///< Height classes and sizes of trees with given sizes.
     };
-    using Stands = std::array<Stand, 3>;
+    using TreeGroups = std::array<TreeGroup, 3>;
 
-    static Company companyOf(const TreePlacement& tree, const Species& species);
-    static void proportion(Family& family, const Species& species, Stand& stand, int at);
-    static void addUsual(Stand& stand); ///< A tree of that height.
-    void add(const Species& species, Stands stands);
+    static GrowingSpace growingSpaceOf(const TreePlacement& tree, const Species& species);
+    static void applyProportions(Family& family, const Species& species, TreeGroup& group, int at);
+    static void addDefaultHeight(TreeGroup& group); ///< Adds a tree of the default height.
+    void add(const Species& species, TreeGroups groups);
 
     std::vector<Family> _all;
-    std::vector<std::pair<std::size_t, std::size_t>> _ofSpecies; ///< The first, and the one after the last.
-    std::vector<float> _usualHeights;                            ///< By species.
+    std::vector<std::pair<std::size_t, std::size_t>> _familyRanges; ///< By species: first and past-the-end.
+    std::vector<float> _defaultHeights;                             ///< By species.
 };
 
 } // namespace osgTreeWind

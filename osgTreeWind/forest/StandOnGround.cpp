@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/forest/FeetOnGround.h>
+#include <osgTreeWind/forest/GroundPlacer.h>
 
 namespace osgTreeWind {
 
@@ -15,9 +15,9 @@ Diagnostics standOnGround(ForestDescription& forest, const std::vector<std::size
     for (const std::size_t tree : trees)
         if (tree >= forest.trees.size())
             return {keyProblem("tree", "there is no tree " + std::to_string(tree))};
-    FeetOnGround feet(forest);
-    feet.put(forest.trees, trees);
-    return feet.problems();
+    GroundPlacer placer(forest);
+    placer.place(forest.trees, trees);
+    return placer.problems();
 }
 
 } // namespace osgTreeWind

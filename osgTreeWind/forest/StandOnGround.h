@@ -6,10 +6,11 @@
 
 namespace osgTreeWind {
 
-/// Puts trees of a forest on its ground: each grows upright, its foot at the lowest point of the trunk's
-/// circle. @param trees their indices. @return what check() finds, or an index of no tree, and nothing is
-/// changed; one problem where some have no ground below them: how many, and which first; those stay where
-/// they are. Empty when it is done, and for a forest without a ground.
+/// Sets the heights of trees so that they stand on the forest's ground, each with its foot at the lowest
+/// ground within the circle of its trunk. Does nothing without a ground.
+/// @param trees indices of the trees.
+/// @return the problems. If check() fails or an index is invalid, nothing changes. If some trees have no
+/// ground below them, one problem reports their number and the first of them, and they keep their height.
 OSGTREEWIND_EXPORT Diagnostics standOnGround(ForestDescription& forest,
                                              const std::vector<std::size_t>& trees);
 

@@ -38,26 +38,26 @@ std::optional<std::size_t> tileOfPlace(const ForestTiles& tiles, const std::stri
     std::uint32_t column = 0, row = 0, number = 0;
     const char* next = place.data();
     const char* const end = next + place.size();
-    const auto take = [&](std::uint32_t& value, char after) {
+    const auto parse = [&](std::uint32_t& value, char separator) {
         const auto [stop, error] = std::from_chars(next, end, value);
-        const bool ended = after ? stop < end && *stop == after : stop == end;
+        const bool isSeparated = separator ? stop < end && *stop == separator : stop == end;
         next = stop + 1;
-        return error == std::errc() && ended;
+        return error == std::errc() && isSeparated;
     };
-    if (!take(column, '_') || !take(row, '/') || !take(number, '\0') || column >= tiles.columns ||
+    if (!parse(column, '_') || !parse(row, '/') || !parse(number, '\0') || column >= tiles.columns ||
         row >= tiles.rows())
         return {};
     return static_cast<std::size_t>(row) * tiles.columns + column;
 }
 
-double rangeOfTiles(const ForestTiles& tiles) {
-    constexpr double treesInRange = 50000.0, nearest = 1000.0, farthest = 5000.0;
+double defaultTileRange(const ForestTiles& tiles) {
+    constexpr double treesInRange = 50000.0, minRange = 1000.0, maxRange = 5000.0;
     const auto withTrees = std::count_if(tiles.tiles.begin(), tiles.tiles.end(),
                                          [](const ForestTiles::Tile& tile) { return tile.trees > 0; });
     const double area = static_cast<double>(withTrees) * tiles.size * tiles.size,
                  trees = std::max(static_cast<double>(tiles.treeCount()), 1.0);
     return std::round(
-        std::clamp(std::sqrt(treesInRange * area / trees / glm::pi<double>()), nearest, farthest));
+        std::clamp(std::sqrt(treesInRange * area / trees / glm::pi<double>()), minRange, maxRange));
 }
 
 } // namespace osgTreeWind

@@ -6,12 +6,11 @@
 
 namespace osgTreeWind {
 
-/// Names a tree for as long as its forest lives: which slot it stands in (low 32 bits), and how many trees
-/// stood there before it (high 32 bits). A tree that was removed leaves an id that names none.
-/// Nothing but an id is one: a slot, the place of a tree in lists, is a std::size_t.
+/// Identifies a tree for the lifetime of its forest: its slot (low 32 bits), and the number of earlier trees
+/// in that slot (high 32 bits). The id of a removed tree stays invalid. Slots are std::size_t.
 enum class TreeId : std::uint64_t {};
 
-/// Names no tree of any forest.
+/// An id that is never valid.
 constexpr TreeId noTree = TreeId(~std::uint64_t(0));
 
 constexpr TreeId makeTreeId(std::size_t slot, std::uint32_t generation) {

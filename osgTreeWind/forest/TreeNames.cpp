@@ -20,12 +20,12 @@ bool TreeNames::set(std::uint32_t slot, const std::string& name) {
     }
     if (name.empty())
         return true;
-    const auto [place, fresh] = _slots.emplace(name, slot);
-    if (!fresh)
+    const auto [entry, isNew] = _slots.emplace(name, slot);
+    if (!isNew)
         return false;
     if (slot >= _names.size())
         _names.resize(slot + 1, nullptr);
-    _names[slot] = &place->first;
+    _names[slot] = &entry->first;
     return true;
 }
 

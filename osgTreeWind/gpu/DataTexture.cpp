@@ -40,7 +40,7 @@ void DataTexture::write(const std::vector<glm::vec4>& texels) const {
         std::memcpy(data(), texels.data(), bytes);
 }
 
-void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
+void bindDataTexture(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
     state.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
     state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));
 }

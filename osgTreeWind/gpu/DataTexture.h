@@ -10,27 +10,27 @@
 
 namespace osgTreeWind {
 
-/// An array of RGBA32F texels as a texture: element i stands at (i % width, i / width). Shaders read it with
-/// dataTexel() (shaders/data.glsl). Filled on the CPU, or the target of a pass.
+/// An array of RGBA32F texels in a texture: element i is at (i % width, i / width). Shaders read it with
+/// dataTexel() (shaders/data.glsl). The CPU fills it, or a pass renders into it.
 class DataTexture {
 public:
-    static constexpr int width = 2048, mostRows = 16384;
-    /// More would be a texture that OpenGL does not hold, and OSG would rescale.
-    static constexpr std::size_t mostTexels = std::size_t(width) * mostRows;
+    static constexpr int width = 2048, maxRows = 16384;
+    /// OSG would rescale larger textures to the limit of OpenGL.
+    static constexpr std::size_t maxTexels = std::size_t(width) * maxRows;
 
-    /// Rows that so many texels take, at least 1.
+    /// Number of rows for a number of texels, at least 1.
     static int rowsFor(std::size_t texels);
 
-    /// @param name of the texture, for people who look at the scene.
+    /// @param name of the texture object, for debugging.
     DataTexture(const char* name, std::size_t texels);
 
     osg::Texture2D* texture() const { return _texture.get(); }
 
-    /// The texels, 4 floats each. Write only during update, then call dirty().
+    /// The texels, 4 floats each. Write in update only, then call dirty().
     float* data() const { return reinterpret_cast<float*>(_image->data()); }
-    /// Has the texels uploaded before the next draw in every context.
+    /// Uploads the texels before the next draw in every context.
     void dirty() const { _image->dirty(); }
-    /// Writes texels from the first on; no more than there are. During update.
+    /// Writes texels from the first on; ignores texels beyond the size. In update.
     void write(const std::vector<glm::vec4>& texels) const;
     /// write() and dirty().
     void fill(const std::vector<glm::vec4>& texels) const {
@@ -43,11 +43,11 @@ private:
     osg::ref_ptr<osg::Texture2D> _texture;
 };
 
-/// A texture of RGBA32F texels that are fetched one by one, without image or size.
+/// Makes an RGBA32F texture for texelFetch(), still without image and size.
 osg::ref_ptr<osg::Texture2D> makeFloatTexture(const char* name);
 
-/// Gives a texture of data to the shaders below `state`, as `sampler` in a texture unit. Protected, since a
-/// shadow technique, say, overrides textures of the scene above.
-void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture);
+/// Binds a data texture to a texture unit and a sampler uniform. PROTECTED against overrides from above, such
+/// as those of shadow techniques.
+void bindDataTexture(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture);
 
 } // namespace osgTreeWind

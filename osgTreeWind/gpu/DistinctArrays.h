@@ -5,9 +5,9 @@
 
 namespace osgTreeWind {
 
-/// Gives every array of a geometry a modified count that no other array here has. osg::State takes an array
-/// for the one it set last when address and count agree; a new array often gets the address of a deleted one,
-/// and OpenGL would then read from a buffer that is gone. Call it once the arrays are filled. Any thread.
+/// Gives each array of a geometry a unique modified count. Works around osg::State, which identifies the last
+/// array by address and count: a new array at the address of a deleted one would be drawn from a deleted
+/// buffer. Call it after the arrays are filled. Any thread.
 void makeArraysDistinct(osg::Geometry& geometry);
 
 } // namespace osgTreeWind

@@ -23,7 +23,7 @@ PassState::PassState(osg::State& state) : _state(state), _gl(*state.get<osg::GLE
 PassState::~PassState() {
     _gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerFrameBuffer));
     _gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerDrawFrameBuffer));
-    glPopAttrib(); // its draw buffer is that of the frame buffer bound
+    glPopAttrib(); // restores the draw buffer of the frame buffer that is bound
     _gl.glUseProgram(static_cast<GLuint>(_formerProgram));
 }
 

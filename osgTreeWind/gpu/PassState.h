@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// A pass within a draw: one rectangle of fragments into a frame buffer object, with nothing of the scene's
-/// state in the way. What it changes in OpenGL is as before once it is gone, so that osg::State stays right.
+/// A GPU pass within a draw: renders one rectangle into a frame buffer object, unaffected by the scene's
+/// state. Its destructor restores the OpenGL state, so that osg::State remains valid.
 class PassState {
 public:
     explicit PassState(osg::State& state);
@@ -17,7 +17,7 @@ public:
     PassState(const PassState&) = delete;
     PassState& operator=(const PassState&) = delete;
 
-    /// Draws go into `height` rows of the target from `firstRow` on, by this program.
+    /// Directs draw() to `height` rows of the target from `firstRow` on, with this program.
     void begin(osg::Program& program, osg::FrameBufferObject& target, int firstRow, int width,
                int height) const;
     void bind(unsigned unit, const char* sampler, osg::Texture2D* texture) const;

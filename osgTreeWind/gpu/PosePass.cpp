@@ -13,12 +13,12 @@
 #include <array>
 
 namespace osgTreeWind {
-static_assert(Archetype::details[0].patches <= PoseRequest::mostPatches &&
-              Archetype::details[0].modes + 3 * Archetype::details[0].patches <= PoseRequest::mostColumns);
+static_assert(Archetype::details[0].patches <= PoseRequest::maxPatches &&
+              Archetype::details[0].modes + 3 * Archetype::details[0].patches <= PoseRequest::maxColumns);
 
 namespace {
 
-constexpr std::size_t mostPageTrees = 4096;
+constexpr std::size_t maxPageTrees = 4096;
 
 osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int height) {
     osg::ref_ptr<osg::Texture2D> texture = makeFloatTexture(name);
@@ -37,18 +37,18 @@ osg::ref_ptr<osg::FrameBufferObject> target(std::initializer_list<osg::Texture2D
     return frameBuffer;
 }
 
-/// Rows of texels into a texture that is bound to the active unit.
+/// Uploads rows of texels to the texture of the active unit.
 void uploadRows(const void* texels, int width, int firstRow, int rows) {
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0); // as osg::Texture sets it before each image of its own
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0); // osg::Texture sets it again before each image
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, width, rows, GL_RGBA, GL_FLOAT, texels);
 }
 
-/// The next power of two, so that what grows is seldom made anew.
-int roomFor(int rows) {
-    int room = 16;
-    while (room < rows)
-        room *= 2;
-    return room;
+/// The next power of two, for few reallocations.
+int capacityFor(int rows) {
+    int capacity = 16;
+    while (capacity < rows)
+        capacity *= 2;
+    return capacity;
 }
 
 } // namespace
@@ -56,24 +56,24 @@ int roomFor(int rows) {
 PosePrograms::PosePrograms()
     : turns(sharedProgram("texels", "unit_turns")), poses(sharedProgram("texels", "unit_poses")) {}
 
-/// What one context has of a PosePass. Those that share objects have one each, since they share no frame
-/// buffer objects and may draw at once.
+/// The GL objects of a PosePass in one context. Contexts that share GL objects have separate ones, as frame
+/// buffer objects cannot be shared, and the contexts may draw at the same time.
 struct PosePass::Context {
     osg::observer_ptr<osg::State> state;
     unsigned id = 0;
     osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, winds, rotations, translations, pulls;
     osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
-    int matrixRows = 0, treeRows = 0; ///< Room there is.
-    std::size_t matrixTexels = 0;     ///< Uploaded so far.
-    std::uint64_t filling = 0;        ///< Of the page whose poses these are,
-    int done = 0;                     ///< so many of them.
+    int matrixRows = 0, treeRows = 0; ///< Allocated rows.
+    std::size_t matrixTexels = 0;     ///< Uploaded texels.
+    std::uint64_t generation = 0;     ///< Of the page of these poses.
+    int posedTrees = 0;               ///< Trees of that page with poses.
 
     explicit Context(osg::State& drawn) : state(&drawn), id(drawn.getContextID()) {}
 
     std::array<const osg::ref_ptr<osg::Texture2D>*, 8> textures() const {
         return {&units, &matrices, &requests, &turns, &winds, &rotations, &translations, &pulls};
     }
-    /// Whether OpenGL has lost what it had.
+    /// Whether texture objects were released.
     bool isLost() const {
         for (const osg::ref_ptr<osg::Texture2D>* texture : textures())
             if (*texture && !(*texture)->getTextureObject(id))
@@ -81,9 +81,9 @@ struct PosePass::Context {
         return false;
     }
 
-    void makeRoom(int width, int rows) {
+    void allocateRows(int width, int rows) {
         treeRows = rows;
-        done = 0;
+        posedTrees = 0;
         turns = floatTexture("unit turns", width, rows);
         winds = floatTexture("unit winds", width, rows);
         rotations = floatTexture("pose rotations", width, rows);
@@ -105,8 +105,8 @@ struct PosePass::Context {
 
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
     : PoseRows(std::clamp<std::size_t>(
-          static_cast<std::size_t>(DataTexture::mostRows / PoseLayout(skeleton.units.size()).rows), 1,
-          mostPageTrees)),
+          static_cast<std::size_t>(DataTexture::maxRows / PoseLayout(skeleton.units.size()).rows), 1,
+          maxPageTrees)),
       _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()) {
     _unitTexels.reserve(2 * skeleton.units.size());
     for (const BranchUnit& unit : skeleton.units) {
@@ -117,10 +117,10 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::ask(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
-                   const Reconfiguration& foliage, PoseRequest& request) {
+void PosePass::fillRequest(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
+                           const Reconfiguration& foliage, PoseRequest& request) {
     const ModalModel& model = motion.model(tree);
-    refer(model, request);
+    findMatrix(model, request);
     request.across = scale.axes.x;
     request.upward = scale.axes.z;
     if (const TreeFall* fall = motion.fall(tree)) {
@@ -135,14 +135,14 @@ void PosePass::ask(const ModalReader& motion, std::size_t tree, const TreeScale&
     request.streamlining = foliage.streamlining;
     request.breezeStreamlining = foliage.breezeStreamlining;
     request.streamlinedTo = foliage.streamlinedTo;
-    request.mostPull = foliage.mostPull;
-    glm::vec3 winds[PoseRequest::mostPatches];
+    request.maxPull = foliage.maxPull;
+    glm::vec3 winds[PoseRequest::maxPatches];
     motion.patchWinds(tree, winds);
     for (std::size_t patch = 0; patch < model.patches.size(); ++patch)
         std::copy_n(&winds[patch].x, 3, request.patchWinds[patch]);
 }
 
-void PosePass::refer(const ModalModel& model, PoseRequest& request) {
+void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
     const std::size_t columns = model.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);
     request.maxAngle = model.maxAngle;
@@ -152,11 +152,11 @@ void PosePass::refer(const ModalModel& model, PoseRequest& request) {
     if (!isNew)
         return;
     const std::size_t size = model.joints / 2 * (2 * texels + 1);
-    if (columns > PoseRequest::mostColumns || model.patches.size() > PoseRequest::mostPatches ||
+    if (columns > PoseRequest::maxColumns || model.patches.size() > PoseRequest::maxPatches ||
         _matrices.size() + size >
             std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
-        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one model; trees of the ones "
-                    "beyond it stand still"
+        OSG_WARN << "osgTreeWind: no texture space for more archetypes of one model; trees of further "
+                    "archetypes do not move"
                  << std::endl;
         found->second = -1;
         request.firstTexel = -1.0f;
@@ -173,13 +173,13 @@ void PosePass::refer(const ModalModel& model, PoseRequest& request) {
 }
 
 void PosePass::apply(osg::State& state, const PosePage& page) const {
-    const Context& context = prepared(state, page);
+    const Context& context = preparePage(state, page);
     state.applyTextureAttribute(rotationsUnit, context.rotations);
     state.applyTextureAttribute(translationsUnit, context.translations);
     state.applyTextureAttribute(pullsUnit, context.pulls);
 }
 
-PosePass::Context& PosePass::contextOf(osg::State& state) const {
+PosePass::Context& PosePass::findContext(osg::State& state) const {
     const std::lock_guard<std::mutex> lock(_contextMutex);
     for (const std::unique_ptr<Context>& context : _contexts)
         if (context->state == &state) {
@@ -194,17 +194,17 @@ PosePass::Context& PosePass::contextOf(osg::State& state) const {
     return *_contexts.back();
 }
 
-PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) const {
-    Context& context = contextOf(state);
+PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page) const {
+    Context& context = findContext(state);
     const std::lock_guard<std::mutex> pageLock(page.mutex());
     const auto trees = static_cast<int>(page.requests.size());
-    if (context.filling != page.filling) {
-        context.filling = page.filling;
-        context.done = 0;
+    if (context.generation != page.generation) {
+        context.generation = page.generation;
+        context.posedTrees = 0;
     }
     if (trees * _layout.rows > context.treeRows)
-        context.makeRoom(_layout.width, roomFor(trees) * _layout.rows);
-    const int first = context.done;
+        context.allocateRows(_layout.width, capacityFor(trees) * _layout.rows);
+    const int first = context.posedTrees;
     if (first == trees)
         return context;
 
@@ -224,11 +224,11 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
     pass.bind(2, "unitTurns", context.turns);
     pass.bind(3, "unitWinds", context.winds);
     pass.draw();
-    context.done = trees;
+    context.posedTrees = trees;
     return context;
 }
 
-/// Whatever the passes read and this context does not have yet.
+/// Uploads the input of the passes that this context does not have yet.
 void PosePass::upload(osg::State& state, Context& context, const PosePage& page) const {
     if (!context.units) {
         context.units =
@@ -241,14 +241,14 @@ void PosePass::upload(osg::State& state, Context& context, const PosePage& page)
     const auto trees = static_cast<int>(page.requests.size());
     constexpr auto requestWidth = static_cast<int>(PoseRequest::texels);
     if (!context.requests || context.requests->getTextureHeight() < trees)
-        context.requests = floatTexture("pose requests", requestWidth, roomFor(trees));
+        context.requests = floatTexture("pose requests", requestWidth, capacityFor(trees));
     context.requests->apply(state);
     uploadRows(page.requests.data(), requestWidth, 0, trees);
 
     const std::lock_guard<std::mutex> lock(_matrixMutex);
     const int rows = DataTexture::rowsFor(_matrices.size());
     if (rows > context.matrixRows) {
-        context.matrixRows = roomFor(rows);
+        context.matrixRows = capacityFor(rows);
         context.matrices = floatTexture("modal matrices", DataTexture::width, context.matrixRows);
         context.matrixTexels = 0;
     }

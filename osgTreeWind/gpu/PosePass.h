@@ -26,26 +26,26 @@ struct PosePrograms : osg::Referenced {
     osg::ref_ptr<osg::Program> turns, poses;
 };
 
-/// Poses of the trees of one model that are drawn, worked out on the GPU under the law `modal`: the angle
-/// pass makes unit angles of each tree's short vector, the pose pass walks the units that carry each unit.
+/// Computes the poses of the visible trees of one model on the GPU, under the law `modal`. The angle pass
+/// computes the rotation of each branch unit from the tree's modal vector; the pose pass composes the
+/// rotations of the units that carry each unit.
 ///
-/// Culls ask for rows; the first draw of a frame in each context works them out, and later ones what was
-/// asked for since. Any thread.
+/// Cull traversals request rows of a PosePage, one per tree. The first draw of a frame in each context
+/// computes them; later draws compute the rows requested since. Any thread.
 class PosePass : public osg::Referenced, public PoseRows {
 public:
     PosePass(const Skeleton& skeleton, PosePrograms* programs);
 
-    /// Fills in what is asked of a tree that sways. One whose archetype is past what a texture holds is posed
-    /// at rest, with one warning.
-    void ask(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
-             const Reconfiguration& foliage, PoseRequest& request);
+    /// Writes the request of a swaying tree. If the textures have no space for its archetype, the tree is
+    /// posed at rest, with one warning per archetype.
+    void fillRequest(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
+                     const Reconfiguration& foliage, PoseRequest& request);
 
     /// Texture units that apply() binds.
     static constexpr unsigned rotationsUnit = 4, translationsUnit = 5, pullsUnit = 6;
-    /// Works out the poses of a page that this context does not have yet. In a draw, with the context
-    /// current.
-    void prepare(osg::State& state, const PosePage& page) const { prepared(state, page); }
-    /// The same, and binds them.
+    /// Computes the poses of a page that this context does not have yet. In a draw, with the context current.
+    void prepare(osg::State& state, const PosePage& page) const { preparePage(state, page); }
+    /// As prepare(), and binds the textures of the poses.
     void apply(osg::State& state, const PosePage& page) const;
 
     void releaseGLObjects(osg::State* state) const;
@@ -54,12 +54,12 @@ protected:
     ~PosePass() override;
 
 private:
-    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call.
-    void refer(const ModalModel& model, PoseRequest& request);
+    /// Writes the location and row length of an archetype's matrix [Phi R], which the first call adds.
+    void findMatrix(const ModalModel& model, PoseRequest& request);
 
     struct Context;
-    Context& contextOf(osg::State& state) const;
-    Context& prepared(osg::State& state, const PosePage& page) const;
+    Context& findContext(osg::State& state) const;
+    Context& preparePage(osg::State& state, const PosePage& page) const;
     void upload(osg::State& state, Context& context, const PosePage& page) const;
 
     osg::ref_ptr<PosePrograms> _programs;
@@ -67,12 +67,12 @@ private:
     PoseLayout _layout;
     std::vector<glm::vec4> _unitTexels;
 
-    // Locked after that of the rows and that of a page.
-    mutable std::mutex _matrixMutex; ///< Guards the next two.
+    // Lock order: rows, page, matrices.
+    mutable std::mutex _matrixMutex; ///< Guards the next two members.
     std::unordered_map<const ModalModel*, int> _firstTexels;
     std::vector<glm::vec4> _matrices;
 
-    mutable std::mutex _contextMutex; ///< Guards the list; each context is used by one thread.
+    mutable std::mutex _contextMutex; ///< Guards the list. Each context is used by one thread.
     mutable std::vector<std::unique_ptr<Context>> _contexts;
 };
 

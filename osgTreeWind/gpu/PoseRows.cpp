@@ -6,14 +6,14 @@
 
 namespace osgTreeWind {
 
-/// The entry of a tree in this frame, or the one to take for it.
-PoseRows::Entry& PoseRows::entry(std::uint32_t tree) {
-    if (_entries.size() < 2 * (_asked + 1)) {
+/// The entry of a tree in this frame, or the unused entry for it.
+PoseRows::Entry& PoseRows::findEntry(std::uint32_t tree) {
+    if (_entries.size() < 2 * (_rowCount + 1)) {
         std::vector<Entry> before(std::max<std::size_t>(2 * _entries.size(), 64));
         before.swap(_entries);
         for (const Entry& kept : before)
             if (kept.frame == _frame)
-                entry(kept.tree) = kept;
+                findEntry(kept.tree) = kept;
     }
     const std::size_t mask = _entries.size() - 1;
     std::size_t at = (tree * 2654435761u >> 7u) & mask;
@@ -24,33 +24,33 @@ PoseRows::Entry& PoseRows::entry(std::uint32_t tree) {
 
 void PoseRows::addPage() {
     osg::ref_ptr<PosePage> fresh;
-    for (osg::ref_ptr<PosePage>& page : _spare)
-        if (page->referenceCount() == 1) { // nobody draws from it any more
-            std::swap(page, _spare.back());
-            fresh = _spare.back();
-            _spare.pop_back();
+    for (osg::ref_ptr<PosePage>& page : _freePages)
+        if (page->referenceCount() == 1) { // no draw refers to it any more
+            std::swap(page, _freePages.back());
+            fresh = _freePages.back();
+            _freePages.pop_back();
             break;
         }
     if (!fresh)
         fresh = new PosePage;
     fresh->requests.clear();
-    fresh->filling = ++_fillings;
+    fresh->generation = ++_generation;
     _pages.push_back(fresh);
 }
 
-PoseRows::Row PoseRows::rowOf(unsigned frame, std::uint32_t tree, bool& isNew) {
+PoseRows::Row PoseRows::findOrAddRow(unsigned frame, std::uint32_t tree, bool& isNew) {
     if (frame != _frame) {
         _frame = frame;
-        _asked = 0;
-        _spare.insert(_spare.end(), _pages.begin(), _pages.end());
+        _rowCount = 0;
+        _freePages.insert(_freePages.end(), _pages.begin(), _pages.end());
         _pages.clear();
     }
-    Entry& known = entry(tree);
+    Entry& known = findEntry(tree);
     isNew = known.frame != frame;
     if (isNew) {
         known.tree = tree;
         known.frame = frame;
-        known.place = _asked++;
+        known.place = _rowCount++;
         if (known.place % _pageTrees == 0)
             addPage();
     }

@@ -21,7 +21,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// Where the text of a shader may come from.
+/// Source of the text of a shader.
 enum Source { FilesFirst, EmbeddedOnly };
 
 std::string fileText(const std::string& name, Source source) {
@@ -39,7 +39,7 @@ std::string fileText(const std::string& name, Source source) {
     return {};
 }
 
-std::string expanded(const std::string& name, Source source, int depth = 0) {
+std::string expandIncludes(const std::string& name, Source source, int depth = 0) {
     constexpr const char* directive = "#include \"";
     std::istringstream input(fileText(name, source));
     std::string text, line;
@@ -48,26 +48,25 @@ std::string expanded(const std::string& name, Source source, int depth = 0) {
             line.rfind(directive, 0) == 0 ? std::char_traits<char>::length(directive) : 0;
         const std::size_t end = start ? line.find('"', start) : std::string::npos;
         if (end != std::string::npos && depth < 8)
-            text += expanded(line.substr(start, end - start), source, depth + 1);
+            text += expandIncludes(line.substr(start, end - start), source, depth + 1);
         else
             text += line + '\n';
     }
     return text;
 }
 
-/// Of a shader.
 struct Text {
-    explicit Text(const std::string& shader) : name(shader), text(expanded(shader, FilesFirst)) {}
+    explicit Text(const std::string& shader) : name(shader), text(expandIncludes(shader, FilesFirst)) {}
     std::string name, text;
 };
 
-/// A program that goes back to the embedded shaders when files put in their place do not work.
+/// A program that falls back to the embedded shaders if overriding files do not compile or link.
 class OverridableProgram : public osg::Program {
 public:
     void add(osg::Shader::Type type, const Text& given) {
         osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, given.text);
         shader->setName(given.name);
-        _overridden = _overridden || given.text != expanded(given.name, EmbeddedOnly);
+        _overridden = _overridden || given.text != expandIncludes(given.name, EmbeddedOnly);
         addShader(shader);
         _shaders.push_back(shader);
     }
@@ -84,24 +83,24 @@ public:
         const std::lock_guard<std::mutex> lock(_mutex);
         if (!_overridden || getPCP(state)->isLinked())
             return;
-        OSG_WARN << "osgTreeWind: shader files of OSG_FILE_PATH do not work for \"" << getName()
-                 << "\"; the embedded ones are used instead" << std::endl;
+        OSG_WARN << "osgTreeWind: shader files in OSG_FILE_PATH do not work for \"" << getName()
+                 << "\"; the embedded shaders are used instead" << std::endl;
         for (const osg::ref_ptr<osg::Shader>& shader : _shaders)
-            shader->setShaderSource(expanded(shader->getName(), EmbeddedOnly));
+            shader->setShaderSource(expandIncludes(shader->getName(), EmbeddedOnly));
         _overridden = false;
         osg::Program::apply(state);
     }
 
 private:
     std::vector<osg::ref_ptr<osg::Shader>> _shaders;
-    mutable std::mutex _mutex; // contexts may draw in threads of their own
+    mutable std::mutex _mutex; // contexts may draw in parallel
     mutable bool _overridden = false;
 };
 
 } // namespace
 
 std::string shaderText(const std::string& name) {
-    return expanded(name, FilesFirst);
+    return expandIncludes(name, FilesFirst);
 }
 
 bool canRunPrograms(const osg::State& state) {

@@ -8,7 +8,7 @@
 
 namespace osgTreeWind {
 
-/// std::weak_ptr of an object of OSG.
+/// A weak reference to an OSG object, with the interface of std::weak_ptr.
 template <typename T>
 class WeakObject {
 public:
@@ -27,7 +27,7 @@ private:
     osg::observer_ptr<T> _object;
 };
 
-/// SharedValues of objects of OSG.
+/// SharedValues for OSG objects.
 template <typename Key, typename T>
 using SharedObjects = SharedValues<Key, osg::ref_ptr<T>, WeakObject<T>>;
 

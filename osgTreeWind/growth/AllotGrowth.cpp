@@ -6,8 +6,8 @@
 namespace osgTreeWind {
 namespace {
 
-/// Gains of all buds, added up towards the foot.
-void gatherGains(TreeState& tree) {
+/// Sets the gains of all buds and sums them towards the foot.
+void sumGains(TreeState& tree) {
     for (Metamer& metamer : tree.metamers)
         metamer.mainGain = metamer.sideGain = 0.0f;
     const float need = tree.lightNeed();
@@ -27,7 +27,7 @@ void gatherGains(TreeState& tree) {
 } // namespace
 
 void allotGrowth(TreeState& tree) {
-    gatherGains(tree);
+    sumGains(tree);
     std::vector<float> perMain(tree.metamers.size()), perSide(tree.metamers.size());
     for (std::size_t i = 0; i < tree.metamers.size(); ++i) {
         Metamer& metamer = tree.metamers[i];
@@ -41,7 +41,7 @@ void allotGrowth(TreeState& tree) {
         }
         float control = tree.habit.apicalControl[TreeState::rank(metamer.order)];
         if (metamer.order == 0)
-            control = glm::mix(control, tree.habit.apicalControlOld, tree.grown());
+            control = glm::mix(control, tree.habit.apicalControlOld, tree.relativeHeight());
         const float sum = control * metamer.mainGain + (1.0f - control) * metamer.sideGain;
         if (sum > 0.0f) {
             perMain[i] = metamer.share * control / sum;

@@ -5,10 +5,9 @@
 
 namespace osgTreeWind {
 
-/// Shares out a year's growth among the buds: what their light has gained goes down to the foot and comes
-/// back by the rule of Borchert and Honda 1984, at each node so much to the axis and so much to its side
-/// shoots. From Bud::light; to Bud::gain and share. A bud without apical control has a share of its own gain,
-/// 0 to 1.
+/// Distributes a year's growth among the buds. The gains of their light are summed towards the foot, and the
+/// sum is divided at each node between the axis and its side shoots (Borchert and Honda 1984). Reads
+/// Bud::light; sets Bud::gain and Bud::share. Without apical control a bud's share is its own gain, 0 to 1.
 void allotGrowth(TreeState& tree);
 
 } // namespace osgTreeWind

@@ -2,10 +2,10 @@
 #include <osgTreeWind/growth/FormCache.h>
 
 #include <osgTreeWind/base/SharedValues.h>
-#include <osgTreeWind/growth/FormFolder.h>
+#include <osgTreeWind/growth/FormDiskCache.h>
 #include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/GrowthCode.h>
 #include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthSourceHash.h>
 #include <osgTreeWind/growth/PackedForm.h>
 
 #include <cstdint>
@@ -18,11 +18,11 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::uint64_t mostOnDisk = 256'000'000; // bytes
-constexpr std::size_t mostRemembered = 400'000;   // metamers
+constexpr std::uint64_t maxDiskBytes = 256'000'000; // bytes
+constexpr std::size_t maxHeldMetamers = 400'000;    // metamers
 
-/// Forms by their keys, and the last ones held, so that who counts a tree's parts and then makes it grows it
-/// once.
+/// Forms by their keys. It holds the latest ones, so that counting a tree's parts and then building the tree
+/// grows it only once.
 class RecentForms {
 public:
     template <typename Make>
@@ -39,7 +39,7 @@ private:
         const std::lock_guard<std::mutex> lock(_mutex);
         _held.push_back(form);
         _metamers += form->metamers.size();
-        while (_metamers > mostRemembered) {
+        while (_metamers > maxHeldMetamers) {
             _metamers -= _held.front()->metamers.size();
             _held.pop_front();
         }
@@ -51,18 +51,19 @@ private:
     std::size_t _metamers = 0;
 };
 
-GrownForm keptOrGrown(const GrowthParameters& parameters, const std::string& key) {
-    const FormFolder folder(formCacheFolder(), mostOnDisk);
-    if (const auto bytes = folder.find(key))
+GrownForm loadOrGrow(const GrowthParameters& parameters, const std::string& key) {
+    const FormDiskCache cache(formCacheFolder(), maxDiskBytes);
+    if (const auto bytes = cache.find(key))
         if (auto form = unpackedForm(*bytes))
             return std::move(*form);
     GrownForm form = growTree(parameters);
-    folder.keep(key, packedForm(form));
+    cache.store(key, packedForm(form));
     return form;
 }
 
-/// A folder that an environment variable names; empty: none, as one that depends on where a program is run.
-std::filesystem::path folderIn(const char* variable) {
+/// Folder named by an environment variable. Empty if it is unset, or relative and so depends on the current
+/// folder.
+std::filesystem::path absoluteFolder(const char* variable) {
     const char* value = std::getenv(variable);
     const std::filesystem::path folder = value ? value : "";
     return folder.is_absolute() ? folder : std::filesystem::path();
@@ -73,20 +74,20 @@ std::filesystem::path folderIn(const char* variable) {
 std::string formCacheFolder() {
     if (const char* wanted = std::getenv("OSGTREEWIND_FORM_CACHE"); wanted && *wanted)
         return std::string(wanted) == "off" ? std::string() : wanted;
-    std::filesystem::path caches = folderIn("XDG_CACHE_HOME");
-    if (caches.empty() && !folderIn("HOME").empty())
-        caches = folderIn("HOME") / ".cache";
+    std::filesystem::path caches = absoluteFolder("XDG_CACHE_HOME");
+    if (caches.empty() && !absoluteFolder("HOME").empty())
+        caches = absoluteFolder("HOME") / ".cache";
     if (caches.empty())
-        caches = folderIn("LOCALAPPDATA");
+        caches = absoluteFolder("LOCALAPPDATA");
     return caches.empty() ? std::string() : (caches / "osgtreewind").string();
 }
 
 std::string formKey(const GrowthParameters& parameters) {
     GrowthParameters shape = parameters;
-    shape.flare = 0.0f; // is of the bark
+    shape.flare = 0.0f; // shapes only the bark
     shape.habit.model.clear();
     const GrowthSite& site = shape.site;
-    std::string key = growthCode();
+    std::string key = growthSourceHash();
     for (const float number :
          {site.shade, site.distance, site.openSide ? 1.0f : 0.0f, site.openSide.value_or(0.0f)})
         key.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -97,7 +98,7 @@ std::string formKey(const GrowthParameters& parameters) {
 std::shared_ptr<const GrownForm> grownForm(const GrowthParameters& parameters) {
     static RecentForms forms;
     const std::string key = formKey(parameters);
-    return forms.get(key, [&] { return keptOrGrown(parameters, key); });
+    return forms.get(key, [&] { return loadOrGrow(parameters, key); });
 }
 
 } // namespace osgTreeWind

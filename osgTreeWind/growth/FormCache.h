@@ -9,16 +9,16 @@
 
 namespace osgTreeWind {
 
-/// What growTree() gives for these parameters, or gave before: the process remembers the last forms, and a
-/// folder those of all programs. The folder is `osgtreewind` in the user's cache (`XDG_CACHE_HOME`, or
-/// `~/.cache`), or what the environment's OSGTREEWIND_FORM_CACHE names; its `off` does without. Any thread;
-/// one grows a form, others that ask for it wait.
+/// Result of growTree(), from a cache where possible. The process holds its latest forms in memory, and all
+/// programs share a folder of forms (see formCacheFolder()). Thread-safe: if several threads request the same
+/// form, one of them grows it and the others wait.
 std::shared_ptr<const GrownForm> grownForm(const GrowthParameters& parameters);
 
-/// What tells a form from all others, to the bit.
+/// Key of a form: binary, equal only for parameters and sources that grow the same form.
 std::string formKey(const GrowthParameters& parameters);
 
-/// Where forms are kept; empty: nowhere.
+/// Folder of the shared cache: the environment variable OSGTREEWIND_FORM_CACHE, or `osgtreewind` in the
+/// user's cache (`XDG_CACHE_HOME`, or `~/.cache`). Empty if the variable is `off` or there is no such folder.
 std::string formCacheFolder();
 
 } // namespace osgTreeWind

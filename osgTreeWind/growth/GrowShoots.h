@@ -6,8 +6,8 @@
 
 namespace osgTreeWind {
 
-/// The shoots of a year, from Bud::share: their length, direction, side buds and new ends.
-/// @param foot of the tree in the grid.
+/// Grows the shoots of a year from Bud::share: sets their length and direction, and adds their side buds and
+/// terminal buds. @param foot position of the tree in the grid.
 void growShoots(TreeState& tree, const ShadeGrid& light, const glm::vec3& foot);
 
 } // namespace osgTreeWind

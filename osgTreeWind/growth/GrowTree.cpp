@@ -14,14 +14,14 @@
 namespace osgTreeWind {
 namespace {
 
-/// Growths until the crown has its width.
-constexpr std::size_t mostGrowths = 6;
-/// Of them a large tree gets fewer: metamers times years of all of them.
-constexpr std::size_t mostWork = 1'500'000;
-/// Height times width of a crown above which pieces get longer, m².
-constexpr float usualCrown = 150.0f;
-/// Height and width may be stretched by factors that differ by so much.
-constexpr float nearEnough = 0.08f;
+/// Limit of the growths that search the crown's width.
+constexpr std::size_t maxGrowths = 6;
+/// Large trees get fewer growths: limit of the sum of metamers times years.
+constexpr std::size_t maxWork = 1'500'000;
+/// Height times crown width above which metamers get longer, m².
+constexpr float referenceCrown = 150.0f;
+/// Accepted relative difference between the stretches of height and width.
+constexpr float stretchTolerance = 0.08f;
 
 GrowthSite inRange(GrowthSite site) {
     constexpr GrowthSite usual;
@@ -32,9 +32,9 @@ GrowthSite inRange(GrowthSite site) {
     return site;
 }
 
-/// A large tree grows in longer pieces, so that it has no more of them than one in its middle age.
-TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
-    const float longer = power(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f), 0.65f);
+/// Lengthens the metamers of large trees, which bounds their number.
+TreeHabit scaleMetamers(const GrowthGoal& goal, TreeHabit habit) {
+    const float longer = power(std::max(goal.height * goal.crownWidth / referenceCrown, 1.0f), 0.65f);
     for (float& internode : habit.internode)
         internode *= longer;
     habit.leafArea *= longer;
@@ -42,29 +42,29 @@ TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
     return habit;
 }
 
-TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
-                    std::uint32_t seed, float spread) {
-    GrowingStand stand(lightCell(habit));
+TreeState growOnce(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal, std::uint32_t seed,
+                   float spread) {
+    GrowingStand stand(lightCellSize(habit));
     stand.add(GrowingTree(habit, goal, glm::vec3(0.0f), seed, spread));
-    while (!stand.trees().front().grown())
+    while (!stand.trees().front().isFullyGrown())
         stand.growYear(site);
     return stand.trees().front().state();
 }
 
-/// Looks for the vigour of side shoots that makes a crown as wide as it is to be.
+/// Searches the vigour of boughs that gives the crown its width.
 class SpreadSearch {
 public:
     float next() const { return _spread; }
-    /// @param tooNarrow wanted over grown width, of a tree with the spread that next() gave.
-    void learn(float tooNarrow) {
-        (tooNarrow > 1.0f ? _narrow : _wide) = _spread;
+    /// @param widthRatio intended / grown width of a tree with the spread of next().
+    void update(float widthRatio) {
+        (widthRatio > 1.0f ? _narrow : _wide) = _spread;
         _spread = _narrow > 0.0f && _wide > 0.0f ? std::sqrt(_narrow * _wide)
-                                                 : std::clamp(_spread * power(tooNarrow, 1.2f), 0.3f, 3.0f);
+                                                 : std::clamp(_spread * power(widthRatio, 1.2f), 0.3f, 3.0f);
     }
 
 private:
     float _spread = 1.0f;
-    float _narrow = 0.0f, _wide = 0.0f; ///< Spreads that made a crown too narrow, too wide; 0: none yet.
+    float _narrow = 0.0f, _wide = 0.0f; ///< Latest spreads of too narrow and too wide crowns; 0 if unknown.
 };
 
 } // namespace
@@ -73,24 +73,24 @@ GrownForm growTree(const GrowthParameters& parameters) {
     const GrowthSite site = inRange(parameters.site);
     const GrowthParameters growth = clampedFields(parameters);
     const GrowthGoal goal = growth.size;
-    const TreeHabit habit = inPiecesFor(goal, growth.habit);
+    const TreeHabit habit = scaleMetamers(goal, growth.habit);
     std::optional<TreeState> best;
     SpreadSearch search;
-    float leastMiss = 0.0f;
+    float bestError = 0.0f;
     std::size_t work = 0;
-    for (std::size_t i = 0; i < mostGrowths && work < mostWork; ++i) {
-        TreeState tree = grownTree(habit, site, goal, growth.seed, search.next());
+    for (std::size_t i = 0; i < maxGrowths && work < maxWork; ++i) {
+        TreeState tree = growOnce(habit, site, goal, growth.seed, search.next());
         work += tree.metamers.size() * static_cast<std::size_t>(tree.year);
-        const float tooNarrow =
-            0.5f * goal.crownWidth / std::max(tree.reach, 0.01f) * std::max(tree.height, 0.01f) / goal.height;
-        const float miss = std::max(tooNarrow, 1.0f / tooNarrow) - 1.0f;
-        if (!best || miss < leastMiss) {
+        const float widthRatio = 0.5f * goal.crownWidth / std::max(tree.crownRadius, 0.01f) *
+                                 std::max(tree.height, 0.01f) / goal.height;
+        const float error = std::max(widthRatio, 1.0f / widthRatio) - 1.0f;
+        if (!best || error < bestError) {
             best = std::move(tree);
-            leastMiss = miss;
+            bestError = error;
         }
-        if (leastMiss <= nearEnough)
+        if (bestError <= stretchTolerance)
             break;
-        search.learn(tooNarrow);
+        search.update(widthRatio);
     }
     return fittedForm(*best, goal);
 }
@@ -100,7 +100,7 @@ GrownForm fittedForm(const TreeState& tree, const GrowthGoal& goal) {
     form.years = tree.year;
     form.spread = tree.spread;
     form.heightFactor = goal.height / std::max(tree.height, 0.01f);
-    form.widthFactor = 0.5f * goal.crownWidth / std::max(tree.reach, 0.01f);
+    form.widthFactor = 0.5f * goal.crownWidth / std::max(tree.crownRadius, 0.01f);
     form.metamers.reserve(tree.metamers.size());
     for (const Metamer& metamer : tree.metamers) {
         GrownMetamer to;

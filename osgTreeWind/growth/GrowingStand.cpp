@@ -6,14 +6,14 @@
 namespace osgTreeWind {
 namespace {
 
-/// Height of neighbours that do not grow here over that of the tree among them.
+/// Height of neighbours that do not grow here / height of the tree among them.
 constexpr float neighbourHeight = 0.94f;
-/// Distance of seedlings over that of the trees that are left of them.
-constexpr float seedlings = 0.4f;
+/// Distance between seedlings / between the grown trees.
+constexpr float seedlingDistance = 0.4f;
 
 } // namespace
 
-float lightCell(const TreeHabit& habit) {
+float lightCellSize(const TreeHabit& habit) {
     return std::clamp(1.8f * habit.internode[0], 0.3f, 1.0f);
 }
 
@@ -22,16 +22,16 @@ void GrowingStand::growYear(const GrowthSite& site) {
         return;
     glm::vec3 lowest = _trees.front().foot(), highest = lowest;
     for (GrowingTree& tree : _trees)
-        tree.unfold(lowest, highest);
-    _grid.begin(lowest, highest);
+        tree.unfoldLeaves(lowest, highest);
+    _grid.reset(lowest, highest);
     for (const GrowingTree& tree : _trees)
         tree.addLeaves(_grid);
     const GrowingTree& first = _trees.front();
     GrowthSite now = site;
-    now.distance *= glm::mix(seedlings, 1.0f, first.state().grown());
-    _grid.addNeighbours(now, glm::vec2(first.foot()) + first.state().middle,
+    now.distance *= glm::mix(seedlingDistance, 1.0f, first.state().relativeHeight());
+    _grid.addNeighbours(now, glm::vec2(first.foot()) + first.state().crownCentre,
                         std::max(neighbourHeight * first.height(), 1.0f));
-    _grid.castShade();
+    _grid.computeLight();
     for (GrowingTree& tree : _trees)
         tree.growYear(_grid);
 }

@@ -8,20 +8,20 @@
 
 namespace osgTreeWind {
 
-/// Edge of the boxes in which the light of trees of a habit is reckoned, metres.
-float lightCell(const TreeHabit& habit);
+/// Cell size of a GrowingStand that suits trees of a habit, metres: about two internodes.
+float lightCellSize(const TreeHabit& habit);
 
-/// Trees that grow together and take each other's light.
+/// Trees that grow together and shade each other.
 class GrowingStand {
 public:
-    /// @param cell edge of the boxes in which light is reckoned, metres: about an internode.
-    explicit GrowingStand(float cell) : _grid(cell) {}
+    /// @param cellSize cell edge of the light grid, metres.
+    explicit GrowingStand(float cellSize) : _grid(cellSize) {}
 
     void add(GrowingTree tree) { _trees.push_back(std::move(tree)); }
     void remove(std::size_t tree) { _trees.erase(_trees.begin() + static_cast<std::ptrdiff_t>(tree)); }
     const std::vector<GrowingTree>& trees() const { return _trees; }
 
-    /// One year of all trees. @param site neighbours beyond those that grow here, around the first.
+    /// Grows all trees by one year. @param site neighbours around the first tree that do not grow here.
     void growYear(const GrowthSite& site = {});
 
 private:

@@ -16,17 +16,17 @@
 namespace osgTreeWind {
 namespace {
 
-/// A tree that has not risen by a hundredth of its height in so many years is as high as it gets.
-constexpr int standstill = 12;
-constexpr int longestLife = 250;
-/// Years for which a tree with all rounding fills its crown when it has its height.
+/// A tree stops growing if it has not risen by a hundredth of its intended height in this time.
+constexpr int maxYearsWithoutRise = 12;
+constexpr int maxAge = 250;
+/// Years for which a mature tree with `rounding` 1 fills its crown.
 constexpr float fillingYears = 9.0f;
-/// A tree with more stops growing.
-constexpr std::size_t mostMetamers = 40000;
-/// Lean of a stem at its foot over the random bends of its shoots in a metre.
-constexpr float leanOfBends = 1.2f;
-/// Length of shoot whose leaves stand at a resting end, metres.
-constexpr float rosette = 0.12f;
+/// A tree with more metamers stops growing.
+constexpr std::size_t maxMetamers = 40000;
+/// Lean of a stem at its foot / random bends of its shoots per metre.
+constexpr float stemLean = 1.2f;
+/// Length of shoot whose leaves a resting tip bears, metres.
+constexpr float restingShootLength = 0.12f;
 
 } // namespace
 
@@ -43,10 +43,10 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
         const float towards = glm::pi<float>() * _state.random.symmetric();
         return leaning * glm::vec2(cosine(towards), sine(towards));
     };
-    _state.leanAtFoot = lean(leanOfBends);
-    _state.leanAbove = lean(0.9f * leanOfBends);
+    _state.leanAtFoot = lean(stemLean);
+    _state.leanAbove = lean(0.9f * stemLean);
     Metamer first;
-    first.heading = directionOr(_state.upright(0.0f), {0.0f, 0.0f, 1.0f});
+    first.heading = directionOr(_state.stemDirection(0.0f), {0.0f, 0.0f, 1.0f});
     _state.metamers.push_back(first);
     ShootAxis trunk;
     trunk.leading = true;
@@ -58,7 +58,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     _state.buds.push_back(top);
 }
 
-void GrowingTree::unfold(glm::vec3& lowest, glm::vec3& highest) {
+void GrowingTree::unfoldLeaves(glm::vec3& lowest, glm::vec3& highest) {
     const TreeHabit& habit = _state.habit;
     for (Metamer& metamer : _state.metamers) {
         const auto age = static_cast<float>(_state.year - metamer.born);
@@ -71,7 +71,7 @@ void GrowingTree::unfold(glm::vec3& lowest, glm::vec3& highest) {
     for (const Bud& bud : _state.buds) {
         float& area = _state.metamers[static_cast<std::size_t>(bud.node)].leafArea;
         if (bud.terminal)
-            area = std::max(area, habit.leafArea * rosette);
+            area = std::max(area, habit.leafArea * restingShootLength);
     }
 }
 
@@ -87,19 +87,19 @@ void GrowingTree::growYear(const ShadeGrid& grid) {
             metamer.light = grid.light(_foot + metamer.position);
     for (Bud& bud : _state.buds) {
         const Metamer& metamer = _state.metamers[static_cast<std::size_t>(bud.node)];
-        bud.light = grid.light(_foot + metamer.position + 0.7f * grid.cell() * bud.heading);
+        bud.light = grid.light(_foot + metamer.position + 0.7f * grid.cellSize() * bud.heading);
     }
-    lookAround(grid);
+    measureSideLight(grid);
     ++_state.year;
     shedBranches(_state);
     allotGrowth(_state);
     growShoots(_state, grid, _foot);
     sinkBoughs(_state);
-    measure();
+    measureCrown();
 }
 
-void GrowingTree::lookAround(const ShadeGrid& grid) {
-    const float out = 1.5f * _state.reach + grid.cell();
+void GrowingTree::measureSideLight(const ShadeGrid& grid) {
+    const float out = 1.5f * _state.crownRadius + grid.cellSize();
     const glm::vec3 middle = _foot + glm::vec3(0.0f, 0.0f, 0.75f * _state.height);
     _state.sideLight = 0.0f;
     for (const glm::vec2& side :
@@ -107,34 +107,34 @@ void GrowingTree::lookAround(const ShadeGrid& grid) {
         _state.sideLight += 0.25f * grid.light(middle + glm::vec3(side, 0.0f));
 }
 
-void GrowingTree::measure() {
+void GrowingTree::measureCrown() {
     float highest = 0.0f;
     for (const Metamer& metamer : _state.metamers) {
         if (metamer.died < 0)
             highest = std::max(highest, metamer.position.z);
         if (metamer.axis == 0)
-            _state.middle = glm::vec2(metamer.position);
+            _state.crownCentre = glm::vec2(metamer.position);
     }
-    if (highest > _landmark + 0.01f * _state.goal.height) {
-        _landmark = highest;
-        _risen = _state.year;
+    if (highest > _lastRiseHeight + 0.01f * _state.goal.height) {
+        _lastRiseHeight = highest;
+        _lastRiseYear = _state.year;
     }
     _state.height = highest;
     if (!_state.mature && highest >= 0.995f * _state.goal.height) {
         _state.mature = true;
-        _matureFrom = _state.year;
+        _matureYear = _state.year;
     }
-    _state.reach = meanReach(_state.metamers);
+    _state.crownRadius = meanCrownRadius(_state.metamers);
 }
 
-bool GrowingTree::grown() const {
+bool GrowingTree::isFullyGrown() const {
     if (_state.mature)
-        return static_cast<float>(_state.year - _matureFrom) >= fillingYears * _state.habit.rounding;
-    return _state.year - _risen > standstill || _state.year >= longestLife ||
-           _state.metamers.size() > mostMetamers;
+        return static_cast<float>(_state.year - _matureYear) >= fillingYears * _state.habit.rounding;
+    return _state.year - _lastRiseYear > maxYearsWithoutRise || _state.year >= maxAge ||
+           _state.metamers.size() > maxMetamers;
 }
 
-float meanReach(const std::vector<Metamer>& metamers) {
+float meanCrownRadius(const std::vector<Metamer>& metamers) {
     constexpr float half = 0.70710678f;
     std::array<float, 8> reach{};
     for (const Metamer& metamer : metamers) {

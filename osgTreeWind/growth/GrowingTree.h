@@ -11,37 +11,38 @@
 
 namespace osgTreeWind {
 
-/// A tree that grows year by year, in light that it may share with others.
+/// A tree that grows year by year, in a light grid that it may share with other trees.
 class GrowingTree {
 public:
-    /// @param habit within its ranges. @param spread factor on side shoots, near 1.
+    /// @param habit must be within its ranges. @param spread factor on the vigour of boughs, near 1.
     GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const glm::vec3& foot, std::uint32_t seed,
                 float spread = 1.0f);
 
-    /// Puts out this year's leaves, extends `lowest` and `highest` to hold them.
-    void unfold(glm::vec3& lowest, glm::vec3& highest);
+    /// Sets this year's leaf areas and extends the bounds `lowest` and `highest` by the tree's nodes.
+    void unfoldLeaves(glm::vec3& lowest, glm::vec3& highest);
     void addLeaves(ShadeGrid& grid) const;
-    /// Sheds, grows and sinks by the light of its leaves, which are in the grid.
+    /// Sheds branches, grows shoots and sinks boughs according to the light in `grid`, which must contain the
+    /// leaves of this tree.
     void growYear(const ShadeGrid& grid);
 
     const glm::vec3& foot() const { return _foot; }
     float height() const { return _state.height; }
-    /// It has its height, or cannot get any higher.
-    bool grown() const;
+    /// Whether the tree has filled its crown at its final height, or cannot grow any higher.
+    bool isFullyGrown() const;
     const TreeState& state() const { return _state; }
 
 private:
-    void lookAround(const ShadeGrid& grid);
-    void measure();
+    void measureSideLight(const ShadeGrid& grid);
+    void measureCrown();
 
     TreeState _state;
     glm::vec3 _foot;
-    float _landmark = 0.0f; ///< Height at which it was last seen to rise,
-    int _risen = 0;         ///< in this year.
-    int _matureFrom = 0;    ///< Year in which it had its height.
+    float _lastRiseHeight = 0.0f; ///< Height at the last notable increase.
+    int _lastRiseYear = 0;        ///< Year of that increase.
+    int _matureYear = 0;          ///< Year in which the tree reached its height.
 };
 
-/// Mean reach of the living nodes in eight directions, metres.
-float meanReach(const std::vector<Metamer>& metamers);
+/// Mean horizontal reach of the living nodes in eight directions, metres.
+float meanCrownRadius(const std::vector<Metamer>& metamers);
 
 } // namespace osgTreeWind

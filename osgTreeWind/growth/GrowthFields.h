@@ -6,7 +6,8 @@
 
 namespace osgTreeWind {
 
-/// The size, the numbers of the habit, and the seed; the site follows from where a tree stands.
+/// Fields of the size, the habit, the flare and the seed. The site has none: it follows from the tree's
+/// place.
 template <>
 const Fields& fieldsOf<GrowthParameters>();
 

@@ -9,12 +9,12 @@
 
 namespace osgTreeWind {
 
-/// A tree that grows by light. Ranges: GrowthFields.h.
+/// Parameters of a tree that grows by light. GrowthFields.h has the ranges.
 struct GrowthParameters {
-    GrowthGoal size;        ///< To which it grows.
-    GrowthSite site;        ///< Where it stands.
-    TreeHabit habit;        ///< How it grows.
-    float flare = 0.5f;     ///< How much wider its bark is at the ground, over its radius there.
+    GrowthGoal size;        ///< Size of the grown tree.
+    GrowthSite site;        ///< Neighbours of the tree.
+    TreeHabit habit;        ///< Growth habit of the species.
+    float flare = 0.5f;     ///< Widening of the bark at the ground / trunk radius there.
     std::uint32_t seed = 1; ///< One seed gives one tree, bit for bit, on every machine.
 };
 

@@ -14,25 +14,25 @@
 namespace osgTreeWind {
 namespace {
 
-/// Share of its height at which a tree in a closed wood dissolves.
-constexpr float forestTrunk = 0.63f;
-/// Boughs above this share of the trunk may become limbs.
-constexpr float youngBoughs = 0.3f;
-/// Chance that one at the end of the trunk does: in the open, and in a wood.
+/// Share of its height at which the trunk divides in a closed stand.
+constexpr float forestTrunkTop = 0.63f;
+/// Boughs above this share of the height may become limbs.
+constexpr float limbBoughHeight = 0.3f;
+/// Chance of this at the top of the trunk, in the open and in a closed stand.
 constexpr float openPromotion = 1.3f, forestPromotion = 0.35f;
-/// Angles of the uppermost and of the lowest limb over that which leads to the shoulder of the crown: in the
-/// open, and in a wood, where the uppermost goes straight on.
+/// Angles of the uppermost and of the lowest limb / angle towards the shoulder of the crown, in the open and
+/// in a closed stand, where the uppermost limb almost continues the trunk.
 constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.2f);
 
 float arcTangent(float x) {
     return static_cast<float>(std::atan(static_cast<double>(x)));
 }
 
-/// The more boughs the nearer to the end of the trunk.
+/// Turns boughs into limbs by chance: the nearer to the top of the trunk, the more.
 void promoteBoughs(TreeState& tree) {
     const float many = glm::mix(forestPromotion, openPromotion, tree.openness());
     const auto promote = [&](int axis, float z) {
-        const float chance = many * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
+        const float chance = many * (z / tree.height - limbBoughHeight) / (1.0f - limbBoughHeight);
         if (chance > 0.0f && tree.random.uniform() < chance)
             tree.axes[static_cast<std::size_t>(axis)].leading = true;
     };
@@ -51,7 +51,7 @@ bool trunkDissolves(const TreeState& tree) {
     const float top = tree.habit.trunkTop, share = tree.height / tree.goal.height;
     if (top >= 1.0f || share < top)
         return false;
-    return share > glm::mix(std::max(top, forestTrunk), top, tree.openness());
+    return share > glm::mix(std::max(top, forestTrunkTop), top, tree.openness());
 }
 
 void dissolveTrunk(TreeState& tree, const Bud& end) {
@@ -68,9 +68,9 @@ void dissolveTrunk(TreeState& tree, const Bud& end) {
         const float share =
             glm::mix(angles.x, angles.y, static_cast<float>(i) / static_cast<float>(limbs - 1));
         place.heading = node.heading;
-        place.angle = aim * (share + 0.15f * scatter(tree.random));
+        place.angle = aim * (share + 0.15f * triangular(tree.random));
         tree.axisOf(addSideBud(tree, place, 1)).leading = true;
-        place.azimuth += goldenTurn + 0.4f * scatter(tree.random);
+        place.azimuth += whorlAngle + 0.4f * triangular(tree.random);
         if (node.parent > 0 && (i > 0 || limbs == 2))
             place.node = node.parent;
     }

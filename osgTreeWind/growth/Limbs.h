@@ -6,12 +6,12 @@
 
 namespace osgTreeWind {
 
-/// Whether the trunk now dissolves into limbs: at TreeHabit::trunkTop where light comes from the sides, later
-/// in a closed wood.
+/// Whether the trunk is high enough to divide into limbs: from TreeHabit::trunkTop in the open, higher in a
+/// closed stand.
 bool trunkDissolves(const TreeState& tree);
 
-/// Ends the trunk. Limbs spring from its last nodes and aim at the width of the crown, the lower the wider;
-/// the youngest boughs become limbs, too. @param end bud at the end of the trunk.
+/// Ends the trunk and adds limbs at its last nodes, aimed so that the crown gets its width: lower limbs at
+/// wider angles. Some of the youngest boughs become limbs, too. @param end terminal bud of the trunk.
 void dissolveTrunk(TreeState& tree, const Bud& end);
 
 } // namespace osgTreeWind

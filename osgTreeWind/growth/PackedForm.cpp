@@ -13,9 +13,8 @@ namespace {
 
 using Word = std::uint32_t;
 
-/// Numbers of the form and of a metamer, each a word.
-constexpr std::size_t headWords = 4, metamerWords = 11;
-constexpr std::size_t mostInForm = 1 << 22;
+constexpr std::size_t headerWords = 4, metamerWords = 11;
+constexpr std::size_t maxPackedMetamers = 1 << 22;
 
 template <typename T>
 Word wordOf(T value) {
@@ -31,14 +30,14 @@ void set(T& value, Word word) {
     std::memcpy(&value, &word, sizeof word);
 }
 
-/// A parent is said by how far it is before its child, and an axis by how far it is after that of the metamer
-/// before: small numbers, which are few bytes once they are packed.
-std::array<Word, metamerWords> wordsOf(const GrownMetamer& m, std::size_t index, int axisBefore) {
+/// The words of a metamer. Parents are stored relative to the metamer, and axes relative to the previous
+/// metamer's: such small numbers compress well.
+std::array<Word, metamerWords> wordsOf(const GrownMetamer& m, std::size_t index, int previousAxis) {
     return {wordOf(m.position.x),
             wordOf(m.position.y),
             wordOf(m.position.z),
             static_cast<Word>(index) - wordOf(m.parent),
-            wordOf(m.axis) - wordOf(axisBefore),
+            wordOf(m.axis) - wordOf(previousAxis),
             wordOf(m.order),
             wordOf(m.born),
             Word(m.dead ? 1 : 0),
@@ -47,13 +46,13 @@ std::array<Word, metamerWords> wordsOf(const GrownMetamer& m, std::size_t index,
             wordOf(m.leafArea)};
 }
 
-GrownMetamer metamerOf(const std::array<Word, metamerWords>& words, std::size_t index, int axisBefore) {
+GrownMetamer metamerOf(const std::array<Word, metamerWords>& words, std::size_t index, int previousAxis) {
     GrownMetamer m;
     set(m.position.x, words[0]);
     set(m.position.y, words[1]);
     set(m.position.z, words[2]);
     set(m.parent, static_cast<Word>(index) - words[3]);
-    set(m.axis, words[4] + wordOf(axisBefore));
+    set(m.axis, words[4] + wordOf(previousAxis));
     set(m.order, words[5]);
     set(m.born, words[6]);
     m.dead = words[7] != 0;
@@ -63,23 +62,23 @@ GrownMetamer metamerOf(const std::array<Word, metamerWords>& words, std::size_t 
     return m;
 }
 
-bool isSound(const GrownMetamer& m, std::size_t index) {
-    const bool placed = index == 0 ? m.parent == -1 : m.parent >= 0 && m.parent < static_cast<int>(index);
+bool isValid(const GrownMetamer& m, std::size_t index) {
+    const bool hasParent = index == 0 ? m.parent == -1 : m.parent >= 0 && m.parent < static_cast<int>(index);
     const float sum = m.position.x + m.position.y + m.position.z + m.radius + m.light + m.leafArea;
-    return placed && m.axis >= 0 && m.order >= 0 && m.born >= 0 && std::isfinite(sum);
+    return hasParent && m.axis >= 0 && m.order >= 0 && m.born >= 0 && std::isfinite(sum);
 }
 
-/// Words of a head, and then the first words of all metamers, the second ones, ...; of each such column the
-/// lowest bytes, the next ones, ...: what is much alike lies together.
+/// The header words, then a column for each word of the metamers. A column has the lowest bytes of all
+/// metamers first, then the next ones, and so on, so that similar bytes are adjacent.
 class Columns {
 public:
     Columns(std::string& bytes, std::size_t metamers) : _bytes(bytes), _metamers(metamers) {}
     static std::size_t sizeFor(std::size_t metamers) {
-        return sizeof(Word) * (headWords + metamerWords * metamers);
+        return sizeof(Word) * (headerWords + metamerWords * metamers);
     }
 
-    void putHead(std::size_t i, Word word) { put(sizeof(Word) * i, 1, word); }
-    Word head(std::size_t i) const { return get(sizeof(Word) * i, 1); }
+    void putHeader(std::size_t i, Word word) { put(sizeof(Word) * i, 1, word); }
+    Word header(std::size_t i) const { return get(sizeof(Word) * i, 1); }
     void put(std::size_t metamer, const std::array<Word, metamerWords>& words) {
         for (std::size_t i = 0; i < metamerWords; ++i)
             put(columnAt(i) + metamer, _metamers, words[i]);
@@ -92,15 +91,15 @@ public:
     }
 
 private:
-    std::size_t columnAt(std::size_t i) const { return sizeof(Word) * (headWords + i * _metamers); }
-    void put(std::size_t place, std::size_t apart, Word word) {
+    std::size_t columnAt(std::size_t i) const { return sizeof(Word) * (headerWords + i * _metamers); }
+    void put(std::size_t place, std::size_t stride, Word word) {
         for (std::size_t byte = 0; byte < sizeof word; ++byte)
-            _bytes[place + byte * apart] = static_cast<char>(word >> (8 * byte));
+            _bytes[place + byte * stride] = static_cast<char>(word >> (8 * byte));
     }
-    Word get(std::size_t place, std::size_t apart) const {
+    Word get(std::size_t place, std::size_t stride) const {
         Word word = 0;
         for (std::size_t byte = 0; byte < sizeof word; ++byte)
-            word |= Word(static_cast<unsigned char>(_bytes[place + byte * apart])) << (8 * byte);
+            word |= Word(static_cast<unsigned char>(_bytes[place + byte * stride])) << (8 * byte);
         return word;
     }
 
@@ -108,19 +107,16 @@ private:
     std::size_t _metamers;
 };
 
-/// How many metamers the packed bytes have, which come after it.
-using Count = std::uint32_t;
-
 } // namespace
 
 std::string packedForm(const GrownForm& form) {
-    const auto count = static_cast<Count>(form.metamers.size());
+    const auto count = static_cast<Word>(form.metamers.size()); // precedes the compressed bytes
     std::string plain(Columns::sizeFor(count), '\0');
     Columns columns(plain, count);
-    columns.putHead(0, wordOf(form.years));
-    columns.putHead(1, wordOf(form.spread));
-    columns.putHead(2, wordOf(form.heightFactor));
-    columns.putHead(3, wordOf(form.widthFactor));
+    columns.putHeader(0, wordOf(form.years));
+    columns.putHeader(1, wordOf(form.spread));
+    columns.putHeader(2, wordOf(form.heightFactor));
+    columns.putHeader(3, wordOf(form.widthFactor));
     int axis = 0;
     for (std::size_t i = 0; i < count; ++i) {
         columns.put(i, wordsOf(form.metamers[i], i, axis));
@@ -136,11 +132,11 @@ std::string packedForm(const GrownForm& form) {
 }
 
 std::optional<GrownForm> unpackedForm(const std::string& bytes) {
-    Count count = 0;
+    Word count = 0;
     if (bytes.size() < sizeof count)
         return std::nullopt;
     std::memcpy(&count, bytes.data(), sizeof count);
-    if (count == 0 || count > mostInForm)
+    if (count == 0 || count > maxPackedMetamers)
         return std::nullopt;
     std::string plain(Columns::sizeFor(count), '\0');
     uLongf size = plain.size();
@@ -151,16 +147,16 @@ std::optional<GrownForm> unpackedForm(const std::string& bytes) {
         return std::nullopt;
     const Columns columns(plain, count);
     GrownForm form;
-    set(form.years, columns.head(0));
-    set(form.spread, columns.head(1));
-    set(form.heightFactor, columns.head(2));
-    set(form.widthFactor, columns.head(3));
+    set(form.years, columns.header(0));
+    set(form.spread, columns.header(1));
+    set(form.heightFactor, columns.header(2));
+    set(form.widthFactor, columns.header(3));
     form.metamers.reserve(count);
     int axis = 0;
     for (std::size_t i = 0; i < count; ++i) {
         form.metamers.push_back(metamerOf(columns.words(i), i, axis));
         axis = form.metamers.back().axis;
-        if (!isSound(form.metamers.back(), i))
+        if (!isValid(form.metamers.back(), i))
             return std::nullopt;
     }
     return form;

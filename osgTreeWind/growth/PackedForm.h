@@ -8,11 +8,11 @@
 
 namespace osgTreeWind {
 
-/// A form as few bytes, of which unpackedForm() makes the same form, bit for bit. In the order of bytes of
-/// this machine.
+/// Compresses a form, losslessly. The bytes are in the machine's byte order.
 std::string packedForm(const GrownForm& form);
 
-/// None where the bytes are not those of a form: its metamers are in their order, and all numbers are finite.
+/// Inverse of packedForm(). Nullopt unless the bytes are a form with finite numbers whose metamers precede
+/// their children.
 std::optional<GrownForm> unpackedForm(const std::string& bytes);
 
 } // namespace osgTreeWind

@@ -10,12 +10,12 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float stemTaper = 0.6f;
-constexpr float widestBranch = 0.88f;
-/// Least share of the trunk's radius at breast height that its top keeps.
-constexpr float thinnestTop = 1e-3f;
+constexpr float maxBranchRatio = 0.88f;
+/// Lower limit of the radius of the trunk's top / at breast height.
+constexpr float minTopRatio = 1e-3f;
 
-/// Ends of shoots that each metamer bears.
-std::vector<int> endsOf(const std::vector<GrownMetamer>& metamers) {
+/// Number of shoot tips that each metamer bears.
+std::vector<int> countTips(const std::vector<GrownMetamer>& metamers) {
     std::vector<int> ends(metamers.size(), 0);
     for (std::size_t i = metamers.size(); i-- > 0;) {
         ends[i] = std::max(ends[i], 1);
@@ -29,11 +29,11 @@ float naturalLog(float x) {
     return static_cast<float>(std::log(static_cast<double>(x)));
 }
 
-/// Radius by the ends that wood bears. Boughs have the trunk's area between them, as Leonardo saw; twigs
-/// taper faster, to the radius of the thinnest.
-class Pipes {
+/// Radius of wood from the number of its shoot tips. Boughs together have about the cross-section of the
+/// trunk (Leonardo's rule); twigs taper faster, to the radius of the thinnest.
+class PipeModel {
 public:
-    Pipes(float trunk, float twig, int ends)
+    PipeModel(float trunk, float twig, int ends)
         : _trunk(trunk), _logEnds(naturalLog(static_cast<float>(ends))),
           _thinning(std::min(naturalLog(twig / trunk) + area * _logEnds, 0.4f * area * _logEnds)) {}
 
@@ -52,10 +52,10 @@ private:
 
 void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     std::vector<GrownMetamer>& metamers = form.metamers;
-    const std::vector<int> ends = endsOf(metamers);
+    const std::vector<int> ends = countTips(metamers);
     const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
     const float twig = std::min(twigRadius, 0.2f * atBreast);
-    const Pipes pipes(atBreast, twig, std::max(ends[0], 3));
+    const PipeModel pipes(atBreast, twig, std::max(ends[0], 3));
     float trunkTop = 0.0f;
     for (const GrownMetamer& metamer : metamers)
         if (metamer.axis == 0)
@@ -68,10 +68,10 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
         const auto parent = static_cast<std::size_t>(std::max(metamer.parent, 0));
         if (metamer.axis == 0) {
             const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
-            metamer.radius = std::max(atBreast * power(above, stemTaper), thinnestTop * atBreast);
+            metamer.radius = std::max(atBreast * power(above, stemTaper), minTopRatio * atBreast);
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
             if (dissolves) {
-                // Where limbs leave it, it is as thick as what it still bears.
+                // Where limbs branch off, the rest of the trunk follows the pipe model.
                 const float along =
                     std::max(metamer.position.z - breast, 0.0f) / std::max(trunkTop - breast, 0.01f);
                 metamer.radius += std::min(along * along, 1.0f) * std::min(pipe - metamer.radius, 0.0f);
@@ -80,10 +80,10 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
                 metamer.radius = std::min(metamer.radius, metamers[parent].radius);
             continue;
         }
-        const float bearer = metamers[parent].radius;
+        const float parentRadius = metamers[parent].radius;
         const bool first = metamers[parent].axis != metamer.axis;
-        factor[i] = first ? std::min(1.0f, widestBranch * bearer / pipe) : factor[parent];
-        metamer.radius = std::min(pipe * factor[i], bearer);
+        factor[i] = first ? std::min(1.0f, maxBranchRatio * parentRadius / pipe) : factor[parent];
+        metamer.radius = std::min(pipe * factor[i], parentRadius);
     }
 }
 

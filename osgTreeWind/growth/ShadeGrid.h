@@ -11,48 +11,50 @@
 
 namespace osgTreeWind {
 
-/// Light among leaves: that of an overcast sky, from 17 directions, through boxes with leaves.
+/// Light of an overcast sky among leaves: a regular grid of leaf areas, which light crosses in 17 directions.
 ///
-/// Each year: begin(), addLeaves() of every tree, castShade(). After that light() and towardsLight() may be
-/// asked from any thread. One set of leaves gives one light, bit for bit, on every machine.
+/// Each year: call reset(), addLeaves() for every tree, then computeLight(). After that, any thread may call
+/// light() and lightGradient(). The same leaves give the same light, bit for bit, on every machine.
 class ShadeGrid {
 public:
-    /// @param cell edge of a box, metres, above 0.
-    explicit ShadeGrid(float cell) : _cell(cell) {}
+    /// @param cellSize edge of a grid cell, metres, above 0.
+    explicit ShadeGrid(float cellSize) : _cellSize(cellSize) {}
 
-    /// Forgets all leaves. @param lowest, highest what holds the new ones.
-    void begin(const glm::vec3& lowest, const glm::vec3& highest);
-    void addLeaves(const glm::vec3& place, float area); ///< m², within begin()'s box.
-    /// Leaves of neighbours of a tree, which reach from half of `height` to `height`, and their shade.
+    /// Removes all leaves. @param lowest, highest bounds of the leaves to be added.
+    void reset(const glm::vec3& lowest, const glm::vec3& highest);
+    /// @param place within the bounds of reset(). @param area one-sided, m².
+    void addLeaves(const glm::vec3& place, float area);
+    /// Adds the shade of neighbours around `tree`, with leaves from half of `height` up to `height`.
     void addNeighbours(const GrowthSite& site, const glm::vec2& tree, float height);
-    void castShade();
+    void computeLight();
 
-    /// Share of the full light, 0 to 1; outside of the grid that at its nearest place.
+    /// Share of full light, 0 to 1. Outside the grid: the value at the nearest place in it.
     float light(const glm::vec3& place) const;
-    /// Relative increase of light a metre, at most of length 1.
-    glm::vec3 towardsLight(const glm::vec3& place) const;
-    float cell() const { return _cell; }
+    /// Relative increase of the light per metre; length at most 1.
+    glm::vec3 lightGradient(const glm::vec3& place) const;
+    float cellSize() const { return _cellSize; }
 
 private:
-    struct Corner {
-        std::size_t first;
-        glm::vec3 part;
+    /// Lower corner of the eight cells around a place, and the place between them, 0 to 1.
+    struct GridPosition {
+        std::size_t index;
+        glm::vec3 fraction;
     };
-    Corner cornerAt(const glm::vec3& place) const;
-    void addLight(int layer);
-    void descend(int layer);
-    std::size_t across() const { return static_cast<std::size_t>(_size.x) + 4; }
+    GridPosition gridPosition(const glm::vec3& place) const;
+    void sumLight(int layer);
+    void propagateRays(int layer);
+    std::size_t rowStride() const { return static_cast<std::size_t>(_size.x) + 4; }
 
-    float _cell;
-    glm::vec3 _lowest{0.0f}; ///< Centre of the first box.
+    float _cellSize;
+    glm::vec3 _lowest{0.0f}; ///< Centre of the first cell.
     glm::ivec3 _size{2};
-    std::vector<float> _leaves, _light;         ///< By layer, row, column.
-    std::array<std::vector<float>, 17> _rays;   ///< A layer each, with a border of two boxes.
-    std::vector<float> _next;                   ///< Likewise.
-    std::array<std::vector<float>, 3> _through; ///< Share that passes a layer, by steepness.
-    std::vector<float> _neighbourLeaves;        ///< By layer, of a box.
+    std::vector<float> _leaves, _light;       ///< By layer, row, column.
+    std::array<std::vector<float>, 17> _rays; ///< Of one layer, by direction, with a border of two cells.
+    std::vector<float> _nextRays;             ///< Rays of one direction in the layer below.
+    std::array<std::vector<float>, 3> _transmittance; ///< Of one layer, by steepness; same border.
+    std::vector<float> _neighbourLeaves;              ///< Leaf area per cell, by layer.
     GrowthSite _site;
-    std::array<float, 17> _inflow{}; ///< What comes in from the sides.
+    std::array<float, 17> _inflow{}; ///< Light that enters at the sides, by direction.
 };
 
 } // namespace osgTreeWind

@@ -8,20 +8,20 @@ namespace {
 
 enum class Fate : unsigned char { Lives, Dies, Falls };
 
-/// What grew on a bough after this share of its life snaps off when it dies.
-constexpr float snapped = 0.5f;
-/// Below this share of the clean stem nothing hangs: browsed or mown.
-constexpr float browsed = 0.6f;
+/// When a bough dies, the wood that grew after this share of its life breaks off.
+constexpr float snapShare = 0.5f;
+/// Below this share of the clean stem, branches are browsed or mown.
+constexpr float browsingShare = 0.6f;
 
-/// Light that a branch needs for its wood: this share of full light, as if all of it bore leaves.
-constexpr float upkeep = 0.04f;
+/// Light that the wood of a branch needs: this share of full light on leaves along all of it.
+constexpr float woodUpkeep = 0.04f;
 
-/// Leaves of all that a metamer bears, their light, and the length of its living wood.
+/// Sums over all that a metamer bears: leaf area, leaf area times light, and length of living wood.
 struct Foliage {
     float area = 0.0f, light = 0.0f, wood = 0.0f;
 };
 
-std::vector<Foliage> foliageOf(const std::vector<Metamer>& metamers) {
+std::vector<Foliage> sumFoliage(const std::vector<Metamer>& metamers) {
     std::vector<Foliage> foliage(metamers.size());
     for (std::size_t i = metamers.size() - 1; i > 0; --i) {
         foliage[i].area += metamers[i].leafArea;
@@ -42,7 +42,7 @@ bool branchDies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
     if (age < 2)
         return false;
     const float clean = habit.cleanStem * tree.goal.height;
-    if (age > 4 && first.position.z < browsed * clean && tree.height > 0.5f * tree.goal.height)
+    if (age > 4 && first.position.z < browsingShare * clean && tree.height > 0.5f * tree.goal.height)
         return true;
     if (first.order == 1 && age > 8 && tree.random.uniform() < habit.breakage)
         return true;
@@ -50,14 +50,14 @@ bool branchDies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
         if (first.position.z < clean && tree.height > 2.0f * first.position.z + 1.0f && age > 4)
             return true;
     }
-    if (age > 4 && foliage.light < upkeep * habit.leafArea * foliage.wood)
+    if (age > 4 && foliage.light < woodUpkeep * habit.leafArea * foliage.wood)
         return true;
     return foliage.area <= 0.0f || foliage.light < tree.lightNeed() * foliage.area;
 }
 
-std::vector<Fate> fatesOf(TreeState& tree) {
+std::vector<Fate> decideFates(TreeState& tree) {
     std::vector<Metamer>& metamers = tree.metamers;
-    const std::vector<Foliage> foliage = foliageOf(metamers);
+    const std::vector<Foliage> foliage = sumFoliage(metamers);
     std::vector<Fate> fates(metamers.size(), Fate::Lives);
     const int deadYears = tree.habit.deadYears;
     for (std::size_t i = 1; i < metamers.size(); ++i) {
@@ -67,13 +67,13 @@ std::vector<Fate> fatesOf(TreeState& tree) {
         if (fates[parent] == Fate::Falls) {
             fates[i] = Fate::Falls;
         } else if (metamer.died >= 0) {
-            // Of a dead bough the twigs fall first.
+            // The twigs of a dead bough fall first.
             const int stays = metamer.order == 1 ? deadYears : metamer.order == 2 ? deadYears / 2 : 0;
             fates[i] = first && tree.year - metamer.died >= stays ? Fate::Falls : Fate::Dies;
         } else if (fates[parent] == Fate::Dies) {
             const int since = tree.axes[static_cast<std::size_t>(metamer.axis)].born;
             const bool outer =
-                static_cast<float>(metamer.born - since) > snapped * static_cast<float>(tree.year - since);
+                static_cast<float>(metamer.born - since) > snapShare * static_cast<float>(tree.year - since);
             fates[i] = metamer.order > 2 || outer ? Fate::Falls : Fate::Dies;
         } else if (first && branchDies(tree, metamer, foliage[i])) {
             fates[i] = metamer.order == 1 && deadYears > 0 ? Fate::Dies : Fate::Falls;
@@ -87,7 +87,7 @@ std::vector<Fate> fatesOf(TreeState& tree) {
 } // namespace
 
 void shedBranches(TreeState& tree) {
-    const std::vector<Fate> fates = fatesOf(tree);
+    const std::vector<Fate> fates = decideFates(tree);
     std::vector<int> place(tree.metamers.size(), -1);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < tree.metamers.size(); ++i) {

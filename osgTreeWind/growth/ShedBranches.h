@@ -5,8 +5,8 @@
 
 namespace osgTreeWind {
 
-/// Branches whose leaves do not get the light they need die, and some break; dead wood falls after its time.
-/// From Metamer::light and leafArea; takes away metamers, their buds, and moves the others up.
+/// Lets branches die whose leaves get too little light, breaks some, and drops old dead wood. Reads
+/// Metamer::light and leafArea. Removes metamers and their buds, which changes the indices of the others.
 void shedBranches(TreeState& tree);
 
 } // namespace osgTreeWind

@@ -5,8 +5,8 @@
 
 namespace osgTreeWind {
 
-/// Length that a bud grows in this year, metres: its share of the tree's growth, slower with the age of its
-/// axis and at the outside of the crown that the tree is to have. Draws one random number.
+/// Length by which a bud grows this year, metres. It follows from the bud's share of the tree's growth, and
+/// decreases with the age of its axis and towards the surface of the intended crown. Draws one random number.
 float yearlyLength(TreeState& tree, const Bud& bud);
 
 } // namespace osgTreeWind

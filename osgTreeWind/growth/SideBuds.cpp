@@ -12,16 +12,16 @@
 namespace osgTreeWind {
 namespace {
 
-/// How unlike in vigour the side shoots of the straightest species are; those of crooked ones are more so.
-constexpr float leastUnlike = 0.2f;
+/// Variation of vigour among the side shoots of the straightest species; crooked species have more.
+constexpr float minVigourVariation = 0.2f;
 
-/// How many side buds a node has, and how much they weigh among others.
+/// Side buds of a node, and their weight among the other buds.
 struct NodeBuds {
     int count;
     float weight;
 };
 
-NodeBuds budsAt(TreeState& tree, int order, float along, bool last) {
+NodeBuds nodeBuds(TreeState& tree, int order, float along, bool last) {
     const TreeHabit& habit = tree.habit;
     const int usual = habit.budsPerNode;
     if (habit.whorl <= 0.0f)
@@ -35,7 +35,7 @@ NodeBuds budsAt(TreeState& tree, int order, float along, bool last) {
 
 } // namespace
 
-float scatter(Random& random) {
+float triangular(Random& random) {
     const float one = random.symmetric();
     return 0.5f * (one + random.symmetric());
 }
@@ -47,7 +47,7 @@ Bud& addSideBud(TreeState& tree, const BudPlace& place, int order) {
     const glm::vec3 aside =
         directionOr(cosine(place.azimuth) * left + round * sine(place.azimuth) * above, left);
     ShootAxis axis;
-    axis.luck = 1.0f + (leastUnlike + tree.habit.wander[1]) * scatter(tree.random);
+    axis.vigourFactor = 1.0f + (minVigourVariation + tree.habit.wander[1]) * triangular(tree.random);
     axis.order = order;
     axis.born = tree.year;
     Bud bud;
@@ -64,18 +64,18 @@ void addSideBuds(TreeState& tree, const Bud& end, float along, bool last) {
     const int order = tree.axisOf(end).order;
     if (order >= habit.deepest)
         return;
-    const NodeBuds buds = budsAt(tree, order, along, last);
+    const NodeBuds buds = nodeBuds(tree, order, along, last);
     if (buds.weight <= 0.0f)
         return;
     const bool whorl = habit.whorl > 0.0f && order == 0;
     float& phase = tree.axisOf(end).phase;
-    phase += whorl ? goldenTurn : habit.divergence;
+    phase += whorl ? whorlAngle : habit.divergence;
     BudPlace place{end.node, end.heading, order};
     const float first = phase;
     for (int i = 0; i < buds.count; ++i) {
-        place.azimuth = first + (whorl ? 0.35f : 0.12f) * scatter(tree.random) +
+        place.azimuth = first + (whorl ? 0.35f : 0.12f) * triangular(tree.random) +
                         glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(buds.count);
-        place.angle = habit.branchAngle[TreeState::rank(order)] * (1.0f + 0.15f * scatter(tree.random));
+        place.angle = habit.branchAngle[TreeState::rank(order)] * (1.0f + 0.15f * triangular(tree.random));
         addSideBud(tree, place, order + 1).weight = buds.weight;
     }
 }

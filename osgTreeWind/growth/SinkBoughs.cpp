@@ -8,16 +8,16 @@
 namespace osgTreeWind {
 namespace {
 
-/// Living shoots stay that far above the ground, metres.
-constexpr float lowestShoot = 0.35f;
-/// Years in which half of the sinking is done.
+/// Lowest height of branches above the ground, metres.
+constexpr float minShootHeight = 0.35f;
+/// Years in which a bough does half of its sinking.
 constexpr float sinkingYears = 12.0f;
 
-/// How much of its lean a stem loses as it thickens, where its pull upwards is 1.
-constexpr float righting = 0.6f;
+/// Share of its lean that a stem loses as it thickens, if `rise` is 1.
+constexpr float straightening = 0.6f;
 
-/// `heading` turned down by a small angle, at most nearly to the vertical.
-glm::vec3 bentDown(const glm::vec3& heading, float angle) {
+/// `heading` rotated downwards by a small angle, short of the vertical.
+glm::vec3 tiltDown(const glm::vec3& heading, float angle) {
     const float across = std::sqrt(heading.x * heading.x + heading.y * heading.y);
     if (across < 0.05f && heading.z < 0.0f)
         return heading;
@@ -36,7 +36,7 @@ void placeNodes(TreeState& tree) {
         Metamer& metamer = tree.metamers[i];
         const glm::vec3& from = tree.metamers[static_cast<std::size_t>(metamer.parent)].position;
         metamer.position = from + metamer.length * metamer.heading;
-        if (metamer.order == 0 || metamer.position.z >= lowestShoot)
+        if (metamer.order == 0 || metamer.position.z >= minShootHeight)
             continue;
         metamer.heading = directionOr({metamer.heading.x, metamer.heading.y, 0.1f}, metamer.heading);
         metamer.position = from + metamer.length * metamer.heading;
@@ -52,11 +52,12 @@ void sinkBoughs(TreeState& tree) {
         const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
         const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
         if (metamer.order == 0) {
-            // A leader that nods straightens as it thickens.
+            // A nodding leader straightens as it thickens.
             const float pull = habit.hang[0] > 0.0f && tree.year - metamer.born >= 2
                                    ? 0.8f
-                                   : righting * yearly * std::max(habit.rise[0], 0.0f);
-            metamer.heading = directionOr(metamer.heading + pull * tree.upright(metamer.position.z), up);
+                                   : straightening * yearly * std::max(habit.rise[0], 0.0f);
+            metamer.heading =
+                directionOr(metamer.heading + pull * tree.stemDirection(metamer.position.z), up);
             continue;
         }
         const std::size_t rank = TreeState::rank(metamer.order);
@@ -64,14 +65,14 @@ void sinkBoughs(TreeState& tree) {
         const ShootAxis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
         float bend = axis.leading ? 0.0f : habit.hang[rank] * metamer.length * level;
         if (metamer.axis != parent.axis && !axis.leading)
-            bend += habit.sink[rank] * axis.luck;
-        const float free = std::clamp(0.5f * (metamer.position.z - lowestShoot), 0.0f, 1.0f);
+            bend += habit.sink[rank] * axis.vigourFactor;
+        const float free = std::clamp(0.5f * (metamer.position.z - minShootHeight), 0.0f, 1.0f);
         metamer.tilt = free * std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
-        metamer.heading = bentDown(metamer.heading, metamer.tilt);
+        metamer.heading = tiltDown(metamer.heading, metamer.tilt);
     }
     for (Bud& bud : tree.buds) {
         const Metamer& metamer = tree.metamers[static_cast<std::size_t>(bud.node)];
-        bud.heading = bud.terminal && bud.node > 0 ? metamer.heading : bentDown(bud.heading, metamer.tilt);
+        bud.heading = bud.terminal && bud.node > 0 ? metamer.heading : tiltDown(bud.heading, metamer.tilt);
     }
     placeNodes(tree);
 }

@@ -5,11 +5,11 @@
 
 namespace osgTreeWind {
 
-/// Boughs sink at their foot and bend under their weight, fast while young and ever slower; all that they
-/// bear goes with them. Nothing sinks into the ground.
+/// Sinks boughs at their base and bends them under their weight, together with the wood that they bear.
+/// Young wood sinks fastest. Boughs stay above the ground.
 void sinkBoughs(TreeState& tree);
 
-/// Places of all nodes from their headings and lengths.
+/// Computes the positions of all nodes from their headings and lengths.
 void placeNodes(TreeState& tree);
 
 } // namespace osgTreeWind

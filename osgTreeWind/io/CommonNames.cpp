@@ -14,13 +14,13 @@ namespace {
 
 const std::string none;
 
-/// Calls `take` with each part of a cell, "Zierkirsche|Kirsche".
-template <typename Take>
-void eachOf(const std::string& cell, const Take& take) {
+/// Calls `visitor` with each part of a cell such as "Zierkirsche|Kirsche".
+template <typename Visitor>
+void forEachPart(const std::string& cell, const Visitor& visitor) {
     for (std::size_t from = 0; from <= cell.size();) {
         const std::size_t to = std::min(cell.find('|', from), cell.size());
         if (to > from)
-            take(cell.substr(from, to - from));
+            visitor(cell.substr(from, to - from));
         from = to + 1;
     }
 }
@@ -33,7 +33,7 @@ const std::unordered_map<std::string, std::string>& scientificNames() {
         static_cast<void>(
             readCsvRows(table->text, table->name, ',', [&](const CsvTable&, CsvTable::Row& row) {
                 for (std::size_t language = 1; language < row.cells.size(); ++language)
-                    eachOf(row.cells[language], [&](const std::string& name) {
+                    forEachPart(row.cells[language], [&](const std::string& name) {
                         names.emplace(comparableName(name), row.cells[0]);
                     });
             }));
@@ -53,10 +53,10 @@ const std::string& scientificName(const std::string& commonName) {
     return find(comparableName(commonName));
 }
 
-const std::string& scientificNameOfEnd(const std::string& name) {
-    constexpr std::size_t shortestEnd = 5, shortestBegin = 3; // bytes
+const std::string& scientificNameOfSuffix(const std::string& name) {
+    constexpr std::size_t minSuffix = 5, minPrefix = 3; // bytes
     const std::string comparable = comparableName(name);
-    for (std::size_t begin = shortestBegin; begin + shortestEnd <= comparable.size(); ++begin)
+    for (std::size_t begin = minPrefix; begin + minSuffix <= comparable.size(); ++begin)
         if (const std::string& found = find(comparable.substr(begin)); !found.empty())
             return found;
     return none;

@@ -5,12 +5,11 @@
 
 namespace osgTreeWind {
 
-/// Finds the scientific name, or the genus, of a tree's common name in English, German, French, Spanish,
-/// Dutch or Italian, as osgTreeWind/species/names.csv has it. Empty for a name that is not in the table.
+/// The scientific name, or genus, for a common name in English, German, French, Spanish, Dutch or Italian
+/// (osgTreeWind/species/names.csv). Empty if the table does not have the name.
 const std::string& scientificName(const std::string& commonName);
 
-/// Finds the scientific name of the common name with which a name ends: a maple for "Kugelahorn". Empty if
-/// no common name of the table ends it.
-const std::string& scientificNameOfEnd(const std::string& name);
+/// The scientific name for the longest common name that ends `name`: a maple for "Kugelahorn". May be empty.
+const std::string& scientificNameOfSuffix(const std::string& name);
 
 } // namespace osgTreeWind

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TomlEdit.h>
@@ -16,8 +16,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Of a document as writeForest() writes it, where each key has a line: tables by name, those of
-/// [[wind.source]] as one.
+/// The tables of a document by writeForest(), with a line per key. All [[wind.source]] count as one table.
 struct WrittenSections {
     std::map<std::string, std::map<std::string, std::string>> values;
     std::map<std::string, std::string> lines;
@@ -37,44 +36,44 @@ struct WrittenSections {
     }
 };
 
-/// What a person steers while a forest runs; "" is the document itself.
-const std::vector<std::string> steeredTables = {"", "wind", "motion", "drawing"};
+/// Tables with settings that users change in a running forest; "" is the root table.
+const std::vector<std::string> editableTables = {"", "wind", "motion", "drawing"};
 
-std::optional<std::string> written(ForestDescription forest) {
+std::optional<std::string> writtenText(ForestDescription forest) {
     forest.trees.clear();
     std::ostringstream text;
     return writeForest(forest, text).empty() ? std::optional(text.str()) : std::nullopt;
 }
 
-/// Whether a Forest of those that were read has those of now: it rounds their places.
-bool sameTrees(const ForestDescription& read, const ForestDescription& now) {
-    const auto same = [&](const TreePlacement& tree, const TreePlacement& other) {
-        const auto differs = [&](const Field& field) { return !sameField(field, &tree, &other); };
+/// Whether both have the same trees. Positions may differ by the rounding of a Forest.
+bool areTreesEqual(const ForestDescription& read, const ForestDescription& now) {
+    const auto isEqual = [&](const TreePlacement& tree, const TreePlacement& other) {
+        const auto differs = [&](const Field& field) { return !isFieldEqual(field, &tree, &other); };
         const Fields& fields = fieldsOf<TreePlacement>();
         return tree.species == other.species && tree.name == other.name &&
                glm::vec3(tree.position - read.origin) == glm::vec3(other.position - now.origin) &&
                std::none_of(fields.begin(), fields.end(), differs);
     };
-    return std::equal(read.trees.begin(), read.trees.end(), now.trees.begin(), now.trees.end(), same);
+    return std::equal(read.trees.begin(), read.trees.end(), now.trees.begin(), now.trees.end(), isEqual);
 }
 
-/// The document with what is said otherwise now; nothing where it cannot be said so.
-std::optional<std::string> edited(const std::string& document, const ForestDescription& read,
-                                  const ForestDescription& now, const std::string& path) {
-    const std::optional<std::string> before = written(read), after = written(now);
-    if (!before || !after || read.tiles || now.tiles || !sameTrees(read, now))
+/// The document with edits that make it describe the forest `now`; empty if edits cannot do that.
+std::optional<std::string> editedText(const std::string& document, const ForestDescription& read,
+                                      const ForestDescription& now, const std::string& path) {
+    const std::optional<std::string> before = writtenText(read), after = writtenText(now);
+    if (!before || !after || read.tiles || now.tiles || !areTreesEqual(read, now))
         return std::nullopt;
     WrittenSections old(*before), wanted(*after);
-    const auto saysSo = [&](const std::string& text) {
+    const auto readsBack = [&](const std::string& text) {
         std::istringstream input(text);
         const auto again = readForest(input, {path, std::filesystem::path(path).parent_path().string()});
-        return again && sameTrees(again.value(), now) && written(again.value()) == after;
+        return again && areTreesEqual(again.value(), now) && writtenText(again.value()) == after;
     };
     TomlEdit keys(document);
-    for (const std::string& table : steeredTables) {
+    for (const std::string& table : editableTables) {
         for (const auto& [key, value] : wanted.values[table])
-            if (const auto was = old.values[table].find(key);
-                was == old.values[table].end() || was->second != value)
+            if (const auto previous = old.values[table].find(key);
+                previous == old.values[table].end() || previous->second != value)
                 keys.set(table, key, value);
         for (const auto& [key, value] : old.values[table])
             if (!wanted.values[table].count(key))
@@ -82,22 +81,23 @@ std::optional<std::string> edited(const std::string& document, const ForestDescr
     }
     if (old.lines["wind.source"] != wanted.lines["wind.source"])
         keys.replaceTables("wind.source", wanted.lines["wind.source"]);
-    if (saysSo(keys.text()))
+    if (readsBack(keys.text()))
         return keys.text();
     keys.replaceTables("wind", wanted.lines["wind"] + wanted.lines["wind.source"]);
-    return saysSo(keys.text()) ? std::optional(keys.text()) : std::nullopt;
+    return readsBack(keys.text()) ? std::optional(keys.text()) : std::nullopt;
 }
 
 } // namespace
 
-Diagnostics editForestFile(const ForestDescription& now, const std::string& from, const std::string& path) {
+Diagnostics editForestFile(const ForestDescription& forest, const std::string& from,
+                           const std::string& path) {
     const Result<std::string> document = readTextFile(from);
     const auto read = readForestFile(from);
     const std::optional<std::string> text =
-        document && read ? edited(document.value(), read.value(), now, path) : std::nullopt;
+        document && read ? editedText(document.value(), read.value(), forest, path) : std::nullopt;
     if (!text)
-        return writeForestFile(now, path);
-    return writeWholeFile(path, *text);
+        return writeForestFile(forest, path);
+    return writeFileAtomically(path, *text);
 }
 
 } // namespace osgTreeWind

@@ -17,7 +17,7 @@ namespace osgTreeWind {
 namespace {
 
 std::string absolute(const std::string& folder) {
-    if (folder.find("://") != std::string::npos) // a URL
+    if (folder.find("://") != std::string::npos) // URL
         return folder;
     std::error_code ignored;
     const std::filesystem::path path = folder.empty() ? "." : folder;
@@ -25,21 +25,22 @@ std::string absolute(const std::string& folder) {
     return result.empty() ? folder : result;
 }
 
-void sortByPlace(Diagnostics& problems, const std::string& document) {
-    const auto place = [&](const Diagnostic& d) {
+/// Sorts by position, with problems of the document first.
+void sortProblems(Diagnostics& problems, const std::string& document) {
+    const auto position = [&](const Diagnostic& d) {
         return std::make_tuple(d.file != document, d.file, d.line, d.column);
     };
     std::stable_sort(problems.begin(), problems.end(),
-                     [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+                     [&](const Diagnostic& a, const Diagnostic& b) { return position(a) < position(b); });
 }
 
 } // namespace
 
 void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading) {
-    const auto maps = MapProgram::shared();
+    const auto keepAlive = MapProgram::shared();
     reading.log.file = options.file;
     reading.log.settings = options.settings;
-    reading.mostTrees = options.mostTrees;
+    reading.maxTrees = options.maxTrees;
     reading.forest.folder = absolute(options.folder);
     reading.folders = {reading.forest.folder};
     auto text = readText(input, options.file);
@@ -49,22 +50,22 @@ void readDocument(std::istream& input, const ForestFileOptions& options, ForestR
     TableReader::readDocument(reading.forest.source, reading.log,
                               [&](TableReader& root) { readRoot(root, reading); });
     if (!options.settings.empty())
-        reading.forest.source.clear(); // it says something else
-    sortByPlace(reading.log.problems, options.file);
+        reading.forest.source.clear(); // it does not describe the forest with the settings
+    sortProblems(reading.log.problems, options.file);
 }
 
-void readDocumentFile(const std::string& path, std::size_t mostTrees,
-                      const std::vector<std::string>& settings, ForestReading& reading) {
+void readDocumentFile(const std::string& path, std::size_t maxTrees, const std::vector<std::string>& settings,
+                      ForestReading& reading) {
     Result<std::ifstream> input = openInput(path);
     if (!input)
         return reading.log.add(input.problems().front());
     readDocument(input.value(),
-                 {path, std::filesystem::path(path).parent_path().string(), mostTrees, settings}, reading);
+                 {path, std::filesystem::path(path).parent_path().string(), maxTrees, settings}, reading);
 }
 
 namespace {
 
-Result<ForestDescription> whatWasRead(ForestReading& reading) {
+Result<ForestDescription> takeResult(ForestReading& reading) {
     if (reading.log.problems.empty())
         return std::move(reading.forest);
     return std::move(reading.log.problems);
@@ -75,14 +76,14 @@ Result<ForestDescription> whatWasRead(ForestReading& reading) {
 Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
     ForestReading reading;
     readDocument(input, options, reading);
-    return whatWasRead(reading);
+    return takeResult(reading);
 }
 
-Result<ForestDescription> readForestFile(const std::string& path, std::size_t mostTrees,
+Result<ForestDescription> readForestFile(const std::string& path, std::size_t maxTrees,
                                          const std::vector<std::string>& settings) {
     ForestReading reading;
-    readDocumentFile(path, mostTrees, settings, reading);
-    return whatWasRead(reading);
+    readDocumentFile(path, maxTrees, settings, reading);
+    return takeResult(reading);
 }
 
 } // namespace osgTreeWind

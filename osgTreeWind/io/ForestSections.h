@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/forest/CompanyOfTrees.h>
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/GrowingSpaces.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/io/TreeBounds.h>
 #include <osgTreeWind/io/TreeStore.h>
-#include <osgTreeWind/io/TreesInAll.h>
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 
 #include <fstream>
 #include <map>
@@ -17,71 +17,70 @@
 #include <string>
 #include <vector>
 
-/// The sections of a .treewind document, one reader each. Not part of the interface.
+/// Readers and writers for the sections of a .treewind document.
 namespace osgTreeWind {
 
-/// What the sections share while a document is read.
+/// State shared by the section readers while a document is read.
 struct ForestReading {
     ReadLog log;
-    std::vector<std::string> folders; ///< Where relative paths are looked for, in order.
-    std::size_t mostTrees = 1000000;  ///< More are a problem.
+    std::vector<std::string> folders; ///< Searched for relative paths, in order.
+    std::size_t maxTrees = 1000000;   ///< More trees are an error.
     std::uint32_t seed = 1;
-    float leaves = 1.0f; ///< Of trees that do not say.
+    float leaves = 1.0f; ///< Default share of leaves of a tree.
     ForestDescription forest;
     TreeStore trees{forest.trees};
-    std::vector<UnsaidOfTree> unsaid; ///< By tree.
-    std::optional<Crs> crs;           ///< That of the forest.
-    bool keepsMap = false;            ///< `stretched`: whatever a metre of the map is on the ground.
-    CrsWay toScene;                   ///< From the map of the file's places to `crs`, once that is known.
-    std::optional<double> windDate;   ///< Seconds since 1970 of the wind's time 0, where its files say.
-    bool saysSpecies = false;         ///< Whether the file has [[species]].
-    std::size_t declaredSpecies = 0;  ///< Number of the file's own species. Built-in ones follow them.
+    std::vector<DerivedTreeValues> derived; ///< By tree.
+    std::optional<Crs> crs;                 ///< CRS of the scene.
+    bool keepsStretchedMap = false;         ///< Key `stretched`: do not leave a stretched map.
+    CrsTransform toScene;                   ///< From the file's map to `crs`, once that is known.
+    std::optional<double> windDate;         ///< Date of the wind's time 0, seconds since 1970, if known.
+    bool hasSpeciesTables = false;          ///< The file has [[species]].
+    std::size_t declaredSpecies = 0;        ///< Number of the file's species. Built-in ones follow them.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
-    std::set<std::string> treeNames;                  ///< Of all trees so far.
-    const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
+    std::set<std::string> treeNames;                  ///< Names of all trees so far.
+    const SpeciesCatalogue* catalogue = nullptr;      ///< Null until builtIn() is called.
 
-    /// Index of the species with this name or alias, whatever its case.
+    /// Index of the forest's species with this name or alias, ignoring case.
     std::optional<std::size_t> species(const std::string& name) const;
-    /// The same, or else a built-in species of that name, which then is one of the forest's; if the document
-    /// has a species of its own by the built-in one's common name, that one.
+    /// Index of the forest's species with this name, or else of the built-in species, which is added to the
+    /// forest if needed (addBuiltIn()).
     std::optional<std::size_t> speciesOrBuiltIn(const std::string& name);
-    /// The index of a built-in species, which then is one of the forest's, as above. @param found null: none.
-    std::optional<std::size_t> takeBuiltIn(const Species* found);
-    /// Where species are looked for that the document has not. If that of the host is broken, its problems
-    /// are now those of the reading.
+    /// Adds a built-in species unless the forest has one of that name. @param found may be null.
+    std::optional<std::size_t> addBuiltIn(const Species* found);
+    /// The species catalogue. Problems with the host's catalogue file go to the log.
     const SpeciesCatalogue& builtIn();
-    TreesInAll treesInAll();
-    /// The next tree. @param onGround as TreeStore::add().
-    void addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said);
-    /// Takes the crs that an inventory or the ground asks for.
-    void choose(const Crs& chosen);
-    /// A place of the file in the scene's map.
-    glm::dvec3 inScene(const glm::dvec3& place) const;
-    /// Whether `count` more trees are still allowed; a problem with `key` when not.
-    bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
+    TreeBounds treeBounds();
+    /// Appends a tree. @param onGround as in TreeStore::add().
+    void addTree(const TreePlacement& tree, bool onGround, DerivedTreeValues derivedValues);
+    /// Sets the CRS that an inventory or the ground requires.
+    void setCrs(const Crs& newCrs);
+    /// Transforms a place of the file to the scene's CRS.
+    glm::dvec3 scenePlace(const glm::dvec3& place) const;
+    /// Whether `count` more trees are allowed; otherwise reports a problem with `key`.
+    bool canAddTrees(std::uint64_t count, TableReader& table, const std::string& key);
 
-    /// Those of the file, of its host and of OSG: what OSGTREEWIND_TRUST=folder trusts.
+    /// Folders that OSGTREEWIND_TRUST=folder trusts: those of the file, its host and OSG.
     std::vector<std::string> trustedFolders() const;
 
     struct InputFile {
         std::string path;
         std::ifstream stream;
     };
-    /// Opens the file that `key` names; a problem when it cannot.
+    /// Opens the file named by `key`; reports a problem if that fails.
     std::optional<InputFile> open(TableReader& table, const std::string& key);
-    /// The same for the file called `name`, which `key` names among others.
+    /// Opens the file `name`, one of several named by `key`.
     std::optional<InputFile> open(TableReader& table, const std::string& key, const std::string& name);
 };
 
-/// The whole document; problems are those of the reading's log, in order of place.
+/// Reads a whole document. Problems are in the log, sorted by position.
 void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading);
-/// The same of a file, and what keeps it from being opened.
-void readDocumentFile(const std::string& path, std::size_t mostTrees,
-                      const std::vector<std::string>& settings, ForestReading& reading);
+/// Opens and reads a file.
+void readDocumentFile(const std::string& path, std::size_t maxTrees, const std::vector<std::string>& settings,
+                      ForestReading& reading);
 
 void readRoot(TableReader& root, ForestReading& reading);
 
-void readVersion(TableReader& root);                            ///< Of any document.
+void readVersion(TableReader& root);
 void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[species]], or [[group]].
 void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
 void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
@@ -90,16 +89,16 @@ void readTiles(TableReader& table, ForestReading& reading);     ///< [tiles].
 void readGround(TableReader& table, ForestReading& reading);    ///< [ground], and puts the trees on it.
 void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
 
-/// `wind.frame`.
+/// Words of the key `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();
 
-/// [ground], if there is one. @return what keeps it from being written; empty when all is well.
+/// Writes [ground], if there is one. @return why it cannot be written; empty on success.
 std::string writeGround(std::ostream& output, const ForestDescription& forest);
 void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
-/// [wind], if there is one. @return what keeps it from being written; empty when all is well.
+/// Writes [wind], if there is one. @return why it cannot be written; empty on success.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 
-/// That its distinct shapes have too many vertices; empty when they have not.
+/// A message if the shapes of the forest have too many vertices; otherwise empty.
 std::string problemOfShapes(const ForestDescription& forest);
 
 } // namespace osgTreeWind

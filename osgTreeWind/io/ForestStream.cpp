@@ -21,8 +21,8 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     Reading& reading = *stream._reading;
     if (!reading.trees.useFile(options.folder, options.treesAtOnce))
         return fileProblem(options.folder, "cannot be written");
-    readDocumentFile(path, options.mostTrees, {}, reading);
-    if (reading.trees.failed())
+    readDocumentFile(path, options.maxTrees, {}, reading);
+    if (reading.trees.hasFailed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
                                                " trees while they are read, 72 bytes each and their ids");
     if (!reading.log.problems.empty())
@@ -39,9 +39,9 @@ std::size_t ForestStream::treeCount() const {
     return _reading->trees.size();
 }
 
-bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& take) const {
-    _reading->trees.visit(take);
-    return !_reading->trees.failed();
+bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& visitor) const {
+    _reading->trees.visit(visitor);
+    return !_reading->trees.hasFailed();
 }
 
 } // namespace osgTreeWind

@@ -13,36 +13,36 @@
 
 namespace osgTreeWind {
 
-/// How a forest is read as a stream.
+/// Options for reading a forest as a stream.
 struct ForestStreamOptions {
-    std::string folder;                ///< Of the file that trees lie in; it is there.
-    std::size_t mostTrees = 100000000; ///< More than these are a problem.
-    std::size_t treesAtOnce = 262144;  ///< In memory, at least 1; some 100 bytes each.
+    std::string folder;               ///< Existing folder for the temporary file with the trees.
+    std::size_t maxTrees = 100000000; ///< More trees are an error.
+    std::size_t treesAtOnce = 262144; ///< Trees in memory, at least 1; about 100 bytes each.
 };
 
-/// The forest of a file that may have more trees than memory should hold: they lie in a file without a name,
-/// 72 bytes each and their ids. In memory are ids, places of a [[scatter]] with a spacing, and the text
-/// of a table. Not thread-safe.
+/// Reads a forest whose trees may not fit into memory. It keeps them in an unnamed temporary file, with 72
+/// bytes and the id of each. Ids, spaced [[scatter]] places and tables' texts stay in memory. Not
+/// thread-safe.
 ///
 ///     const auto city = ForestStream::read("city.treewind", {"/tmp"});
 ///     if (city)
 ///         report(writeTiledForest(city.value(), "world").problems());
 class OSGTREEWIND_EXPORT ForestStream {
 public:
-    /// Reads what readForestFile() reads. @return it, or every problem found; one with the folder as its file
-    /// where that cannot hold the trees.
+    /// Reads a .treewind file, as readForestFile() does. @return the forest, or all problems found. If the
+    /// folder cannot hold the trees, the problem's `file` is the folder.
     static Result<ForestStream> read(const std::string& path, const ForestStreamOptions& options);
 
-    ForestStream();
-    ForestStream(ForestStream&&) noexcept;            ///< What was read goes along.
-    ForestStream& operator=(ForestStream&&) noexcept; ///< What was read goes along.
+    ForestStream();                                   ///< Empty.
+    ForestStream(ForestStream&&) noexcept;            ///< Moves the forest.
+    ForestStream& operator=(ForestStream&&) noexcept; ///< Moves the forest.
     ~ForestStream();
 
-    /// Without its trees.
+    /// The forest without its trees.
     const ForestDescription& description() const;
-    std::size_t treeCount() const; ///< Of all that were read.
-    /// Hands over all trees in their order, some at a time. @return false where the file cannot be read.
-    bool visit(const std::function<void(const std::vector<TreePlacement>& trees)>& take) const;
+    std::size_t treeCount() const; ///< Number of trees read.
+    /// Visits all trees in order and in batches. @return false if the temporary file cannot be read.
+    bool visit(const std::function<void(const std::vector<TreePlacement>& trees)>& visitor) const;
 
 private:
     struct Reading;

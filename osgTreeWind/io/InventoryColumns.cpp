@@ -13,11 +13,11 @@ namespace osgTreeWind {
 
 namespace {
 
-// Metres of the largest trees that were measured: coast redwood Hyperion, a live oak's mean spread of 47 m
-// with some room, and a trunk as General Sherman's.
-constexpr double highestTree = 116.0, widestCrown = 60.0, thickestTrunk = 7.8;
+// Metres, from the largest trees measured: coast redwood Hyperion; a live oak's mean spread of 47 m, with a
+// margin; and the trunk of General Sherman.
+constexpr double maxHeight = 116.0, maxCrownWidth = 60.0, maxTrunkDiameter = 7.8;
 
-/// How a format calls what `key` means.
+/// The name of a column in a format, and the key that it corresponds to.
 struct KnownColumn {
     const char *format, *key, *name;
 };
@@ -37,8 +37,8 @@ const KnownColumn knownColumns[] = {
     {"OSM", "crown_width", "diameter_crown"},
 };
 
-/// The column that open-data portals and databases put a place in.
-std::optional<std::size_t> usualPoint(const TreeRows& rows) {
+/// The first column with a name that open-data portals and databases use for places.
+std::optional<std::size_t> findPointColumn(const TreeRows& rows) {
     for (const char* const name : {"geo_point_2d", "geopoint", "geo_point", "geom", "the_geom", "geometry",
                                    "wkt", "wkt_geom", "shape", "point", "location"})
         for (std::size_t i = 0; i < rows.columns().size(); ++i)
@@ -55,7 +55,7 @@ const std::vector<std::pair<std::string, double>>& lengthUnits() {
     return units;
 }
 
-std::optional<double> metresOf(const std::string& text) {
+std::optional<double> parseMetres(const std::string& text) {
     const std::size_t end = text.find_last_of("0123456789.") + 1;
     std::string unit = text.substr(end);
     unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
@@ -69,33 +69,34 @@ std::optional<double> metresOf(const std::string& text) {
 }
 
 InventoryColumns::InventoryColumns()
-    : height{"height", above(0, highestTree)}, trunkDiameter{"trunk_diameter", above(0, thickestTrunk)},
-      circumference{"circumference", above(0, glm::pi<double>() * thickestTrunk)},
-      crownWidth{"crown_width", above(0, widestCrown)} {}
+    : height{"height", above(0, maxHeight)}, trunkDiameter{"trunk_diameter", above(0, maxTrunkDiameter)},
+      circumference{"circumference", above(0, glm::pi<double>() * maxTrunkDiameter)},
+      crownWidth{"crown_width", above(0, maxCrownWidth)} {}
 
 void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
     table.table("columns", [&](TableReader& columns) {
-        for (Measure* measure : measures())
+        for (MeasureColumn* measure : measures())
             measure->column = find(columns, measure->key, rows);
         id = find(columns, "id", rows);
-        if (const auto given = find(columns, "species", rows))
-            species = {*given};
+        if (const auto column = find(columns, "species", rows))
+            species = {*column};
         point = find(columns, "point", rows);
         if (x.column && x.column == y.column)
             std::swap(point, x.column);
         if (rows && !point && !columns.has("point") && !columns.has("x") && !columns.has("y") &&
             !rows->hasPlaces())
-            point = usualPoint(*rows);
+            point = findPointColumn(*rows);
         if (rows && columns.has("x") != columns.has("y"))
-            _complete = columns.missing(columns.has("x") ? "y" : "x");
-        else if (rows && !hasXY() && !columns.has("x") && !columns.has("point") && !rows->hasPlaces())
-            _complete = columns.missing("x");
+            _complete = columns.reportMissing(columns.has("x") ? "y" : "x");
+        else if (rows && !hasPlaceColumns() && !columns.has("x") && !columns.has("point") &&
+                 !rows->hasPlaces())
+            _complete = columns.reportMissing("x");
     });
     if (!table.has("columns") && rows && !rows->hasPlaces())
-        _complete = table.missing("columns");
+        _complete = table.reportMissing("columns");
     table.table("units", [&](TableReader& units) { readUnits(units); });
     if (rows)
-        takeKnown(*rows);
+        useKnownColumns(*rows);
 }
 
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
@@ -111,32 +112,32 @@ std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const st
     return column;
 }
 
-void InventoryColumns::takeKnown(const TreeRows& rows) {
-    const bool speciesGiven = !species.empty();
+void InventoryColumns::useKnownColumns(const TreeRows& rows) {
+    const bool isSpeciesGiven = !species.empty();
     for (const KnownColumn& known : knownColumns) {
         const auto column = rows.format() == known.format ? rows.column(known.name) : std::nullopt;
         if (!column)
             continue;
         if (known.key == std::string("species")) {
-            if (!speciesGiven)
+            if (!isSpeciesGiven)
                 species.push_back(*column);
         } else if (known.key == std::string("id")) {
             id = id ? id : column;
         } else
-            for (Measure* measure : measures())
+            for (MeasureColumn* measure : measures())
                 if (measure->key == std::string(known.key) && !measure->column)
                     measure->column = column;
     }
 }
 
 void InventoryColumns::readUnits(TableReader& units) {
-    for (Measure* measure : measures())
+    for (MeasureColumn* measure : measures())
         units.readChoice<double>(measure->key, measure->unit, lengthUnits());
 }
 
-std::vector<std::size_t> InventoryColumns::all() {
+std::vector<std::size_t> InventoryColumns::allColumns() {
     std::vector<std::size_t> columns = species;
-    for (const Measure* measure : measures())
+    for (const MeasureColumn* measure : measures())
         if (measure->column)
             columns.push_back(*measure->column);
     for (const auto& column : {id, point})
@@ -145,8 +146,8 @@ std::vector<std::size_t> InventoryColumns::all() {
     return columns;
 }
 
-bool InventoryColumns::areDegrees(const TreeRows& rows) const {
-    const auto isCalled = [&](const Measure& measure, const std::vector<std::string>& names) {
+bool InventoryColumns::areInDegrees(const TreeRows& rows) const {
+    const auto isCalled = [&](const MeasureColumn& measure, const std::vector<std::string>& names) {
         return measure.column &&
                std::count(names.begin(), names.end(), lower(rows.columns()[*measure.column]));
     };

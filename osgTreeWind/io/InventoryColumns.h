@@ -9,48 +9,47 @@
 
 namespace osgTreeWind {
 
-/// A number that a row may hold.
-struct Measure {
+/// A length that rows may contain, with its key, valid range and unit.
+struct MeasureColumn {
     const char* key;
     Range range;                         ///< Metres.
-    std::optional<std::size_t> column{}; ///< Empty: rows do not have it.
-    double unit = 1.0;                   ///< Metres.
+    std::optional<std::size_t> column{}; ///< Empty if there is no such column.
+    double unit = 1.0;                   ///< Metres per unit.
 };
 
-/// Units of length and what they are in metres.
+/// Names of length units, with their metres.
 const std::vector<std::pair<std::string, double>>& lengthUnits();
-/// A number with or without a unit behind it; without one it is metres.
-std::optional<double> metresOf(const std::string& text);
+/// Parses a number followed by an optional unit (default: metres). @return metres.
+std::optional<double> parseMetres(const std::string& text);
 
-/// Which columns say what of a tree: as [inventory] has it, else as their format is known to.
+/// Maps columns of an inventory to properties of trees, by its [inventory] table or its known format.
 class InventoryColumns {
 public:
-    /// @param rows null: only the keys are looked at.
+    /// @param rows null: only validate the keys.
     void read(TableReader& table, const TreeRows* rows);
-    /// Whether all is there that trees need but their species.
-    bool complete() const { return _complete; }
-    /// Whether places are in columns, `x` and `y` or `point`, and not those of the rows themselves.
-    bool hasXY() const { return x.column || point; }
-    /// All columns that are read.
-    std::vector<std::size_t> all();
-    /// Whether places are longitudes and latitudes, as the names of `x` and `y` say it, or those of a
-    /// `point`.
-    bool areDegrees(const TreeRows& rows) const;
+    /// Whether all required columns were found.
+    bool isComplete() const { return _complete; }
+    /// Whether places are in columns (`x` and `y`, or `point`) instead of the rows' geometry.
+    bool hasPlaceColumns() const { return x.column || point; }
+    /// All columns to read.
+    std::vector<std::size_t> allColumns();
+    /// Whether places are longitudes and latitudes: those of `point`, or of `x` and `y` with such names.
+    bool areInDegrees(const TreeRows& rows) const;
 
-    Measure x{"x", worldCoordinates}, y{"y", worldCoordinates}, z{"z", worldCoordinates};
-    Measure height, trunkDiameter, circumference, crownWidth;
-    std::optional<std::size_t> point; ///< A place in one cell: "48.88, 2.30" or "POINT (2.30 48.88)".
+    MeasureColumn x{"x", worldCoordinates}, y{"y", worldCoordinates}, z{"z", worldCoordinates};
+    MeasureColumn height, trunkDiameter, circumference, crownWidth;
+    std::optional<std::size_t> point; ///< Places such as "48.88, 2.30" or "POINT (2.30 48.88)".
     std::optional<std::size_t> id;
-    std::vector<std::size_t> species; ///< The first whose name is known counts.
+    std::vector<std::size_t> species; ///< The first with a known name counts.
 
     InventoryColumns();
 
 private:
-    std::array<Measure*, 7> measures() {
+    std::array<MeasureColumn*, 7> measures() {
         return {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth};
     }
     std::optional<std::size_t> find(TableReader& columns, const std::string& key, const TreeRows* rows);
-    void takeKnown(const TreeRows& rows);
+    void useKnownColumns(const TreeRows& rows);
     void readUnits(TableReader& units);
 
     bool _complete = true;

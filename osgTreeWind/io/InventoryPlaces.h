@@ -7,28 +7,29 @@ namespace osgTreeWind {
 
 struct ForestReading;
 
-/// Where the rows of an inventory are, in the forest's system. Places come from the system that its `crs`
-/// names, else from what the file says or its columns are called; places without any are the forest's. A
-/// forest without one takes that of the file, or for what is no map in metres the UTM zone of the middle.
+/// Finds the places of an inventory's rows in the forest's CRS. The source CRS is the key `crs`, or else that
+/// of the file or implied by its column names, or else the forest's. If the forest has no CRS, it is set to
+/// the source CRS, or to the UTM zone of the rows' centre if the source CRS is not projected in metres.
 class InventoryPlaces {
 public:
-    /// @param rows may be null. @return nothing, and problems, where there is no way.
+    /// @param rows may be null. @return empty after a problem.
     static std::optional<InventoryPlaces> find(TableReader& table, TreeRows* rows,
                                                const InventoryColumns& columns, ForestReading& reading);
 
-    /// Makes the first row the next one, with what find() was asked about.
+    /// Restarts before the first row.
     void rewind(TreeRows& rows, InventoryColumns& columns) const;
-    /// Where a row is, by its columns or by itself. @param index of the row, from 0.
-    Result<VectorPlace> of(const TreeRows& rows, const InventoryColumns& columns, std::size_t index) const;
+    /// The place of the current row. @param index of the row, from 0.
+    Result<VectorPlace> placeOf(const TreeRows& rows, const InventoryColumns& columns,
+                                std::size_t index) const;
 
 private:
-    CrsWay _way;
-    std::vector<glm::dvec2> _there; ///< Of rows whose columns say x and y, brought there; empty: they stay.
+    CrsTransform _transform;
+    std::vector<glm::dvec2> _transformed; ///< Places in columns, transformed; empty for the identity.
 };
 
-/// What a row has, in metres.
-Result<double> metresOfRow(const TreeRows& rows, const Measure& measure);
-/// The same of the number that was read from the row's cell.
-Result<double> metresOfRow(const TreeRows& rows, const Measure& measure, const Result<double>& number);
+/// A measure of the current row in metres.
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure);
+/// Converts a number that was read from the row.
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure, const Result<double>& number);
 
 } // namespace osgTreeWind

@@ -20,20 +20,20 @@ std::string countText(std::string key, std::size_t count) {
 
 } // namespace
 
-bool InventorySizes::isMark(double number) const {
+bool InventorySizes::isMissingMark(double number) const {
     return number == 0.0 || isMissing(number) || std::count(missing.begin(), missing.end(), number) > 0;
 }
 
-float InventorySizes::of(const TreeRows& row, const Measure& measure) {
+float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure) {
     if (!measure.column || !row.has(*measure.column))
         return 0.0f;
     Column& column = _columns[measure.key];
     const Result<double> number = row.number(*measure.column);
-    if (number ? isMark(number.value()) : isMissing(row.text(*measure.column))) {
+    if (number ? isMissingMark(number.value()) : isMissing(row.text(*measure.column))) {
         ++column.marked;
         return 0.0f;
     }
-    const Result<double> metres = metresOfRow(row, measure, number);
+    const Result<double> metres = readMetres(row, measure, number);
     if (metres) {
         ++column.used;
         return static_cast<float>(metres.value());
@@ -43,7 +43,7 @@ float InventorySizes::of(const TreeRows& row, const Measure& measure) {
     return 0.0f;
 }
 
-float InventorySizes::ofOutline(const TreeRows& row, const Measure& measure, double width) {
+float InventorySizes::readOutline(const TreeRows& row, const MeasureColumn& measure, double width) {
     if (measure.range.contains(width))
         return static_cast<float>(width);
     if (_columns[measure.key].impossible++ == 0)
@@ -54,15 +54,15 @@ float InventorySizes::ofOutline(const TreeRows& row, const Measure& measure, dou
 }
 
 Diagnostics InventorySizes::problems() const {
-    constexpr std::size_t few = 3; // which are mistyped rather
+    constexpr std::size_t minCount = 3; // fewer are likely to be typing errors
     Diagnostics problems;
     for (const auto& [key, column] : _columns)
-        if (column.impossible >= few && column.impossible > column.used) {
+        if (column.impossible >= minCount && column.impossible > column.used) {
             Diagnostic problem = column.first;
-            problem.message += "; so are " + std::to_string(column.impossible) + " of " +
+            problem.message += "; the same applies to " + std::to_string(column.impossible) + " of " +
                                std::to_string(column.impossible + column.used) +
-                               ": give their unit as inventory.units." + key +
-                               ", or the numbers that mean \"not measured\" as inventory.missing";
+                               " rows: set their unit with inventory.units." + key +
+                               ", or the numbers that mean \"not measured\" with inventory.missing";
             problems.push_back(problem);
         }
     return problems;
@@ -80,9 +80,9 @@ std::vector<std::string> InventorySizes::notes() const {
             first = &column.first;
     }
     if (!marked.empty())
-        notes.push_back("0 and marks such as -99 count as not measured: " + joined(marked) + " rows");
+        notes.push_back("0 and markers such as -99 count as not measured: " + joined(marked) + " rows");
     if (first)
-        notes.push_back("sizes that no tree has count as not measured: " + joined(impossible) +
+        notes.push_back("impossible sizes count as not measured: " + joined(impossible) +
                         " rows, the first: " + first->text());
     return notes;
 }

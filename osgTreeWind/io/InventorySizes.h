@@ -10,31 +10,31 @@
 
 namespace osgTreeWind {
 
-/// Reads the sizes of the trees of an inventory, and counts those that cannot be used. Cities write 0 or a
-/// mark such as -99 or 999 where nobody measured, and mistype now and then: such a size counts as not given.
+/// Reads tree sizes from an inventory. Markers for missing values, such as 0, -99 or 999, and impossible
+/// sizes count as not given. It counts both for notes and problems.
 class InventorySizes {
 public:
-    std::vector<double> missing; ///< Further numbers that mean "not measured", in the unit of their column.
+    std::vector<double> missing; ///< Further numbers that mean "not measured", in the unit of the column.
 
-    /// Metres; 0 where the row does not give this size.
-    float of(const TreeRows& row, const Measure& measure);
+    /// A size in metres; 0 if the row does not give it.
+    float read(const TreeRows& row, const MeasureColumn& measure);
 
-    /// The same of the width of an outline, metres.
-    float ofOutline(const TreeRows& row, const Measure& measure, double width);
+    /// Checks the width of an outline in metres. @return 0 if no tree has such a width.
+    float readOutline(const TreeRows& row, const MeasureColumn& measure, double width);
 
-    /// Columns most of whose sizes cannot be used, as where their unit is another one.
+    /// A problem for each column in which most sizes are impossible, for example because of a wrong unit.
     Diagnostics problems() const;
-    /// How many sizes count as not given, and the first of them that no tree has.
+    /// Notes on the number of sizes that count as not given, with the first impossible one.
     std::vector<std::string> notes() const;
 
 private:
     struct Column {
         std::size_t used = 0, marked = 0, impossible = 0;
-        Diagnostic first; ///< Of those that are impossible.
+        Diagnostic first; ///< The first impossible size.
     };
-    bool isMark(double number) const;
+    bool isMissingMark(double number) const;
 
-    std::map<std::string, Column> _columns; ///< By keys.
+    std::map<std::string, Column> _columns; ///< By key.
 };
 
 } // namespace osgTreeWind

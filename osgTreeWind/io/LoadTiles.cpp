@@ -17,19 +17,19 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Of the map, in which tiles lie; those at the edge of a world go on beyond it.
+/// The area of a box of tiles. It is unbounded on the sides where the box touches the edge of the world.
 struct Rectangle {
     glm::dvec2 low, high;
 
     Rectangle(const ForestTiles& tiles, const TileBox& box) {
-        constexpr double farther = std::numeric_limits<double>::infinity();
+        constexpr double infinity = std::numeric_limits<double>::infinity();
         low = tiles.corner + tiles.size * glm::dvec2(box.firstColumn, box.firstRow);
         high = tiles.corner + tiles.size * (glm::dvec2(box.lastColumn, box.lastRow) + 1.0);
-        low = {box.firstColumn == 0 ? -farther : low.x, box.firstRow == 0 ? -farther : low.y};
-        high = {box.lastColumn >= tiles.columns - 1 ? farther : high.x,
-                box.lastRow >= tiles.rows() - 1 ? farther : high.y};
+        low = {box.firstColumn == 0 ? -infinity : low.x, box.firstRow == 0 ? -infinity : low.y};
+        high = {box.lastColumn >= tiles.columns - 1 ? infinity : high.x,
+                box.lastRow >= tiles.rows() - 1 ? infinity : high.y};
     }
-    bool holds(const glm::dvec2& place) const {
+    bool contains(const glm::dvec2& place) const {
         return glm::all(glm::greaterThanEqual(place, low)) && glm::all(glm::lessThan(place, high));
     }
     double distanceTo(const glm::dvec2& place) const {
@@ -55,16 +55,16 @@ Result<std::size_t> loadTiles(ForestDescription& forest, const TileBox& box, dou
     forest.tiles.reset();
     if (box.firstColumn >= tiles.columns || box.firstRow >= tiles.rows())
         return keyProblem("tiles", "there are " + std::to_string(tiles.columns) + " columns and " +
-                                       std::to_string(tiles.rows()) + " rows of them, found " +
+                                       std::to_string(tiles.rows()) + " rows of tiles, found " +
                                        std::to_string(box.firstColumn) + ',' + std::to_string(box.firstRow));
     const Rectangle wanted(tiles, box);
     std::vector<TreePlacement> around;
-    const auto take = [&](TreePlacement& tree, bool isWanted) {
+    const auto add = [&](TreePlacement& tree, bool isWanted) {
         if (isWanted || wanted.distanceTo(glm::dvec2(tree.position)) <= margin)
             (isWanted ? forest.trees : around).push_back(std::move(tree));
     };
     for (TreePlacement& tree : std::exchange(forest.trees, {}))
-        take(tree, wanted.holds(glm::dvec2(tree.position)));
+        add(tree, wanted.contains(glm::dvec2(tree.position)));
     Diagnostics problems;
     const TileBox wider = widened(box, static_cast<std::uint32_t>(std::ceil(margin / tiles.size)), tiles);
     for (std::uint32_t row = wider.firstRow; row <= wider.lastRow; ++row)
@@ -75,7 +75,7 @@ Result<std::size_t> loadTiles(ForestDescription& forest, const TileBox& box, dou
             const bool isWanted = row >= box.firstRow && row <= box.lastRow && column >= box.firstColumn &&
                                   column <= box.lastColumn;
             for (std::size_t i = 0; trees && i < trees.value().size(); ++i)
-                take(trees.value()[i], isWanted);
+                add(trees.value()[i], isWanted);
         }
     if (!problems.empty())
         return problems;

@@ -26,11 +26,11 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 } // namespace
 
 std::string nearestName(const std::string& word, const std::vector<std::string>& words) {
-    constexpr std::size_t longest = 60;
+    constexpr std::size_t maxLength = 60;
     std::string best;
-    std::size_t smallest = std::max<std::size_t>(std::min(longest, word.size()) / 3, 1);
+    std::size_t smallest = std::max<std::size_t>(std::min(maxLength, word.size()) / 3, 1);
     for (const std::string& candidate : words) {
-        const std::size_t distance = word.size() > longest ? longest : editDistance(word, candidate);
+        const std::size_t distance = word.size() > maxLength ? maxLength : editDistance(word, candidate);
         if (distance <= smallest && distance < std::max(word.size(), candidate.size())) {
             smallest = distance;
             best = candidate;

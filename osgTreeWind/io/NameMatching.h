@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// The word closest to `word` by edit distance; empty when none is similar.
+/// The word closest to `word` by edit distance; empty if none is similar.
 std::string nearestName(const std::string& word, const std::vector<std::string>& words);
 
 } // namespace osgTreeWind

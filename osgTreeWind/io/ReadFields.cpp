@@ -10,7 +10,7 @@ namespace {
 template <typename T, typename... Others>
 constexpr bool isOneOf = (std::is_same_v<T, Others> || ...);
 
-/// Reads the value of one key into a member; arrays of the wind are read by hand.
+/// Reads the value of one key into a member. Other types, such as arrays of a wind, have their own readers.
 struct ReadMember {
     TableReader& table;
     const Field& field;
@@ -32,12 +32,12 @@ struct ReadMember {
         if (bool value = false; table.read(field.key, value))
             *member = value;
     }
-    void operator()(const WordMember& word) const {
+    void operator()(const EnumMember& word) const {
         int value = 0;
         if (table.readChoice(field.key, value, field.words))
             word.set(word.object, value);
     }
-    void operator()(const PartMember& part) const {
+    void operator()(const NestedMember& part) const {
         table.table(field.key, [&](TableReader& t) { readFields(t, *part.fields, part.object, find); });
     }
     void operator()(std::string* member) const {

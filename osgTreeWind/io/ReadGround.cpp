@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/forest/FeetOnGround.h>
+#include <osgTreeWind/forest/GroundPlacer.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The files of `file`: one, or an array of tiles. Empty, and problems, where there is none.
+/// The paths of `file`, which is one name or an array of tiles. Empty after a problem.
 std::vector<std::string> findFiles(TableReader& table, ForestReading& reading) {
     std::vector<std::string> names(1), paths;
     if (table.hasArray("file") ? !table.read("file", names) : !table.require("file", names.front()))
@@ -30,12 +30,12 @@ void putTreesOnGround(TableReader& table, ForestReading& reading) {
     forest.species = reading.forest.species;
     forest.ground = reading.forest.ground;
     forest.tiles = reading.forest.tiles ? *reading.forest.tiles : ForestTiles();
-    reading.treesInAll().nameCompanies(forest.species, *forest.tiles);
-    FeetOnGround feet(forest);
-    reading.trees.change([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
-        feet.put(trees, onGround);
+    reading.treeBounds().addSpeciesNames(forest.species, *forest.tiles);
+    GroundPlacer placer(forest);
+    reading.trees.modify([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+        placer.place(trees, onGround);
     });
-    for (const Diagnostic& problem : feet.problems())
+    for (const Diagnostic& problem : placer.problems())
         table.problem("file", problem.message);
 }
 
@@ -44,10 +44,10 @@ void putTreesOnGround(TableReader& table, ForestReading& reading) {
 void readGround(TableReader& table, ForestReading& reading) {
     bool none = false;
     const bool isRead = table.read("none", none);
-    const bool isBeside = none && (table.has("file") || table.has("crs"));
-    if (isBeside)
-        table.problem("none", "expected neither file nor crs beside it");
-    if (isBeside || (table.has("none") && !isRead))
+    const bool isConflict = none && (table.has("file") || table.has("crs"));
+    if (isConflict)
+        table.problem("none", "cannot be combined with file or crs");
+    if (isConflict || (table.has("none") && !isRead))
         return table.ignoreRest();
     if (none)
         return;
@@ -61,9 +61,9 @@ void readGround(TableReader& table, ForestReading& reading) {
         return;
     auto ground = RasterGround::open(source, reading.crs);
     if (ground && ground.value()->map() && !reading.crs) {
-        reading.choose(*ground.value()->map());
-        leaveStretchedMap(reading);
-        if (!reading.toScene.staysHere())
+        reading.setCrs(*ground.value()->map());
+        reprojectStretchedMap(reading);
+        if (!reading.toScene.isIdentity())
             ground = RasterGround::open(source, reading.crs);
     }
     if (!ground) {
@@ -80,7 +80,7 @@ std::string writeGround(std::ostream& output, const ForestDescription& forest) {
         return {};
     const auto rasters = dynamic_cast<const RasterGround*>(forest.ground.get());
     if (!rasters)
-        return "a ground that no file can say: expected one from files, not a callable";
+        return "this ground cannot be written to a file: expected one from files, not a callable";
     std::vector<std::string> files;
     for (const std::string& file : rasters->source().files) {
         if (std::string problem = problemOfFile(file); !problem.empty())

@@ -8,7 +8,7 @@
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/InventoryPlaces.h>
 #include <osgTreeWind/io/InventorySizes.h>
-#include <osgTreeWind/io/SpreadOfPlaces.h>
+#include <osgTreeWind/io/PlaceSpread.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <glm/gtc/constants.hpp>
@@ -23,8 +23,8 @@ namespace {
 
 using RowCounts = std::map<std::string, std::size_t>;
 
-/// How many ids, and names of species, a note tells before it only counts them.
-constexpr std::size_t mostNamed = 10, mostSpecies = 300;
+/// Number of ids and of species names that a note lists.
+constexpr std::size_t maxListedIds = 10, maxListedNames = 300;
 
 std::size_t sumOf(const RowCounts& rows) {
     std::size_t sum = 0;
@@ -33,21 +33,21 @@ std::size_t sumOf(const RowCounts& rows) {
     return sum;
 }
 
-/// "a (7), b (2)", those with most rows first.
-std::string mostFrequent(const RowCounts& rows) {
+/// "a (7), b (2)", the most frequent names first.
+std::string countsText(const RowCounts& rows) {
     std::vector<std::pair<std::string, std::size_t>> sorted(rows.begin(), rows.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(sorted.size(), mostSpecies); ++i)
+    for (std::size_t i = 0; i < std::min(sorted.size(), maxListedNames); ++i)
         names.push_back((sorted[i].first.empty() ? "no name" : printable(sorted[i].first)) + " (" +
                         std::to_string(sorted[i].second) + ')');
-    if (sorted.size() > mostSpecies)
-        names.push_back("and " + std::to_string(sorted.size() - mostSpecies) + " more names");
+    if (sorted.size() > maxListedNames)
+        names.push_back("and " + std::to_string(sorted.size() - maxListedNames) + " more names");
     return joined(names);
 }
 
-/// Turns the rows of one inventory into trees. Problems with a row name the file and its line or feature.
+/// Converts the rows of one inventory to trees. Problems with a row give the file and the line or feature.
 class InventoryReader {
 public:
     InventoryReader(TableReader& table, ForestReading& reading) : _table(table), _reading(reading) {}
@@ -55,8 +55,8 @@ public:
     void read() {
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
-        _saysCompany = _table.read("open_grown", _openGrown);
-        _saysSkip = _table.read("skip", _skip);
+        _isOpenGrownGiven = _table.read("open_grown", _openGrown);
+        _isSkipGiven = _table.read("skip", _skip);
         _table.read("missing", _sizes.missing);
         _leaves = _reading.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
@@ -64,16 +64,16 @@ public:
         _rows = openTreeRows(_table, _reading);
         _columns.read(_table, _rows.get());
         auto places = InventoryPlaces::find(_table, _rows.get(), _columns, _reading);
-        if (!places || !_complete || !_columns.complete())
+        if (!places || !_complete || !_columns.isComplete())
             return;
         _places = std::move(*places);
         readRows(seed);
-        noteSkipped();
-        noteUnmatched();
-        noteRepeated();
-        noteSizes();
-        noteEstimated();
-        noteFarAway();
+        reportSkippedRows();
+        reportUnknownSpecies();
+        reportDuplicateIds();
+        reportSizes();
+        reportEstimatedSizes();
+        reportOutlier();
     }
 
 private:
@@ -84,10 +84,10 @@ private:
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_reading.saysSpecies && _reading.declaredSpecies == 1)
+        } else if (_reading.hasSpeciesTables && _reading.declaredSpecies == 1)
             _default = 0;
     }
-    /// What stands for a tree whose name no species has.
+    /// The species for trees of unknown species.
     std::size_t defaultSpecies() {
         if (!_default)
             _default = _reading.speciesOrBuiltIn("broadleaf");
@@ -99,21 +99,21 @@ private:
         _places.rewind(*_rows, _columns);
         Result<bool> found = _rows->next();
         for (; found && found.value(); found = _rows->next()) {
-            if (!_reading.roomFor(1, _table, "file"))
+            if (!_reading.canAddTrees(1, _table, "file"))
                 return;
             readRow(random);
         }
         if (!found)
             _reading.log.add(found.problems().front());
         else if (_row == _skipped)
-            noteNone();
+            reportEmpty();
     }
 
-    void noteNone() {
+    void reportEmpty() {
         const bool isTable = _rows->format() == "CSV";
         Diagnostic problem{_rows->file(), isTable ? 1 : 0, 0, "",
-                           std::string("an inventory without trees: no ") +
-                               (isTable ? "row below the header" : "feature is chosen")};
+                           std::string("the inventory has no trees: no ") +
+                               (isTable ? "row below the header" : "feature is selected")};
         if (_skipped > 0) {
             problem = _firstSkipped;
             problem.message += "; no row has a place";
@@ -124,39 +124,39 @@ private:
     void readRow(Random& random) {
         ++_row;
         TreePlacement tree;
-        const VectorPlace place = taken(_places.of(*_rows, _columns, _row - 1));
+        const VectorPlace place = valueOf(_places.placeOf(*_rows, _columns, _row - 1));
         tree.position = place.position;
-        if (!isTree())
+        if (!isRowValid())
             return;
-        tree.size.height = _sizes.of(*_rows, _columns.height);
-        tree.size.trunkDiameter = _sizes.of(*_rows, _columns.trunkDiameter);
+        tree.size.height = _sizes.read(*_rows, _columns.height);
+        tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
         if (tree.size.trunkDiameter == 0.0f)
-            tree.size.trunkDiameter = _sizes.of(*_rows, _columns.circumference) / glm::pi<float>();
-        tree.size.crownWidth = _sizes.of(*_rows, _columns.crownWidth);
+            tree.size.trunkDiameter = _sizes.read(*_rows, _columns.circumference) / glm::pi<float>();
+        tree.size.crownWidth = _sizes.read(*_rows, _columns.crownWidth);
         if (tree.size.crownWidth == 0.0f && place.width)
-            tree.size.crownWidth = _sizes.ofOutline(*_rows, _columns.crownWidth, *place.width);
+            tree.size.crownWidth = _sizes.readOutline(*_rows, _columns.crownWidth, *place.width);
         tree.species = rowSpecies();
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        const std::string said = _columns.id ? _rows->text(*_columns.id) : std::string();
-        estimate(tree, said.empty() ? std::to_string(_row) : said);
-        if (_standsFor)
-            ++_unmatched[*_standsFor];
-        tree.name = nameOf(said);
+        const std::string id = _columns.id ? _rows->text(*_columns.id) : std::string();
+        estimate(tree, id.empty() ? std::to_string(_row) : id);
+        if (_unknownName)
+            ++_unknownSpecies[*_unknownName];
+        tree.name = uniqueName(id);
         _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
-        _reading.addTree(tree, !place.hasHeight, {!_saysCompany});
+        _reading.addTree(tree, !place.hasHeight, {!_isOpenGrownGiven});
     }
 
     template <typename T>
-    T taken(const Result<T>& result) {
+    T valueOf(const Result<T>& result) {
         _problems.insert(_problems.end(), result.problems().begin(), result.problems().end());
         return result ? result.value() : T();
     }
 
-    /// Settles what is wrong with a row: false where it is none of a tree, as the log or a note says.
-    bool isTree() {
+    /// Whether the row has no problems. Otherwise reports them or counts the row as skipped.
+    bool isRowValid() {
         if (_problems.empty())
             return true;
         if (_skip && _skipped++ == 0)
@@ -169,39 +169,39 @@ private:
     }
 
     std::size_t rowSpecies() {
-        _standsFor.reset();
+        _unknownName.reset();
         if (_columns.species.empty()) {
             if (_defaultName.empty() && !_default)
-                _isSpeciesSaid = false;
+                _isSpeciesGiven = false;
             return defaultSpecies();
         }
         std::string name;
         for (const std::size_t column : _columns.species) {
-            const std::string said = _rows->text(column);
-            if (const auto index = known(said))
+            const std::string cell = _rows->text(column);
+            if (const auto index = findSpecies(cell))
                 return *index;
-            name = name.empty() ? said : name;
+            name = name.empty() ? cell : name;
         }
-        if (const auto index = kinOf(name)) {
-            ++_kin[name + " as " + _reading.forest.species[*index].name];
+        if (const auto index = findRelatedSpecies(name)) {
+            ++_relatedSpecies[name + " as " + _reading.forest.species[*index].name];
             return *index;
         }
-        _standsFor = name;
+        _unknownName = name;
         return defaultSpecies();
     }
 
-    /// ForestReading::speciesOrBuiltIn(), which is asked once for each name.
-    std::optional<std::size_t> known(const std::string& name) {
-        const auto [entry, isNew] = _known.emplace(name, std::nullopt);
+    /// Caches ForestReading::speciesOrBuiltIn().
+    std::optional<std::size_t> findSpecies(const std::string& name) {
+        const auto [entry, isNew] = _speciesCache.emplace(name, std::nullopt);
         if (isNew)
             entry->second = _reading.speciesOrBuiltIn(name);
         return entry->second;
     }
-    /// What a name that is not known is called after, likewise.
-    std::optional<std::size_t> kinOf(const std::string& name) {
-        const auto [entry, isNew] = _kinOf.emplace(name, std::nullopt);
+    /// Caches SpeciesCatalogue::findRelated().
+    std::optional<std::size_t> findRelatedSpecies(const std::string& name) {
+        const auto [entry, isNew] = _relatedCache.emplace(name, std::nullopt);
         if (isNew)
-            entry->second = _reading.takeBuiltIn(_reading.builtIn().findKin(name));
+            entry->second = _reading.addBuiltIn(_reading.builtIn().findRelated(name));
         return entry->second;
     }
 
@@ -215,32 +215,32 @@ private:
         _crowns += tree.estimated.crownWidth;
     }
 
-    /// Empty where it has none of its own.
-    std::string nameOf(const std::string& name) {
+    /// Empty if another tree has the name.
+    std::string uniqueName(const std::string& name) {
         if (name.empty() || _reading.treeNames.insert(name).second)
             return name;
-        ++_repeated[name];
+        ++_duplicateIds[name];
         return {};
     }
 
-    void noteRepeated() {
-        if (_repeated.empty())
+    void reportDuplicateIds() {
+        if (_duplicateIds.empty())
             return;
         std::vector<std::string> names;
-        for (const auto& [name, rows] : _repeated)
-            if (names.size() < mostNamed)
+        for (const auto& [name, rows] : _duplicateIds)
+            if (names.size() < maxListedIds)
                 names.push_back(printable(name));
-        if (_repeated.size() > mostNamed)
+        if (_duplicateIds.size() > maxListedIds)
             names.emplace_back("...");
-        _reading.forest.notes.push_back(_rows->file() + ": of trees with the same id the first one has it, " +
-                                        std::to_string(sumOf(_repeated)) + " go without: " + joined(names));
+        _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_duplicateIds)) +
+                                        " trees have no id, because another tree has it: " + joined(names));
     }
 
-    void noteSkipped() {
-        if (!_saysSkip && _skipped < _row && 2 * _skipped > _row) {
+    void reportSkippedRows() {
+        if (!_isSkipGiven && _skipped < _row && 2 * _skipped > _row) {
             Diagnostic problem = _firstSkipped;
-            problem.message += "; so it is with " + std::to_string(_skipped) + " of " + std::to_string(_row) +
-                               " rows: inventory.skip = true leaves them out";
+            problem.message += "; the same applies to " + std::to_string(_skipped) + " of " +
+                               std::to_string(_row) + " rows: to leave them out, set inventory.skip = true";
             _reading.log.add(problem);
         } else if (_skipped > 0 && _skipped < _row)
             _reading.forest.notes.push_back(
@@ -248,14 +248,14 @@ private:
                 " rows have no place and are left out, the first: " + _firstSkipped.text());
     }
 
-    void noteSizes() {
+    void reportSizes() {
         for (const Diagnostic& problem : _sizes.problems())
             _reading.log.add(problem);
         for (const std::string& note : _sizes.notes())
             _reading.forest.notes.push_back(_rows->file() + ": " + note);
     }
 
-    void noteEstimated() {
+    void reportEstimatedSizes() {
         std::vector<std::string> counts;
         for (const auto& [size, trees] :
              {std::pair("height", _heights), {"trunk diameter", _diameters}, {"crown width", _crowns}})
@@ -263,23 +263,22 @@ private:
                 counts.push_back(std::string(size) + " of " + std::to_string(trees));
         if (!counts.empty())
             _reading.forest.notes.push_back(
-                _rows->file() + ": not given, by the laws of the species: " + joined(counts) + " trees");
+                _rows->file() + ": estimated by the laws of the species: " + joined(counts) + " trees");
     }
 
-    void noteUnmatched() {
-        if (!_kin.empty())
+    void reportUnknownSpecies() {
+        if (!_relatedSpecies.empty())
             _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(sumOf(_kin)) +
-                " trees, whose names no species has, stand as what they are called after: " +
-                mostFrequent(_kin));
+                _rows->file() + ": " + std::to_string(sumOf(_relatedSpecies)) +
+                " trees of unknown species are read as related species: " + countsText(_relatedSpecies));
         const std::string name = _default ? inQuotes(_reading.forest.species[*_default].name) : std::string();
-        if (!_isSpeciesSaid)
-            _reading.forest.notes.push_back(_rows->file() + ": all trees stand as " + name +
-                                            ": neither a column of species nor default_species is named");
-        else if (!_unmatched.empty())
-            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unmatched)) +
-                                            " trees, whose names no species has, stand as " + name + ": " +
-                                            mostFrequent(_unmatched));
+        if (!_isSpeciesGiven)
+            _reading.forest.notes.push_back(_rows->file() + ": all trees are read as " + name +
+                                            ", because there is no column of species and no default_species");
+        else if (!_unknownSpecies.empty())
+            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unknownSpecies)) +
+                                            " trees of unknown species are read as " + name + ": " +
+                                            countsText(_unknownSpecies));
     }
 
     /// "line 17", or "feature 3".
@@ -289,20 +288,21 @@ private:
                             : row.message.substr(0, row.message.find(": "));
     }
 
-    /// Names the tree that stands by far the farthest from the others, as one whose place is wrong does: a
-    /// problem where it is too far for any forest.
-    void noteFarAway() {
-        const std::optional<OutlyingPlace> far = _spread.outlier();
-        if (!far)
+    /// Reports a tree much farther away than the others: a note, or a problem if it is over 100 km.
+    void reportOutlier() {
+        const std::optional<OutlyingPlace> outlier = _spread.outlier();
+        if (!outlier)
             return;
         const auto kilometres = [](double metres) { return numberText(std::ceil(metres / 1000.0)) + " km"; };
         const std::string message =
-            far->row + ": this tree stands " + kilometres(far->distance) +
-            " from the middle of the others, which are within " + kilometres(far->others) +
-            (far->count > 1 ? "; so far are " + std::to_string(far->count) : std::string());
-        if (far->distance > farthestTree)
+            outlier->row + ": this tree stands " + kilometres(outlier->distance) +
+            " from the middle of the others, which are within " + kilometres(outlier->others) +
+            (outlier->count > 1 ? "; " + std::to_string(outlier->count) + " trees are that far"
+                                : std::string());
+        if (outlier->distance > maxTreeDistance)
             _reading.log.add(fileProblem(
-                _rows->file(), message + "; expected trees within 100 km: a filter leaves such rows out"));
+                _rows->file(),
+                message + "; expected trees within 100 km: leave such rows out with inventory.filter"));
         else
             _reading.forest.notes.push_back(_rows->file() + ": " + message);
     }
@@ -313,21 +313,22 @@ private:
     InventoryColumns _columns;
     InventoryPlaces _places;
     bool _complete = true;
-    bool _openGrown = false, _saysCompany = false, _skip = true, _saysSkip = false, _isSpeciesSaid = true;
+    bool _openGrown = false, _isOpenGrownGiven = false, _skip = true, _isSkipGiven = false;
+    bool _isSpeciesGiven = true;
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;
     InventorySizes _sizes;
-    SpreadOfPlaces _spread;
-    Diagnostics _problems; ///< With the row.
+    PlaceSpread _spread;
+    Diagnostics _problems; ///< Problems of the current row.
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
-    std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
-    std::optional<std::string> _standsFor; ///< The name of an unknown species that the row has.
-    std::unordered_map<std::string, std::optional<std::size_t>> _known, _kinOf; ///< Names to species.
-    RowCounts _kin;       ///< "river birch as silver birch" to numbers of rows.
-    RowCounts _unmatched; ///< Names of species to numbers of rows.
-    RowCounts _repeated;  ///< Ids to numbers of rows that go without.
+    std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
+    std::optional<std::string> _unknownName;               ///< Species name of the row, if it is unknown.
+    std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache, _relatedCache;
+    RowCounts _relatedSpecies; ///< Rows by "river birch as silver birch".
+    RowCounts _unknownSpecies; ///< Rows by species name.
+    RowCounts _duplicateIds;   ///< Rows by id.
 };
 
 } // namespace

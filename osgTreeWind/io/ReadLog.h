@@ -11,18 +11,18 @@
 
 namespace osgTreeWind {
 
-/// What is learnt about one document while it is read.
+/// Problems and known keys collected while a document is read.
 struct ReadLog {
-    static constexpr std::size_t mostProblems = 100;
+    static constexpr std::size_t maxProblems = 100;
 
     std::string file;                  ///< Name used in diagnostics.
     std::vector<std::string> settings; ///< ForestFileOptions::settings.
-    Diagnostics problems;              ///< The first `mostProblems`, in the order found.
-    std::set<std::string> keys;        ///< Every dotted key the reader knows of in the tables it has met.
+    Diagnostics problems;              ///< The first `maxProblems`, in the order found.
+    std::set<std::string> keys;        ///< All dotted keys that are known in the tables read.
 
-    /// `problem.file` is filled in when empty.
+    /// Adds a problem; an empty `problem.file` is replaced by `file`.
     void add(Diagnostic problem) {
-        if (problems.size() >= mostProblems)
+        if (problems.size() >= maxProblems)
             return;
         if (problem.file.empty())
             problem.file = file;

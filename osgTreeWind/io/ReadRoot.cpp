@@ -12,7 +12,7 @@
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/model/TreeModel.h>
-#include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,27 +34,27 @@ std::optional<std::size_t> ForestReading::species(const std::string& name) const
 std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& name) {
     if (const auto declared = species(name))
         return declared;
-    return takeBuiltIn(builtIn().find(name));
+    return addBuiltIn(builtIn().find(name));
 }
 
-std::optional<std::size_t> ForestReading::takeBuiltIn(const Species* found) {
+std::optional<std::size_t> ForestReading::addBuiltIn(const Species* found) {
     if (!found)
         return std::nullopt;
-    // "English oak" is whatever is called oak: the document's own, or one that is here already.
+    // The document's "oak" has precedence over a built-in "oak" that was found as "English oak".
     const auto [entry, isNew] = speciesByName.emplace(foldedName(found->name), forest.species.size());
     if (isNew) {
         std::vector<std::string>& aliases = forest.species.emplace_back(*found).aliases;
-        const auto taken = [&](const std::string& alias) {
+        const auto isUsed = [&](const std::string& alias) {
             return speciesByName.count(foldedName(alias)) > 0;
         };
-        aliases.erase(std::remove_if(aliases.begin(), aliases.end(), taken), aliases.end());
+        aliases.erase(std::remove_if(aliases.begin(), aliases.end(), isUsed), aliases.end());
     }
     return entry->second;
 }
 
 const SpeciesCatalogue& ForestReading::builtIn() {
     if (!catalogue) {
-        const Result<SpeciesCatalogue>& host = SpeciesCatalogue::ofHost();
+        const Result<SpeciesCatalogue>& host = SpeciesCatalogue::hostCatalogue();
         if (!host.ok())
             for (const Diagnostic& problem : host.problems())
                 log.add(problem);
@@ -63,39 +63,39 @@ const SpeciesCatalogue& ForestReading::builtIn() {
     return *catalogue;
 }
 
-TreesInAll ForestReading::treesInAll() {
-    TreesInAll all;
+TreeBounds ForestReading::treeBounds() {
+    TreeBounds all;
     trees.visit([&](const TreeStore::Trees& some) { all.add(some); });
     return all;
 }
 
-void ForestReading::addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said) {
+void ForestReading::addTree(const TreePlacement& tree, bool onGround, DerivedTreeValues derivedValues) {
     trees.add(tree, onGround);
-    if (trees.areInMemory())
-        unsaid.push_back(said);
+    if (trees.isInMemory())
+        derived.push_back(derivedValues);
 }
 
-void ForestReading::choose(const Crs& chosen) {
-    crs = chosen;
-    forest.crs = chosen.text();
-    forest.crsChosen = true;
+void ForestReading::setCrs(const Crs& newCrs) {
+    crs = newCrs;
+    forest.crs = newCrs.text();
+    forest.crsFromInventory = true;
 }
 
-glm::dvec3 ForestReading::inScene(const glm::dvec3& place) const {
-    glm::dvec2 there(place);
-    toScene.go(there);
-    return {there, place.z};
+glm::dvec3 ForestReading::scenePlace(const glm::dvec3& place) const {
+    glm::dvec2 transformed(place);
+    toScene.apply(transformed);
+    return {transformed, place.z};
 }
 
-bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
-    if (count <= mostTrees && trees.size() + count <= mostTrees)
+bool ForestReading::canAddTrees(std::uint64_t count, TableReader& table, const std::string& key) {
+    if (count <= maxTrees && trees.size() + count <= maxTrees)
         return true;
-    table.problem(key, "more than " + std::to_string(mostTrees) + " trees in all");
+    table.problem(key, "more than " + std::to_string(maxTrees) + " trees in all");
     return false;
 }
 
 std::vector<std::string> ForestReading::trustedFolders() const {
-    std::vector<std::string> trusted = foldersOf("OSG_FILE_PATH");
+    std::vector<std::string> trusted = foldersFromEnvironment("OSG_FILE_PATH");
     trusted.push_back(folders.front());
     if (const char* data = std::getenv("OSGTREEWIND_DATA"))
         trusted.emplace_back(data);
@@ -113,7 +113,7 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
                                                             const std::string& name) {
     std::error_code error;
     for (const std::string& folder : folders) {
-        const std::filesystem::path path = std::filesystem::path(folder) / name; // an absolute name wins
+        const std::filesystem::path path = std::filesystem::path(folder) / name; // `name` may be absolute
         if (!std::filesystem::is_regular_file(path, error))
             continue;
         if (const std::string problem = problemOfTrust(path.string(), trustedFolders()); !problem.empty()) {
@@ -131,16 +131,16 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
 }
 
 std::string problemOfShapes(const ForestDescription& forest) {
-    constexpr std::uint64_t mostVertices = 50000000;
+    constexpr std::uint64_t maxVertices = 50000000;
     std::uint64_t vertices = 0;
     const ShapeFamilies families(forest);
     const std::vector<TreeCounts> largest = families.countLargest();
     for (std::size_t i = 0; i < largest.size(); ++i)
         vertices += largest[i].totalVertices() * families.all()[i].shapes;
-    if (vertices <= mostVertices)
+    if (vertices <= maxVertices)
         return {};
     return "the shapes of all species have " + std::to_string(vertices) + " vertices; at most " +
-           std::to_string(mostVertices) +
+           std::to_string(maxVertices) +
            " are possible (fewer levels, children_per_branch, rings_per_branch, clusters_per_branch or "
            "shapes)";
 }
@@ -165,8 +165,8 @@ void readHead(TableReader& root, ForestReading& reading) {
 }
 
 void readCrs(TableReader& root, ForestReading& reading) {
-    readFields(root, fieldsOfFile(), &reading.forest);
-    root.read("stretched", reading.keepsMap);
+    readFields(root, forestFileFields(), &reading.forest);
+    root.read("stretched", reading.keepsStretchedMap);
     if (reading.forest.crs.empty())
         return;
     auto crs = Crs::parseMap(reading.forest.crs);
@@ -183,28 +183,28 @@ void readSeason(TableReader& root, ForestReading& reading) {
     if (const std::optional<float> season = parseSeason(text))
         reading.forest.season = *season;
     else
-        root.problem("season", expectedFound(seasonForms, text));
+        root.problem("season", expectedFound(seasonSyntax, text));
 }
 
 void readMotion(TableReader& table, ForestReading& reading) {
     Fields fields = fieldsOf<ForestDescription>();
-    if (table.says("law", "damped")) { // a law of 1.0
-        reading.forest.notes.emplace_back("motion.law: \"damped\" is no more; read as \"modal\"");
+    if (table.hasText("law", "damped")) { // a law of version 1.0
+        reading.forest.notes.emplace_back("motion.law: \"damped\" no longer exists; it is read as \"modal\"");
         fields.front().words.emplace_back("damped", static_cast<int>(MotionLaw::Modal));
     }
     readFields(table, fields, &reading.forest);
     table.read("leaves", reading.leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
-    bool octaves = false;
-    const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
+    bool isFractal = false;
+    const bool isKnown = table.readChoice<bool>("noise", isFractal, {{"perlin", false}, {"1/f", true}});
     float exponent = 1.0f;
-    const bool given = table.read("noise_exponent", exponent, noiseExponents);
-    if (octaves)
+    const bool isExponentGiven = table.read("noise_exponent", exponent, noiseExponents);
+    if (isFractal)
         reading.forest.noiseExponent = exponent;
-    else if (given && (known || !table.has("noise")))
+    else if (isExponentGiven && (isKnown || !table.has("noise")))
         table.problem("noise_exponent", "expected noise = \"1/f\" with it");
 }
 
-/// A file without species has one, with every default.
+/// Adds a species with default values to a file without species.
 void ensureSpecies(TableReader& root, ForestReading& reading) {
     if (root.has("species"))
         return;
@@ -214,8 +214,8 @@ void ensureSpecies(TableReader& root, ForestReading& reading) {
     reading.speciesByName["tree"] = 0;
 }
 
-/// Without the species that ensureSpecies() made, where all trees are of built-in ones.
-void dropUnusedDefault(ForestReading& reading) {
+/// Removes the species added by ensureSpecies() if all trees are of built-in species.
+void removeUnusedDefault(ForestReading& reading) {
     std::vector<Species>& species = reading.forest.species;
     bool isUsed = species.size() == 1;
     reading.trees.visit([&](const TreeStore::Trees& trees) {
@@ -225,14 +225,14 @@ void dropUnusedDefault(ForestReading& reading) {
     if (isUsed)
         return;
     species.erase(species.begin());
-    reading.trees.change([](TreeStore::Trees& trees, const std::vector<std::size_t>&) {
+    reading.trees.modify([](TreeStore::Trees& trees, const std::vector<std::size_t>&) {
         for (TreePlacement& tree : trees)
             --tree.species;
     });
 }
 
-/// (0, 0, 0) for trees near it; else the whole-metre centre of the trees, at the height of the lowest.
-glm::dvec3 defaultOrigin(const TreesInAll& trees) {
+/// (0, 0, 0) if all trees are near it, or else their centre rounded to metres, at the lowest foot.
+glm::dvec3 defaultOrigin(const TreeBounds& trees) {
     constexpr double near = 10000.0;
     if (glm::length(glm::max(glm::abs(trees.low), glm::abs(trees.high))) < near)
         return glm::dvec3(0.0);
@@ -244,13 +244,13 @@ void readOrigin(TableReader& root, ForestReading& reading) {
     ForestDescription& forest = reading.forest;
     std::vector<double> origin;
     if (root.readNumbers("origin", origin, 3, 3, worldCoordinates))
-        forest.origin = reading.inScene({origin[0], origin[1], origin[2]});
+        forest.origin = reading.scenePlace({origin[0], origin[1], origin[2]});
     else if (forest.tiles)
-        root.problem("origin", "missing: expected it beside [tiles]");
+        root.problem("origin", "missing: [tiles] needs it");
     else
-        forest.origin = defaultOrigin(reading.treesInAll());
+        forest.origin = defaultOrigin(reading.treeBounds());
     const auto isFar = [&](const TreePlacement& tree) {
-        return glm::distance(tree.position, forest.origin) > farthestTree;
+        return glm::distance(tree.position, forest.origin) > maxTreeDistance;
     };
     std::optional<glm::dvec3> first;
     reading.trees.visit([&](const TreeStore::Trees& trees) {
@@ -258,7 +258,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
         if (far != trees.end())
             first = far->position;
     });
-    if (first && reading.log.problems.empty()) // else an inventory named the row
+    if (first && reading.log.problems.empty()) // otherwise an inventory may have reported the row
         root.problem("origin", "a tree at (" + numberText(first->x) + ", " + numberText(first->y) + ", " +
                                    numberText(first->z) + ") is more than 100 km from the origin");
 }
@@ -278,7 +278,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
-    reading.saysSpecies = root.has("species");
+    reading.hasSpeciesTables = root.has("species");
     reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
@@ -288,15 +288,15 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("tree") && !root.has("scatter") && !root.has("inventory") && !root.has("tiles"))
         root.problem("", "no trees: expected [[tree]], [scatter], [inventory] or [tiles]");
     if (reading.forest.tiles && reading.forest.law != MotionLaw::Modal)
-        root.problem("tiles", "expected the law \"modal\" with it");
+        root.problem("tiles", "expected the law \"modal\" with tiles");
 
     if (!root.has("species"))
-        dropUnusedDefault(reading);
-    leaveStretchedMap(reading);
+        removeUnusedDefault(reading);
+    reprojectStretchedMap(reading);
 
-    if (reading.log.problems.empty() && reading.trees.areInMemory()) {
-        findCompany(reading.forest, reading.unsaid);
-        tellApart(reading.forest, reading.unsaid);
+    if (reading.log.problems.empty() && reading.trees.isInMemory()) {
+        findGrowingSpaces(reading.forest, reading.derived);
+        varyNeighbourSeeds(reading.forest, reading.derived);
     }
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfShapes(reading.forest); !problem.empty())
@@ -307,7 +307,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("", problem);
     readOrigin(root, reading);
     if (!reading.forest.hostCrs.empty())
-        if (const auto place = placeOnHostMap(reading.forest); !place)
+        if (const auto place = hostMapTransform(reading.forest); !place)
             root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) { readWind(table, reading); });
 }

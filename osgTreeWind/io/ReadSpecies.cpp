@@ -3,7 +3,7 @@
 #include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/FormerGrowth.h>
+#include <osgTreeWind/io/LegacyGrowth.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
@@ -17,7 +17,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int scanClusters = 1300, palmClusters = 240, habitClusters = 3000;
-constexpr float usualInclination = 0.6f; // of leaves, where the species does not tell it
+constexpr float defaultInclination = 0.6f; // of leaves, radians
 
 void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     readFields(table, tree);
@@ -30,7 +30,7 @@ void readLeafShape(TableReader& table, LeafParameters& leaves) {
         leaves.clusters = 0;
 }
 
-/// Adds the trees of a file that `scan` names. False after a problem.
+/// Adds the trees of a file named by `scan`. @return false after a problem.
 bool addScans(TableReader& table, ForestReading& reading, const std::string& name,
               std::vector<ScannedTree>& scans) {
     const auto found = reading.open(table, "scan", name);
@@ -42,7 +42,7 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
         return false;
     }
     const std::vector<ScanCylinders>& trees = file.value().trees;
-    if (scans.size() + trees.size() > mostShapes) {
+    if (scans.size() + trees.size() > maxShapes) {
         table.problem("scan", "expected at most 64 trees in all files, found more in " + found->path);
         return false;
     }
@@ -65,17 +65,17 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
 void useLeaves(LeafParameters& leaves, int clusters) {
     leaves.clusters = clusters;
     if (!(leaves.inclination > 0.0f))
-        leaves.inclination = usualInclination;
+        leaves.inclination = defaultInclination;
 }
 
-/// `habit`: the species grows by light.
+/// Reads [species.habit] of a species that grows by light.
 void readHabit(TableReader& table, ForestReading& reading, TreeParameters& tree) {
     if (!tree.growth) {
         tree.growth.emplace();
         useLeaves(tree.leaves, habitClusters);
     }
     if (std::string like; table.read("like", like)) {
-        const Species* model = reading.builtIn().findModel(like);
+        const Species* model = reading.builtIn().findTemplate(like);
         if (model && model->tree.growth)
             tree.growth->habit = model->tree.growth->habit;
         else
@@ -96,7 +96,7 @@ void readPalm(TableReader& table, TreeParameters& tree) {
     tree.growth.reset();
 }
 
-/// Whether `leaves` says that they are fronds, or else the species that this one is like.
+/// Whether the leaves are fronds, by the key `leaves.frond` or else by the species that this one is like.
 bool isPalm(TableReader& table, const TreeParameters& tree) {
     bool frond = tree.palm.has_value();
     table.table("leaves", [&](TableReader& leaves) {
@@ -106,23 +106,22 @@ bool isPalm(TableReader& table, const TreeParameters& tree) {
     return frond;
 }
 
-/// A scan knows of no leaves: those of the species, so many as on a built-in tree, on the thinner wood.
-void spreadOnScans(LeafParameters& leaves) {
+/// Distributes leaves on the thinner wood of scans, as many as on a built-in tree.
+void useLeavesOnScans(LeafParameters& leaves) {
     leaves.firstLevel = 0;
     leaves.bare = 0.0f;
     leaves.thinWood = 0.6f;
     useLeaves(leaves, scanClusters);
 }
 
-/// `scan`: a file of measured trees, or several. They are the shapes.
+/// Reads the files of measured trees named by `scan`, which are the shapes.
 void readScans(TableReader& table, ForestReading& reading, Species& species) {
     std::vector<std::string> names(1);
-    const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
-    if (!given)
+    if (!(table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front())))
         return;
     for (const char* key : {"tree", "growth", "habit", "palm", "shapes"})
         if (table.has(key))
-            return table.problem(key, "expected none beside scan, whose trees are the shapes");
+            return table.problem(key, "cannot be combined with scan, which defines the shapes");
     std::vector<ScannedTree> scans;
     for (const std::string& name : names)
         if (!addScans(table, reading, name, scans))
@@ -130,34 +129,36 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     if (scans.empty())
         return table.problem("scan", "expected at least one file");
     species.shapes = static_cast<int>(scans.size());
-    spreadOnScans(species.tree.leaves);
+    useLeavesOnScans(species.tree.leaves);
     species.tree.palm.reset();
     species.tree.growth.reset();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
-/// A note where a species is called as a built-in one, says nothing of its shape and is not like it.
-void noteUnlike(TableReader& table, ForestReading& reading, const std::string& name) {
+/// Adds a note if a species has the name of a built-in one, but neither its shape nor one of its own.
+void noteDefaultShape(TableReader& table, ForestReading& reading, const std::string& name) {
     for (const char* key : {"like", "tree", "growth", "habit", "palm", "scan"})
         if (table.has(key))
             return;
     if (const Species* known = reading.builtIn().find(name))
-        reading.forest.notes.push_back("the species " + inQuotes(name) +
-                                       " has the shape of the thesis' tree; like = " + inQuotes(known->name) +
-                                       " gives it that of the built-in one");
+        reading.forest.notes.push_back(
+            "the species " + inQuotes(name) +
+            " has the shape of the thesis' tree; for that of the built-in species, "
+            "set like = " +
+            inQuotes(known->name));
 }
 
-/// The tables that describe a tree's form: `tree`, and one of the others in its place.
+/// Reads the tables that describe a tree's form: `tree`, and at most one of the others, which replaces it.
 void readForm(TableReader& table, ForestReading& reading, Species& species) {
-    const char* given = nullptr;
+    const char* first = nullptr;
     for (const char* key : {"growth", "habit", "palm"}) {
         if (!table.has(key))
             continue;
-        if (given) {
+        if (first) {
             table.ignoreRest();
-            return table.problem(key, std::string("give either this or ") + given);
+            return table.problem(key, std::string("give either this or ") + first);
         }
-        given = key;
+        first = key;
     }
     TreeParameters& tree = species.tree;
     table.table("tree", [&](TableReader& t) {
@@ -167,7 +168,7 @@ void readForm(TableReader& table, ForestReading& reading, Species& species) {
     });
     table.table("growth", [&](TableReader& t) {
         const bool palm = isPalm(table, tree), isNew = !tree.palm && !tree.growth;
-        readFormerGrowth(t, reading, species, palm);
+        readLegacyGrowth(t, reading, species, palm);
         if (isNew)
             useLeaves(tree.leaves, palm ? palmClusters : habitClusters);
     });
@@ -186,23 +187,23 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const Species* model = reading.builtIn().findModel(like))
+        if (const Species* model = reading.builtIn().findTemplate(like))
             species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
     if (table.require("name", species.name)) {
         addName(table, reading, "name", species.name);
-        noteUnlike(table, reading, species.name);
+        noteDefaultShape(table, reading, species.name);
     }
     species.aliases.clear();
     readScans(table, reading, species);
     readForm(table, reading, species);
-    bool sized = false;
+    bool hasSize = false;
     table.table("leaves", [&](TableReader& t) {
         species.tree.leaves.area = 0.0f;
         readLeafShape(t, species.tree.leaves);
-        sized = t.has("area") || t.has("length") || t.has("width");
+        hasSize = t.has("area") || t.has("length") || t.has("width");
     });
     readFields(table, species, [&](TableReader& t, const std::string& key, std::string& name) {
         const auto file = reading.open(t, key, name);
@@ -210,9 +211,9 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     });
     for (const std::string& alias : species.aliases)
         addName(table, reading, "aliases", alias);
-    if (!sized)
+    if (!hasSize)
         species.tree.leaves.area =
-            species.tree.growth || species.tree.palm || species.tree.scans ? cardArea(species) : 0.0f;
+            species.tree.growth || species.tree.palm || species.tree.scans ? cardAreaRatio(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

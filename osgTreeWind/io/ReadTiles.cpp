@@ -13,11 +13,11 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// A row for each of tiles, northward.
+/// Reads an array with a row for each row of tiles.
 bool readGrid(TableReader& table, const std::string& key, std::size_t columns, std::size_t rows,
               const Range& range, Rows& values) {
     if (!table.has(key))
-        return table.missing(key);
+        return table.reportMissing(key);
     if (!table.readRows(key, values, columns, range))
         return false;
     if (values.size() != rows)
@@ -28,7 +28,7 @@ bool readGrid(TableReader& table, const std::string& key, std::size_t columns, s
 bool readTileGrid(TableReader& table, ForestTiles& tiles) {
     int columns = 0, rows = 0;
     Rows trees, low, high;
-    if (!table.require("columns", columns, tilesInARow) || !table.require("rows", rows, tilesInARow))
+    if (!table.require("columns", columns, tileCounts) || !table.require("rows", rows, tileCounts))
         return false;
     tiles.columns = static_cast<std::uint32_t>(columns);
     const auto width = static_cast<std::size_t>(columns), length = static_cast<std::size_t>(rows);
@@ -92,7 +92,7 @@ void readTiles(TableReader& table, ForestReading& reading) {
     if (table.readNumbers("corner", corner, 2, 2, worldCoordinates))
         tiles.corner = {corner[0], corner[1]};
     else
-        table.missing("corner");
+        table.reportMissing("corner");
     tiles.inForest = readNames(table, reading, "in_forest");
     tiles.inOpen = readNames(table, reading, "in_open");
     int idFiles = 0;

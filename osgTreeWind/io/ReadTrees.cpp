@@ -36,16 +36,16 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
             known.push_back(built.name);
             known.insert(known.end(), built.aliases.begin(), built.aliases.end());
         }
-        const std::string near = nearestName(name, known);
-        table.problem(
-            key, "no species " + inQuotes(name) + "; " +
-                     (near.empty() ? "known: " + declared + " and the built-in ones (osgtreewind sway --list)"
-                                   : "did you mean " + near + '?'));
+        const std::string similar = nearestName(name, known);
+        table.problem(key, "no species " + inQuotes(name) + "; " +
+                               (similar.empty() ? "known: " + declared +
+                                                      " and the built-in ones (osgtreewind sway --list)"
+                                                : "did you mean " + similar + '?'));
     }
     return found;
 }
 
-/// A number, or an array [min, max] from which each tree draws its own.
+/// A number, or a range [min, max] from which a random number is drawn for each tree.
 struct DrawnNumber {
     double min = 0.0, max = 0.0;
     double draw(Random& random) const { return uniform(random, min, max); }
@@ -69,7 +69,7 @@ std::optional<DrawnNumber> readDrawnNumber(TableReader& table, const std::string
     return DrawnNumber{ends[0], ends[1]};
 }
 
-/// Points with a least distance between them, found by trial (dart throwing) with a hash of square cells.
+/// Points with a minimum distance, for dart throwing, in a hash of square cells.
 class SpacedPoints {
 public:
     explicit SpacedPoints(double spacing) : _spacing(spacing) {}
@@ -107,7 +107,7 @@ struct Scatter {
     std::vector<std::size_t> species;
     std::vector<double> weights;
     std::optional<DrawnNumber> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
-    bool openGrown = false, saysCompany = false;
+    bool openGrown = false, isOpenGrownGiven = false;
     float leaves = 1.0f;
     std::uint32_t seed = 0;
 
@@ -115,27 +115,27 @@ struct Scatter {
         double total = 0.0;
         for (double weight : weights)
             total += weight;
-        double left = uniform(random, 0.0, total);
+        double rest = uniform(random, 0.0, total);
         for (std::size_t i = 0; i + 1 < species.size(); ++i) {
-            if (left < weights[i])
+            if (rest < weights[i])
                 return species[i];
-            left -= weights[i];
+            rest -= weights[i];
         }
         return species.back();
     }
 
     TreeSize drawSize(Random& random) const {
-        const double tall = height ? height->draw(random) : 0.0;
-        const auto either = [&](const std::optional<DrawnNumber>& metres,
-                                const std::optional<DrawnNumber>& ratio) {
+        const double drawnHeight = height ? height->draw(random) : 0.0;
+        const auto draw = [&](const std::optional<DrawnNumber>& metres,
+                              const std::optional<DrawnNumber>& ratio) {
             return static_cast<float>(metres  ? metres->draw(random)
-                                      : ratio ? tall * ratio->draw(random)
+                                      : ratio ? drawnHeight * ratio->draw(random)
                                               : 0.0);
         };
         TreeSize size;
-        size.height = static_cast<float>(tall);
-        size.trunkDiameter = either(trunkDiameter, trunkRatio);
-        size.crownWidth = either(crownWidth, crownRatio);
+        size.height = static_cast<float>(drawnHeight);
+        size.trunkDiameter = draw(trunkDiameter, trunkRatio);
+        size.crownWidth = draw(crownWidth, crownRatio);
         return size;
     }
 };
@@ -143,7 +143,7 @@ struct Scatter {
 bool readArea(TableReader& table, Scatter& scatter) {
     std::vector<double> area;
     if (!table.readNumbers("area", area, 4, 4, worldCoordinates))
-        return table.missing("area");
+        return table.reportMissing("area");
     scatter.low = {area[0], area[1]};
     scatter.high = {area[2], area[3]};
     if (scatter.low.x < scatter.high.x && scatter.low.y < scatter.high.y)
@@ -167,10 +167,10 @@ bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
     return !names.empty() && scatter.species.size() == names.size();
 }
 
-/// A size in metres, or as a ratio to the height; not both.
-void readEither(TableReader& table, const Scatter& scatter, const std::string& key,
-                std::optional<DrawnNumber>& metres, const std::string& ratioKey,
-                std::optional<DrawnNumber>& ratio) {
+/// Reads a size in metres or as a ratio to the height, but not both.
+void readSize(TableReader& table, const Scatter& scatter, const std::string& key,
+              std::optional<DrawnNumber>& metres, const std::string& ratioKey,
+              std::optional<DrawnNumber>& ratio) {
     metres = readDrawnNumber(table, key, treeRange(key));
     ratio = readDrawnNumber(table, ratioKey, above(0, 10));
     if (table.has(key) && ratio)
@@ -184,25 +184,26 @@ void readEither(TableReader& table, const Scatter& scatter, const std::string& k
 void readTree(TableReader& table, ForestReading& reading) {
     TreePlacement tree;
     std::string name;
-    if (!reading.roomFor(1, table, ""))
+    if (!reading.canAddTrees(1, table, ""))
         return table.ignoreRest();
     if (table.read("species", name))
         tree.species = findSpecies(table, reading, "species", name).value_or(0);
     else if (reading.declaredSpecies > 1)
-        table.missing("species");
+        table.reportMissing("species");
 
     std::vector<double> position;
     if (table.readNumbers("position", position, 2, 3, worldCoordinates))
         tree.position = {position[0], position[1], position.size() > 2 ? position[2] : 0.0};
     else
-        table.missing("position");
+        table.reportMissing("position");
     tree.leaves = reading.leaves;
     tree.seed = reading.seed + static_cast<std::uint32_t>(reading.trees.size());
     readFields(table, tree);
     if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
-    const bool unsaid = !table.has("open_grown") && !table.has("at_edge");
-    reading.addTree(tree, position.size() == 2, {unsaid, !table.has("heading"), !table.has("seed")});
+    const bool hasGrowingSpace = table.has("open_grown") || table.has("at_edge");
+    reading.addTree(tree, position.size() == 2,
+                    {!hasGrowingSpace, !table.has("heading"), !table.has("seed")});
 }
 
 void readScatter(TableReader& table, ForestReading& reading) {
@@ -219,26 +220,26 @@ void readScatter(TableReader& table, ForestReading& reading) {
         scatter.spacing *= mapMetresAt(0.5 * (scatter.low + scatter.high), *reading.crs, reading);
     complete &= readMixture(table, reading, scatter);
     scatter.height = readDrawnNumber(table, "height", treeRange("height"));
-    readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
-    readEither(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
-    scatter.saysCompany = table.read("open_grown", scatter.openGrown);
+    readSize(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
+    readSize(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
+    scatter.isOpenGrownGiven = table.read("open_grown", scatter.openGrown);
     scatter.leaves = reading.leaves;
     table.read("leaves", scatter.leaves, treeRange("leaves"));
     table.read("seed", scatter.seed);
-    if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
+    if (!complete || !reading.canAddTrees(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;
 
-    // Trees thrown at random jam when their circles cover 0.547 of the area, give or take.
+    // Random sequential addition of circles saturates at about 0.547 of the area.
     const double width = scatter.high.x - scatter.low.x + scatter.spacing,
                  depth = scatter.high.y - scatter.low.y + scatter.spacing,
                  circle = glm::quarter_pi<double>() * scatter.spacing * scatter.spacing,
-                 jammed = 0.547 * width * depth / circle;
-    if (scatter.spacing > 0.0 && scatter.count > jammed + 3.0 * std::sqrt(jammed))
-        return table.problem("spacing", "only about " + numberText(std::floor(jammed)) + " of " +
+                 saturation = 0.547 * width * depth / circle;
+    if (scatter.spacing > 0.0 && scatter.count > saturation + 3.0 * std::sqrt(saturation))
+        return table.problem("spacing", "only about " + numberText(std::floor(saturation)) + " of " +
                                             std::to_string(scatter.count) +
                                             " trees fit into the area with this spacing");
 
-    constexpr int mostTries = 2000;
+    constexpr int maxTries = 2000;
     Random random(scatter.seed);
     SpacedPoints points(scatter.spacing);
     for (int i = 0; i < scatter.count; ++i) {
@@ -247,8 +248,8 @@ void readScatter(TableReader& table, ForestReading& reading) {
         do {
             place = {uniform(random, scatter.low.x, scatter.high.x),
                      uniform(random, scatter.low.y, scatter.high.y)};
-        } while (++tries <= mostTries && !points.add(place));
-        if (tries > mostTries)
+        } while (++tries <= maxTries && !points.add(place));
+        if (tries > maxTries)
             return table.problem("spacing", "only " + std::to_string(i) + " of " +
                                                 std::to_string(scatter.count) +
                                                 " trees fit into the area with this spacing");
@@ -260,7 +261,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        reading.addTree(tree, true, {!scatter.saysCompany});
+        reading.addTree(tree, true, {!scatter.isOpenGrownGiven});
     }
 }
 

@@ -26,16 +26,16 @@ namespace {
 
 constexpr Range directions = within(-360, 360);
 
-/// The field made from this table; null where it has none, and the log says why.
+/// The field made from this table; null if there is none, after reporting the problems.
 template <typename Field>
 WindFieldPtr checked(const Result<Field>& field, TableReader& table, ForestReading& reading) {
     if (field.ok())
         return field.value();
-    reportWind(field.problems(), table, reading);
+    reportWindProblems(field.problems(), table, reading);
     return nullptr;
 }
 
-/// `velocity`, or `speed` with a direction; in `unit`.
+/// Reads `velocity`, or `speed` with a direction, in `unit`.
 glm::vec3 readVelocity(TableReader& table) {
     std::string unitName;
     const double unit = readSpeedUnit(table, "unit", unitName).value_or(1.0);
@@ -49,9 +49,9 @@ glm::vec3 readVelocity(TableReader& table) {
     if (table.has("velocity") == table.has("speed"))
         table.problem("", "expected either velocity, or speed and a direction");
     else if (hasVelocity && (from || toward))
-        table.problem(from ? "direction_from" : "direction_toward", "velocity says the direction already");
+        table.problem(from ? "direction_from" : "direction_toward", "velocity already gives the direction");
     else if (hasSpeed && table.has("direction_from") == table.has("direction_toward"))
-        table.problem("speed", "expected either direction_from or direction_toward beside it");
+        table.problem("speed", "needs either direction_from or direction_toward");
     if (hasSpeed)
         velocity = windVelocity(wind, from ? DirectionSense::From : DirectionSense::Toward);
     return velocity * static_cast<float>(unit);
@@ -61,7 +61,7 @@ Wind readUniform(TableReader& table, ForestReading&) {
     return std::make_shared<UniformWind>(readVelocity(table));
 }
 
-/// `height` and `roughness`, both or neither. False after a problem.
+/// Reads `height` and `roughness`, both or neither. @return false after a problem.
 bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     if (!table.has("height") && !table.has("roughness"))
         return true;
@@ -89,8 +89,7 @@ Wind readGusts(TableReader& table, ForestReading& reading) {
     return checked(GustWind::create(gusts), table, reading);
 }
 
-/// All numbers of a text, separated by blanks, line ends, commas or semicolons; '#' starts a comment.
-/// Anything else, and a number that is not finite, is a problem with line and column.
+/// Parses finite numbers separated by blanks, line ends, commas or semicolons; '#' starts a comment.
 Result<std::vector<double>> readNumberList(std::istream& input, const std::string& file) {
     auto text = readText(input, file);
     if (!text.ok())
@@ -108,8 +107,9 @@ Result<std::vector<double>> readNumberList(std::istream& input, const std::strin
         const std::string_view word = all.substr(at, end - at);
         const auto number = parseNumber(word);
         if (!number) {
-            const TextPlace place = placeInText(all, at);
-            return Diagnostic{file, place.line, place.column, "", expectedFound("a finite number", word)};
+            const TextPosition position = positionInText(all, at);
+            return Diagnostic{file, position.line, position.column, "",
+                              expectedFound("a finite number", word)};
         }
         numbers.push_back(*number);
         at = end;
@@ -117,7 +117,7 @@ Result<std::vector<double>> readNumberList(std::istream& input, const std::strin
     return numbers;
 }
 
-/// Numbers in the array `values`, or in the text file `file`.
+/// Reads numbers from the array `values` or the text file `file`.
 bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& values) {
     std::vector<double> numbers;
     if (table.has("values") == table.has("file")) {
@@ -148,25 +148,25 @@ bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& 
     return true;
 }
 
-/// `origin` in the world, or `corner` from the forest's origin. False after a problem.
+/// Reads `origin` (world) or `corner` (relative to the forest's origin). @return false after a problem.
 bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& corner) {
     const glm::dvec3& zero = reading.forest.origin;
     std::vector<double> from = {0, 0, 0}, world = {zero.x, zero.y, zero.z};
-    const bool given = table.readNumbers("corner", from, 3, 3, worldCoordinates),
-               placed = table.readNumbers("origin", world, 3, 3, worldCoordinates);
-    corner = given    ? glm::dvec3(from[0], from[1], from[2])
-             : placed ? reading.inScene({world[0], world[1], world[2]}) - zero
-                      : glm::dvec3(0.0);
+    const bool hasCorner = table.readNumbers("corner", from, 3, 3, worldCoordinates),
+               hasOrigin = table.readNumbers("origin", world, 3, 3, worldCoordinates);
+    corner = hasCorner   ? glm::dvec3(from[0], from[1], from[2])
+             : hasOrigin ? reading.scenePlace({world[0], world[1], world[2]}) - zero
+                         : glm::dvec3(0.0);
     if (table.has("corner") && table.has("origin"))
         table.problem("corner", "give either this or origin");
-    return given == table.has("corner") && placed == table.has("origin") && !(given && placed);
+    return hasCorner == table.has("corner") && hasOrigin == table.has("origin") && !(hasCorner && hasOrigin);
 }
 
 Wind readGrid(TableReader& table, ForestReading& reading) {
     GridWind::Grid grid;
     std::vector<double> points, cell;
-    bool complete = table.readNumbers("points", points, 2, 3, gridPoints) || table.missing("points");
-    complete &= table.readNumbers("cell", cell, 2, 3, gridCells) || table.missing("cell");
+    bool complete = table.readNumbers("points", points, 2, 3, gridPoints) || table.reportMissing("points");
+    complete &= table.readNumbers("cell", cell, 2, 3, gridCells) || table.reportMissing("cell");
     complete &= readCorner(table, reading, grid.origin);
     complete &= table.read("times", grid.times) || !table.has("times");
     std::vector<double> heights;
@@ -204,7 +204,7 @@ Wind readForestWind(TableReader& table, ForestReading& reading) {
     return checked(GridWind::fromForestWind(width, length, std::move(values), corner), table, reading);
 }
 
-/// The column map of a CSV record.
+/// Reads the columns of a CSV record.
 bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     const TableOptions options = readTableOptions(table);
     columns.delimiter = options.delimiter;
@@ -212,9 +212,9 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     table.read("missing", columns.missing);
     table.readChoice<std::string>("time_unit", columns.timeUnit,
                                   {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"iso8601", "iso8601"}});
-    const bool known = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
+    const bool isUnitKnown = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
     if (!table.has("columns"))
-        return table.missing("columns");
+        return table.reportMissing("columns");
     table.table("columns", [&](TableReader& t) {
         t.require("time", columns.time);
         t.read("u", columns.u);
@@ -227,10 +227,10 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
             t.problem("direction_toward", "give either this or direction_from");
         columns.sense = toward ? DirectionSense::Toward : DirectionSense::From;
     });
-    return known;
+    return isUnitKnown;
 }
 
-/// A record in a file. A table needs a map of its columns; QES sensor XML and EPW do not.
+/// Reads a record from a file. A table needs `columns`; QES sensor XML and EPW do not.
 bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& series) {
     auto file = reading.open(table, "file");
     std::string name;
@@ -258,12 +258,12 @@ bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& seri
     return false;
 }
 
-/// A record in the document: `times`, and `velocities` as one flat array.
+/// Reads a record from the document: `times` and `velocities`.
 bool readSeriesValues(TableReader& table, WindSeries& series) {
     std::vector<std::vector<double>> velocities;
     bool complete = table.require("times", series.times);
     if (!table.readRows("velocities", velocities, 3, windSpeeds))
-        complete = table.missing("velocities");
+        complete = table.reportMissing("velocities");
     for (const std::vector<double>& v : velocities)
         series.velocities.emplace_back(v[0], v[1], v[2]);
     return complete;
@@ -278,20 +278,21 @@ Wind readSeries(TableReader& table, ForestReading& reading) {
     return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
 }
 
-/// `date`, the moment of the wind that is time 0, in place of `start`.
-void takeDate(const std::string& text, TableReader& table, const ForestReading& reading, WindClock& clock) {
+/// Sets the clock's start from `date`, the date of the wind at time 0, which replaces `start`.
+void setStartDate(const std::string& text, TableReader& table, const ForestReading& reading,
+                  WindClock& clock) {
     const std::optional<double> date = parseIsoTime(text);
     if (table.has("start"))
         table.problem("date", "give either this or start");
     else if (!date)
         table.problem("date", expectedFound("a date and time, as 2017-10-26T15:00:00Z", text));
     else if (!reading.windDate)
-        table.problem("date", "expected a wind from files that say their dates");
+        table.problem("date", "expected a wind from files that contain dates");
     else
         clock.start = *date - *reading.windDate;
 }
 
-/// `travel`: how the wind passes over the forest, as a velocity or as the mean of a record.
+/// Reads `travel`, the velocity with which the wind passes over the forest, or "mean" for that of a record.
 void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
     std::string word;
     std::vector<double> numbers;
@@ -308,16 +309,16 @@ void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
     else if (record)
         travel = glm::dvec2(meanVelocity((*record)->series()));
     else
-        return table.problem("travel", "\"mean\" is that of a record at one point; expected [u, v] in m/s");
+        return table.problem("travel", "\"mean\" needs a record at one point; expected [u, v] in m/s");
     if (wind.clock.travels())
-        table.problem("travel", "this wind travels by itself");
+        table.problem("travel", "this wind already travels");
     else if (const double speed = glm::length(travel); !(speed >= 0.1))
         table.problem("travel", "expected 0.1 m/s or more, found " + numberText(speed));
     else
         clock.travel = travel;
 }
 
-/// One [[wind.source]].
+/// Reads one [[wind.source]].
 WindSource readSource(TableReader& table, const ForestReading& reading) {
     WindSource source;
     readFields(table, source);
@@ -332,13 +333,13 @@ WindSource readSource(TableReader& table, const ForestReading& reading) {
     readVector("place", source.position);
     readVector("position", source.position);
     if (table.has("position"))
-        source.position = reading.inScene(source.position) - reading.forest.origin;
+        source.position = reading.scenePlace(source.position) - reading.forest.origin;
     if (!table.has("kind"))
-        table.missing("kind");
+        table.reportMissing("kind");
     if (table.has("position") && table.has("place"))
         table.problem("place", "give either this or position");
     else if (!table.has("position") && !table.has("place"))
-        table.missing("position");
+        table.reportMissing("position");
     return source;
 }
 
@@ -364,11 +365,11 @@ void readWind(TableReader& table, ForestReading& reading) {
                                       {"forest_wind", readForestWind},
                                       {"series", readSeries},
                                       {"file", readWindData}});
-    const bool ofOther = table.has("kind") || table.has("columns") || table.has("points");
-    if (!ofOther && (table.has("file") || table.has("files")))
+    const bool isOtherKind = table.has("kind") || table.has("columns") || table.has("points");
+    if (!isOtherKind && (table.has("file") || table.has("files")))
         kind = readWindData;
     if (!kind) {
-        table.missing("kind");
+        table.reportMissing("kind");
         return table.ignoreRest();
     }
     Wind& wind = reading.forest.wind;
@@ -377,9 +378,9 @@ void readWind(TableReader& table, ForestReading& reading) {
     readFields(table, clock);
     std::string date;
     if (table.readScalar("date", date) && (wind.field || kind == readCalm))
-        takeDate(date, table, reading, clock);
+        setStartDate(date, table, reading, clock);
     readTravel(table, wind, clock);
-    wind.clock = clock.of(wind.clock);
+    wind.clock = clock.then(wind.clock);
     readFields(table, wind.adjustment);
     wind.frame = WindFrame::Forest;
     table.readChoice("frame", wind.frame, windFrames());

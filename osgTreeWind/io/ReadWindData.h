@@ -8,14 +8,13 @@
 
 namespace osgTreeWind {
 
-/// Any file of wind data, or several; positions in it are world coordinates, moved by
-/// `offset`. Null after a problem.
+/// Reads files of wind data, in world coordinates moved by `offset`. Null after a problem.
 Wind readWindData(TableReader& table, ForestReading& reading);
 
-/// Name of a unit of speed, "m/s" when the key is not there. @return the unit in m/s, if it is one.
+/// Reads the name of a speed unit; default "m/s". @return the unit in m/s; empty if it is unknown.
 std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name);
 
-/// Passes on what is wrong with a field made from this table: at the key it names, else at the table.
-void reportWind(const Diagnostics& problems, TableReader& table, ForestReading& reading);
+/// Reports problems of a wind made from this table: at the key that they name, or else at the table.
+void reportWindProblems(const Diagnostics& problems, TableReader& table, ForestReading& reading);
 
 } // namespace osgTreeWind

@@ -15,22 +15,22 @@ namespace {
 using Condition = RowFilter::Condition;
 using Truth = std::optional<bool>; // empty: unknown
 
-/// A cell or a literal: a text, and a number where it is one.
+/// A cell or a literal: a text, and its number if it is one.
 struct Value {
     std::string text;
     std::optional<double> number;
 };
 using Operand = std::function<std::optional<Value>(const TreeRows& row)>; // empty: NULL
 
-/// -1, 0 or 1; as numbers where both are.
-int compared(const Value& a, const Value& b) {
+/// -1, 0 or 1. Compares numbers if both values are numbers, and texts otherwise.
+int compareValues(const Value& a, const Value& b) {
     if (a.number && b.number)
         return *a.number < *b.number ? -1 : *a.number > *b.number;
     const int order = a.text.compare(b.text);
     return order < 0 ? -1 : order > 0;
 }
 
-/// SQL's LIKE, whatever the case of letters: % stands for any text, _ for one byte.
+/// Matches a pattern of SQL's LIKE: % stands for any text, _ for one byte.
 bool isLike(const std::string& text, const std::string& pattern) {
     std::size_t t = 0, p = 0, star = std::string::npos, from = 0;
     while (t < text.size())
@@ -48,40 +48,39 @@ bool isLike(const std::string& text, const std::string& pattern) {
     return pattern.find_first_not_of('%', p) == std::string::npos;
 }
 
-Truth both(const Truth& a, const Truth& b) {
+Truth logicalAnd(const Truth& a, const Truth& b) {
     if (a == Truth(false) || b == Truth(false))
         return false;
     return a && b ? Truth(true) : std::nullopt;
 }
 
-Truth opposite(const Truth& a) {
+Truth logicalNot(const Truth& a) {
     return a ? Truth(!*a) : a;
 }
 
-Truth eitherOf(const Truth& a, const Truth& b) {
-    return opposite(both(opposite(a), opposite(b)));
+Truth logicalOr(const Truth& a, const Truth& b) {
+    return logicalNot(logicalAnd(logicalNot(a), logicalNot(b)));
 }
 
 struct Token {
     enum Kind { End, Name, Text, Number, Sign } kind = End;
     std::string text;
     std::size_t at = 0;
-    bool isQuoted = false; ///< A name, which is no keyword then.
+    bool isQuoted = false; ///< A quoted name is not a keyword.
 };
 
-/// Thrown where a condition is not understood.
-struct NotUnderstood {
+struct SyntaxError {
     std::size_t at;
     std::string message;
 };
 
-/// By recursive descent.
+/// A recursive-descent parser.
 class Parser {
 public:
     Parser(const std::string& text, const TreeRows& rows) : _text(text), _rows(rows) { advance(); }
 
-    Condition all() {
-        Condition condition = either();
+    Condition parseAll() {
+        Condition condition = parseOr();
         if (_token.kind != Token::End)
             fail("AND, OR or the end");
         return condition;
@@ -90,7 +89,7 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& expected) const {
-        throw NotUnderstood{_token.at, expectedFound(expected, _token.text)};
+        throw SyntaxError{_token.at, expectedFound(expected, _token.text)};
     }
 
     static bool isNamePart(char c) {
@@ -105,7 +104,7 @@ private:
             return;
         const char first = _text[_at];
         if (first == '\'' || first == '"')
-            return takeQuoted(first);
+            return readQuoted(first);
         std::size_t end = _at;
         if (isNamePart(first) ||
             ((first == '-' || first == '+') && _at + 1 < _text.size() && isNamePart(_text[_at + 1]))) {
@@ -122,7 +121,7 @@ private:
         _at = end;
     }
 
-    /// Of 1e-3.
+    /// Whether the character is the sign in a number such as 1e-3.
     bool isExponentSign(std::size_t at) const {
         const char first = _text[_token.at];
         const bool isSigned = first == '-' || first == '+';
@@ -130,7 +129,7 @@ private:
                std::isdigit(static_cast<unsigned char>(isSigned ? _text[_token.at + 1] : first));
     }
 
-    void takeQuoted(char quote) {
+    void readQuoted(char quote) {
         _token.kind = quote == '"' ? Token::Name : Token::Text;
         _token.isQuoted = true;
         for (++_at; _at < _text.size(); ++_at) {
@@ -139,113 +138,114 @@ private:
                 return;
             }
             _token.text += _text[_at];
-            _at += _text[_at] == quote; // doubled
+            _at += _text[_at] == quote; // a doubled quote
         }
-        throw NotUnderstood{_token.at, std::string("expected a ") + quote + " at its end"};
+        throw SyntaxError{_token.at, std::string("expected a ") + quote + " at its end"};
     }
 
-    bool isWord(const char* word) const {
+    bool isKeyword(const char* word) const {
         return _token.kind == Token::Name && !_token.isQuoted && lower(_token.text) == word;
     }
-    bool take(const char* wordOrSign) {
-        const bool isIt = isWord(wordOrSign) || (_token.kind == Token::Sign && _token.text == wordOrSign);
+    bool accept(const char* wordOrSign) {
+        const bool isIt = isKeyword(wordOrSign) || (_token.kind == Token::Sign && _token.text == wordOrSign);
         if (isIt)
             advance();
         return isIt;
     }
     void require(const char* wordOrSign) {
-        if (!take(wordOrSign))
+        if (!accept(wordOrSign))
             fail(wordOrSign);
     }
 
-    Condition either() {
-        Condition condition = each();
-        while (take("or"))
-            condition = [a = std::move(condition), b = each()](const TreeRows& row) {
-                return eitherOf(a(row), b(row));
+    Condition parseOr() {
+        Condition condition = parseAnd();
+        while (accept("or"))
+            condition = [a = std::move(condition), b = parseAnd()](const TreeRows& row) {
+                return logicalOr(a(row), b(row));
             };
         return condition;
     }
 
-    Condition each() {
-        Condition condition = one();
-        while (take("and"))
-            condition = [a = std::move(condition), b = one()](const TreeRows& row) {
-                return both(a(row), b(row));
+    Condition parseAnd() {
+        Condition condition = parseNot();
+        while (accept("and"))
+            condition = [a = std::move(condition), b = parseNot()](const TreeRows& row) {
+                return logicalAnd(a(row), b(row));
             };
         return condition;
     }
 
-    Condition one() {
-        constexpr int deepest = 50;
-        if (++_depth > deepest)
+    Condition parseNot() {
+        constexpr int maxDepth = 50;
+        if (++_depth > maxDepth)
             fail("at most 50 brackets and NOT within each other");
         Condition condition;
-        if (take("not"))
-            condition = [a = one()](const TreeRows& row) { return opposite(a(row)); };
-        else if (take("(")) {
-            condition = either();
+        if (accept("not"))
+            condition = [a = parseNot()](const TreeRows& row) { return logicalNot(a(row)); };
+        else if (accept("(")) {
+            condition = parseOr();
             require(")");
         } else
-            condition = comparison();
+            condition = parseComparison();
         --_depth;
         return condition;
     }
 
-    Condition comparison() {
-        const Operand left = operand();
-        if (take("is")) {
-            const bool isNot = take("not");
+    Condition parseComparison() {
+        const Operand left = parseOperand();
+        if (accept("is")) {
+            const bool isNot = accept("not");
             require("null");
             return [left, isNot](const TreeRows& row) { return Truth(left(row).has_value() == isNot); };
         }
-        const bool isNot = take("not");
+        const bool isNot = accept("not");
         Condition condition;
-        if (take("in"))
-            condition = amongOf(left);
-        else if (take("like"))
-            condition = likeOf(left);
-        else if (take("between")) {
-            const Operand low = operand();
+        if (accept("in"))
+            condition = parseIn(left);
+        else if (accept("like"))
+            condition = parseLike(left);
+        else if (accept("between")) {
+            const Operand low = parseOperand();
             require("and");
-            condition = [low = orderOf(left, low, ">="), high = orderOf(left, operand(), "<=")](
-                            const TreeRows& row) { return both(low(row), high(row)); };
+            condition = [low = makeComparison(left, low, ">="),
+                         high = makeComparison(left, parseOperand(), "<=")](const TreeRows& row) {
+                return logicalAnd(low(row), high(row));
+            };
         } else {
             const std::string sign = _token.text;
             for (const char* const known : {"=", "<>", "!=", "<", "<=", ">", ">="})
-                if (!isNot && take(known))
-                    return orderOf(left, operand(), sign);
+                if (!isNot && accept(known))
+                    return makeComparison(left, parseOperand(), sign);
             fail(isNot ? "IN, LIKE or BETWEEN" : "=, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL");
         }
         if (!isNot)
             return condition;
-        return [condition](const TreeRows& row) { return opposite(condition(row)); };
+        return [condition](const TreeRows& row) { return logicalNot(condition(row)); };
     }
 
-    static Condition orderOf(const Operand& left, const Operand& right, const std::string& sign) {
+    static Condition makeComparison(const Operand& left, const Operand& right, const std::string& sign) {
         const bool differ = sign == "<>" || sign == "!=", less = differ || sign[0] == '<',
                    more = differ || sign[0] == '>', equal = !differ && sign.back() == '=';
         return [=](const TreeRows& row) -> Truth {
             const auto a = left(row), b = right(row);
             if (!a || !b)
                 return std::nullopt;
-            const int order = compared(*a, *b);
+            const int order = compareValues(*a, *b);
             return order < 0 ? less : order > 0 ? more : equal;
         };
     }
 
-    Condition amongOf(const Operand& left) {
+    Condition parseIn(const Operand& left) {
         require("(");
-        Condition among = orderOf(left, operand(), "=");
-        while (take(","))
-            among = [a = std::move(among), b = orderOf(left, operand(), "=")](const TreeRows& row) {
-                return eitherOf(a(row), b(row));
-            };
+        Condition among = makeComparison(left, parseOperand(), "=");
+        while (accept(","))
+            among = [a = std::move(among), b = makeComparison(left, parseOperand(), "=")](
+                        const TreeRows& row) { return logicalOr(a(row), b(row)); };
         require(")");
         return among;
     }
 
-    Condition likeOf(const Operand& left) {
+    Condition parseLike(const Operand& left) {
         if (_token.kind != Token::Text)
             fail("a text in '...'");
         const std::string pattern = lower(_token.text);
@@ -256,7 +256,7 @@ private:
         };
     }
 
-    Operand operand() {
+    Operand parseOperand() {
         const Token token = _token;
         if (token.kind == Token::End || token.kind == Token::Sign)
             fail("a column, a number or a text in '...'");
@@ -268,7 +268,7 @@ private:
         }
         const auto column = _rows.column(token.text);
         if (!column)
-            throw NotUnderstood{token.at, _rows.problemOfColumn(token.text)};
+            throw SyntaxError{token.at, _rows.problemOfColumn(token.text)};
         advance();
         if (std::find(columns.begin(), columns.end(), *column) == columns.end())
             columns.push_back(*column);
@@ -293,12 +293,12 @@ Result<RowFilter> RowFilter::parse(const std::string& text, const TreeRows& rows
     try {
         Parser parser(text, rows);
         RowFilter filter;
-        filter._condition = parser.all();
+        filter._condition = parser.parseAll();
         filter._columns = std::move(parser.columns);
         return filter;
-    } catch (const NotUnderstood& problem) {
+    } catch (const SyntaxError& problem) {
         return Diagnostic{
-            {}, 0, 0, {}, "at its character " + std::to_string(problem.at + 1) + ": " + problem.message};
+            {}, 0, 0, {}, "at character " + std::to_string(problem.at + 1) + ": " + problem.message};
     }
 }
 

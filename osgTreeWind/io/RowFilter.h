@@ -13,16 +13,15 @@ namespace osgTreeWind {
 
 class TreeRows;
 
-/// A condition on the cells of a row, as behind SQL's WHERE: comparisons, IN, LIKE, BETWEEN, IS NULL, AND,
-/// OR, NOT and brackets. What is compared with an empty cell is neither true nor false, as in SQL.
+/// A condition on the cells of a row, with the syntax of an SQL WHERE clause: comparisons, IN, LIKE, BETWEEN,
+/// IS NULL, AND, OR, NOT and parentheses. Comparing an empty cell gives NULL, as in SQL.
 class RowFilter {
 public:
-    /// Understands a condition, or says where it does not: a problem that says at which character.
-    /// @param rows whose columns it may name.
+    /// Parses a condition. @param rows whose columns it may name. @return an error with a position.
     static Result<RowFilter> parse(const std::string& text, const TreeRows& rows);
 
     bool matches(const TreeRows& row) const { return _condition(row).value_or(false); }
-    /// Those that it names, each once.
+    /// Columns that the condition uses, without duplicates.
     const std::vector<std::size_t>& columns() const { return _columns; }
 
     using Condition = std::function<std::optional<bool>(const TreeRows& row)>;

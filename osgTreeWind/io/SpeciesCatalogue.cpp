@@ -19,18 +19,18 @@ namespace {
 
 constexpr const char* fileName = "species.treewind";
 
-/// The first one in the folders of OSG_FILE_PATH; empty: none.
-std::filesystem::path fileOfHost() {
+/// The first species.treewind in the folders of OSG_FILE_PATH; may be empty.
+std::filesystem::path findHostFile() {
     std::error_code error;
-    for (const std::string& folder : foldersOf("OSG_FILE_PATH"))
+    for (const std::string& folder : foldersFromEnvironment("OSG_FILE_PATH"))
         if (auto path = std::filesystem::path(folder) / fileName;
             std::filesystem::is_regular_file(path, error))
             return path;
     return {};
 }
 
-Result<SpeciesCatalogue> readOfHost() {
-    const std::filesystem::path path = fileOfHost();
+Result<SpeciesCatalogue> readHostCatalogue() {
+    const std::filesystem::path path = findHostFile();
     if (path.empty())
         return SpeciesCatalogue::builtIn();
     const Result<std::string> text = readTextFile(path.string());
@@ -43,11 +43,11 @@ bool isNamed(const Species& species, const std::string& comparable) {
     return comparableName(species.name) == comparable;
 }
 
-/// A name without what tells cultivars and synonyms: "Acer platanoides 'Globosum'", "Tilia cordata (Linde)".
+/// A name without cultivars and synonyms, as in "Acer platanoides 'Globosum'" and "Tilia cordata (Linde)".
 std::string plainName(const std::string& name) {
     std::string plain = name.substr(0, name.find_first_of("('\"`"));
-    for (const char* const mark : {" \xe2\x80\x98", " \xe2\x80\x9c", " \xe2\x80\x9e"}) // opening quotes
-        plain = plain.substr(0, plain.find(mark));
+    for (const char* const quote : {" \xe2\x80\x98", " \xe2\x80\x9c", " \xe2\x80\x9e"})
+        plain = plain.substr(0, plain.find(quote));
     return plain;
 }
 
@@ -59,7 +59,7 @@ std::string firstWords(const std::string& name, int count) {
     return name.substr(0, end);
 }
 
-/// "plane" of "planetree" and "plane tree"; empty where the name does not end so.
+/// "plane" for "planetree" and "plane tree"; empty if the name does not end with "tree".
 std::string withoutTree(const std::string& name) {
     constexpr std::string_view tree = "tree";
     if (name.size() <= tree.size() || name.compare(name.size() - tree.size(), tree.size(), tree) != 0)
@@ -67,11 +67,11 @@ std::string withoutTree(const std::string& name) {
     return foldedName(name.substr(0, name.size() - tree.size()));
 }
 
-/// "Norway maple" of "Maple, Norway" and of "Maple - Norway"; empty where the name is not turned round.
-std::string turnedRound(const std::string& name) {
-    for (const std::string& mark : {std::string(","), std::string(" - ")})
-        if (const std::size_t at = name.find(mark); at != std::string::npos)
-            return name.substr(at + mark.size()) + ' ' + name.substr(0, at);
+/// "Norway maple" for "Maple, Norway" and "Maple - Norway"; empty if the name has no such separator.
+std::string reordered(const std::string& name) {
+    for (const std::string& separator : {std::string(","), std::string(" - ")})
+        if (const std::size_t at = name.find(separator); at != std::string::npos)
+            return name.substr(at + separator.size()) + ' ' + name.substr(0, at);
     return {};
 }
 
@@ -85,16 +85,16 @@ const SpeciesCatalogue& SpeciesCatalogue::builtIn() {
     return catalogue;
 }
 
-const Result<SpeciesCatalogue>& SpeciesCatalogue::ofHost() {
-    static const Result<SpeciesCatalogue> catalogue = readOfHost();
+const Result<SpeciesCatalogue>& SpeciesCatalogue::hostCatalogue() {
+    static const Result<SpeciesCatalogue> catalogue = readHostCatalogue();
     return catalogue;
 }
 
 const SpeciesCatalogue& SpeciesCatalogue::current() {
     static const SpeciesCatalogue& catalogue = []() -> const SpeciesCatalogue& {
-        if (ofHost().ok())
-            return ofHost().value();
-        std::cerr << "osgTreeWind: " << ofHost().problems().front().text()
+        if (hostCatalogue().ok())
+            return hostCatalogue().value();
+        std::cerr << "osgTreeWind: " << hostCatalogue().problems().front().text()
                   << "; the built-in species are used\n";
         return builtIn();
     }();
@@ -144,8 +144,8 @@ void SpeciesCatalogue::add(Species species) {
     }
     std::vector<std::string> names = species.aliases;
     names.push_back(species.name);
-    for (const std::string& own : names) {
-        const std::string folded = comparableName(own);
+    for (const std::string& each : names) {
+        const std::string folded = comparableName(each);
         const auto [entry, isNew] = _byName.emplace(folded, index);
         if (isNew || entry->second == index)
             continue;
@@ -181,14 +181,14 @@ const Species* SpeciesCatalogue::findByAnyName(const std::string& name) const {
 
 const Species* SpeciesCatalogue::find(const std::string& name) const {
     const std::string plain = plainName(name);
-    for (const std::string& each : {name, plain, turnedRound(plain), firstWords(foldedName(plain), 2)}) {
+    for (const std::string& each : {name, plain, reordered(plain), firstWords(foldedName(plain), 2)}) {
         if (const Species* found = findByAnyName(each))
             return found;
     }
     return findByAnyName(firstWords(foldedName(plain), 1));
 }
 
-const Species* SpeciesCatalogue::findKin(const std::string& name) const {
+const Species* SpeciesCatalogue::findRelated(const std::string& name) const {
     std::string folded = foldedName(plainName(name));
     std::replace(folded.begin(), folded.end(), '-', ' ');
     for (std::size_t at = folded.find(' '); at != std::string::npos; at = folded.find(' ', at + 1)) {
@@ -197,10 +197,10 @@ const Species* SpeciesCatalogue::findKin(const std::string& name) const {
             if (const Species* found = findByAnyName(each))
                 return found;
     }
-    return findScientific(scientificNameOfEnd(folded));
+    return findScientific(scientificNameOfSuffix(folded));
 }
 
-const Species* SpeciesCatalogue::findModel(const std::string& name) const {
+const Species* SpeciesCatalogue::findTemplate(const std::string& name) const {
     const auto group = _groups.find(comparableName(name));
     return group == _groups.end() ? find(name) : &group->second;
 }

@@ -13,53 +13,53 @@
 
 namespace osgTreeWind {
 
-/// Species that need no [[species]], by name (docs/species.md). Any number of threads may read one.
+/// Species that can be used by name, without [[species]] (docs/species.md). Threads may share it.
 ///
 ///     if (const Species* oak = SpeciesCatalogue::current().find("Quercus robur"))
 ///         description.species.push_back(*oak);
 class OSGTREEWIND_EXPORT SpeciesCatalogue {
 public:
-    /// The built-in species: osgTreeWind/species/species.treewind, as it was when the library was built.
+    /// The built-in species (osgTreeWind/species/species.treewind, compiled into the library).
     static const SpeciesCatalogue& builtIn();
-    /// These with what the first species.treewind in the folders of the environment variable OSG_FILE_PATH
-    /// adds or changes, or what is wrong with that file. Read by the first call in a process.
-    static const Result<SpeciesCatalogue>& ofHost();
-    /// That of the host; where its file is broken, the built-in one, and a warning on standard error, once.
+    /// The built-in species, extended or changed by the first species.treewind in the folders of the
+    /// environment variable OSG_FILE_PATH; an error if that file is invalid. Read once per process.
+    static const Result<SpeciesCatalogue>& hostCatalogue();
+    /// The host's catalogue. If its file is invalid: the built-in one, with one warning on standard error.
     static const SpeciesCatalogue& current();
 
-    /// This one with the species of a file. One of the name of a species here takes its place and keeps its
-    /// aliases; others come last. An alias that another species has here is taken from it.
-    /// `file` is for diagnostics, `folder` for relative paths in it. @return every problem otherwise.
+    /// A copy of this catalogue with the species of a file. A species with the name of an existing one
+    /// replaces it and keeps its aliases; others are appended. Aliases move to new species.
+    /// @param text of a species.treewind file. @param file name for diagnostics. @param folder for relative
+    /// paths. @return all problems.
     Result<SpeciesCatalogue> with(const std::string& text, const std::string& file,
                                   const std::string& folder) const;
 
-    /// In the order of the files; in the built-in one conifers first, and the last two stand for any other
-    /// conifer and any other broadleaf.
+    /// In the order of the files. The built-in file has conifers first, and its last two species stand for
+    /// any other conifer and any other broadleaf.
     const std::vector<Species>& species() const { return _species; }
-    /// The species with this scientific name, or common name in English, German, French, Spanish, Dutch or
-    /// Italian, else with its genus; with accents or not, in any case, and whatever cultivar follows. Null:
-    /// none.
+    /// Finds a species by its scientific name or a common name in English, German, French, Spanish, Dutch or
+    /// Italian, or else by its genus. Ignores accents, case and cultivars. Null if there is none.
     const Species* find(const std::string& name) const;
-    /// The species that a name which is not known is called after: a birch for "river birch". Null: none.
-    const Species* findKin(const std::string& name) const;
-    /// What `like` may name: a [[group]], or a species.
-    const Species* findModel(const std::string& name) const;
+    /// Finds a related species for an unknown name by its last words: a birch for "river birch". May be null.
+    const Species* findRelated(const std::string& name) const;
+    /// Finds the [[group]] or species that the key `like` names. May be null.
+    const Species* findTemplate(const std::string& name) const;
 
 private:
     void add(Species species);
     const Species* findExactly(const std::string& name) const;
-    const Species* findScientific(const std::string& name) const; ///< Or its genus.
-    const Species* findByAnyName(const std::string& name) const;  ///< A common one, too.
+    const Species* findScientific(const std::string& name) const; ///< By scientific name or genus.
+    const Species* findByAnyName(const std::string& name) const;  ///< Also by common name.
 
     std::vector<Species> _species;
     std::map<std::string, std::size_t> _byName; ///< By comparableName() of names and aliases.
-    std::map<std::string, Species> _groups;     ///< Likewise.
+    std::map<std::string, Species> _groups;     ///< By comparableName().
 };
 
 /// SpeciesCatalogue::current().find() as a value.
 OSGTREEWIND_EXPORT std::optional<Species> findSpecies(const std::string& name);
 
-/// What stands for a tree of unknown species: "broadleaf".
+/// The species used for trees of unknown species: "broadleaf".
 OSGTREEWIND_EXPORT Species defaultSpecies();
 
 } // namespace osgTreeWind

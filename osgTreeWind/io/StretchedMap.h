@@ -9,12 +9,12 @@ namespace osgTreeWind {
 /// the scene on the map (`stretched = true`).
 double mapMetresAt(const glm::dvec2& place, const Crs& map, const ForestReading& reading);
 
-/// The map of a scene at a place: `map`, or the UTM zone of the place if mapMetresAt() is not 1. A note tells
-/// of the zone.
-Result<Crs> trueMapAt(const glm::dvec2& place, const Crs& map, ForestReading& reading);
+/// The CRS for a scene at a place: `map`, or the UTM zone of the place if mapMetresAt() is not 1, with a
+/// note.
+Result<Crs> sceneMapAt(const glm::dvec2& place, const Crs& map, ForestReading& reading);
 
-/// Moves the forest from a map that trueMapAt() would leave to the one that it gives: the trees that were
-/// read, and whatever is read later. Forests in tiles stay where they are.
-void leaveStretchedMap(ForestReading& reading);
+/// Reprojects the trees read so far to sceneMapAt() their centre, and sets `toScene` for what is read later.
+/// Does not affect forests in tiles.
+void reprojectStretchedMap(ForestReading& reading);
 
 } // namespace osgTreeWind

@@ -26,7 +26,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// the text "abc", 3, a table: what stands in the file instead of what was expected.
+/// The value for messages: 'the text "abc"', '3', 'a table'.
 std::string describe(const toml::node& node) {
     if (const auto text = node.value_exact<std::string>())
         return "the text " + inQuotes(*text);
@@ -39,11 +39,11 @@ std::string describe(const toml::node& node) {
     return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
 }
 
-/// In the document, or in a setting, whose nodes have a path.
-Diagnostic problemAt(const toml::source_region& place, const ReadLog& log, const std::string& key,
+/// A problem in the document, or in a setting, whose nodes have a path.
+Diagnostic problemAt(const toml::source_region& source, const ReadLog& log, const std::string& key,
                      const std::string& message) {
-    return {place.path ? *place.path : log.file, static_cast<int>(place.begin.line),
-            static_cast<int>(place.begin.column), key, message};
+    return {source.path ? *source.path : log.file, static_cast<int>(source.begin.line),
+            static_cast<int>(source.begin.column), key, message};
 }
 
 Diagnostic problemOf(const toml::parse_error& error, const ReadLog& log) {
@@ -51,23 +51,24 @@ Diagnostic problemOf(const toml::parse_error& error, const ReadLog& log) {
                      "not valid TOML: " + printable(std::string(error.description())));
 }
 
-/// Keys of many parts, a.b.c.d: toml++ goes down them by recursion, as deep as the stack is or deeper.
+/// A problem for keys with so many parts (a.b.c.d) that the recursion of toml++ could overflow the stack.
 std::optional<Diagnostic> problemOfDepth(const std::string& text, const ReadLog& log) {
-    constexpr int mostDots = 200;
+    constexpr int maxDots = 200;
     int dots = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         const bool isOfKey = std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.\"' \t", c);
         dots = isOfKey && c ? dots + (c == '.') : 0;
-        if (dots > mostDots) {
-            const TextPlace place = placeInText(text, i);
-            return Diagnostic{log.file, place.line, place.column, {}, "expected keys of at most 200 parts"};
+        if (dots > maxDots) {
+            const TextPosition position = positionInText(text, i);
+            return Diagnostic{
+                log.file, position.line, position.column, {}, "expected keys of at most 200 parts"};
         }
     }
     return std::nullopt;
 }
 
-/// "KEY=VALUE" as a document.
+/// Parses "KEY=VALUE" as a document. A value that is not TOML is a text.
 toml::parse_result parseSetting(const std::string& setting) {
     const std::string name = "setting " + inQuotes(setting);
     toml::parse_result parsed = toml::parse(setting, name);
@@ -79,9 +80,9 @@ toml::parse_result parseSetting(const std::string& setting) {
 
 void merge(toml::table& document, toml::table& settings) {
     for (auto&& [key, node] : settings) {
-        toml::table* const before = document[key].as_table();
-        if (before && node.is_table())
-            merge(*before, *node.as_table());
+        toml::table* const existing = document[key].as_table();
+        if (existing && node.is_table())
+            merge(*existing, *node.as_table());
         else
             node.visit([&, &key = key](auto& value) { document.insert_or_assign(key, std::move(value)); });
     }
@@ -92,7 +93,7 @@ void merge(toml::table& document, toml::table& settings) {
 void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
     if (auto problem = problemOfDepth(text, log))
         return log.add(std::move(*problem));
-    // Without a path, for which toml++ 3.3 takes memory where it lets no exception out.
+    // Without a path: toml++ 3.3 would allocate it in a noexcept function.
     toml::parse_result parsed = toml::parse(text);
     if (!parsed)
         return log.add(problemOf(parsed.error(), log));
@@ -115,7 +116,7 @@ std::string TableReader::dotted(const std::string& key) const {
 }
 
 const toml::node* TableReader::find(const std::string& key) {
-    if (_asked.insert(key).second)
+    if (_requestedKeys.insert(key).second)
         _log.keys.insert(dotted(key));
     return _table.get(key);
 }
@@ -124,7 +125,7 @@ bool TableReader::has(const std::string& key) const {
     return _table.contains(key);
 }
 
-bool TableReader::says(const std::string& key, const std::string& text) const {
+bool TableReader::hasText(const std::string& key, const std::string& text) const {
     const toml::node* node = _table.get(key);
     return node && node->value_exact<std::string>() == text;
 }
@@ -143,7 +144,7 @@ void TableReader::problem(const std::string& key, const std::string& message) {
     problemAt(node ? *node : _table, key, message);
 }
 
-bool TableReader::missing(const std::string& key) {
+bool TableReader::reportMissing(const std::string& key) {
     if (!has(key))
         problemAt(_table, key, "missing");
     return false;
@@ -192,17 +193,17 @@ bool TableReader::readDegrees(const std::string& key, float& radians, const Rang
     return true;
 }
 
-template <typename Given, typename T, typename Fits>
-bool TableReader::readExact(const std::string& key, T& field, const std::string& expected, Fits fits) {
+template <typename TomlType, typename T, typename IsValid>
+bool TableReader::readExact(const std::string& key, T& field, const std::string& expected, IsValid isValid) {
     const toml::node* node = find(key);
     if (!node)
         return false;
-    auto given = node->value_exact<Given>();
-    if (!given || !fits(*given)) {
+    auto value = node->value_exact<TomlType>();
+    if (!value || !isValid(*value)) {
         problemAt(*node, key, "expected " + expected + ", found " + describe(*node));
         return false;
     }
-    field = static_cast<T>(std::move(*given));
+    field = static_cast<T>(std::move(*value));
     return true;
 }
 
@@ -251,15 +252,15 @@ bool TableReader::readScalar(const std::string& key, std::string& field) {
 }
 
 bool TableReader::readArray(const toml::node& node, const std::string& key, std::vector<double>& field,
-                            std::size_t least, std::size_t most, const Range& range) {
+                            std::size_t minCount, std::size_t maxCount, const Range& range) {
     const toml::array* array = node.as_array();
-    if (!array || array->size() < least || array->size() > most) {
-        const std::string amount = most == SIZE_MAX ? std::string()
-                                   : least == most
-                                       ? std::to_string(least) + ' '
-                                       : std::to_string(least) + " to " + std::to_string(most) + ' ';
+    if (!array || array->size() < minCount || array->size() > maxCount) {
+        const std::string count = maxCount == SIZE_MAX ? std::string()
+                                  : minCount == maxCount
+                                      ? std::to_string(minCount) + ' '
+                                      : std::to_string(minCount) + " to " + std::to_string(maxCount) + ' ';
         problemAt(node, key,
-                  "expected an array of " + amount + "numbers, found " +
+                  "expected an array of " + count + "numbers, found " +
                       (!array           ? describe(node)
                        : array->empty() ? "none"
                                         : std::to_string(array->size())));
@@ -273,10 +274,10 @@ bool TableReader::readArray(const toml::node& node, const std::string& key, std:
     return true;
 }
 
-bool TableReader::readNumbers(const std::string& key, std::vector<double>& field, std::size_t least,
-                              std::size_t most, const Range& range) {
+bool TableReader::readNumbers(const std::string& key, std::vector<double>& field, std::size_t minCount,
+                              std::size_t maxCount, const Range& range) {
     const toml::node* node = find(key);
-    return node && readArray(*node, key, field, least, most, range);
+    return node && readArray(*node, key, field, minCount, maxCount, range);
 }
 
 bool TableReader::readRows(const std::string& key, std::vector<std::vector<double>>& field, std::size_t width,
@@ -369,15 +370,16 @@ void TableReader::tables(const std::string& key, const Section& section) {
 void TableReader::reportUnknown() {
     if (_ignoreRest)
         return;
-    const std::vector<std::string> known(_asked.begin(), _asked.end());
+    const std::vector<std::string> known(_requestedKeys.begin(), _requestedKeys.end());
     for (const auto& [key, node] : _table) {
         const std::string name(key.str());
-        if (_asked.count(name))
+        if (_requestedKeys.count(name))
             continue;
-        const std::string near = nearestName(name, known);
-        _log.add(osgTreeWind::problemAt(key.source(), _log, dotted(printable(name)),
-                                        "unknown key; " + (near.empty() ? "known here: " + joined(known)
-                                                                        : "did you mean " + near + '?')));
+        const std::string similar = nearestName(name, known);
+        _log.add(
+            osgTreeWind::problemAt(key.source(), _log, dotted(printable(name)),
+                                   "unknown key; " + (similar.empty() ? "known here: " + joined(known)
+                                                                      : "did you mean " + similar + '?')));
     }
 }
 

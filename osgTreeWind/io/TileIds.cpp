@@ -8,14 +8,14 @@ namespace osgTreeWind {
 
 Result<TileIds> readTileIds(std::istream& input, const std::string& file) {
     TileIds ids;
-    const Diagnostics problems = readCsvOf(input, file, {"id", "place"},
-                                           [&](CsvCells& row) { ids.emplace(row.text(0), row.text(1)); });
+    const Diagnostics problems = readCsvWithColumns(
+        input, file, {"id", "place"}, [&](CsvCells& row) { ids.emplace(row.text(0), row.text(1)); });
     if (!problems.empty())
         return problems;
     return ids;
 }
 
-std::string tileIdsHead() {
+std::string tileIdsHeader() {
     return "id,place\n";
 }
 

@@ -9,14 +9,13 @@
 
 namespace osgTreeWind {
 
-/// Where trees with names of their own stand: CSV with a header, the columns id and place, which is the tile
-/// and the tree's number in it ("3_4/17"). One of the files over which a world's names are spread
-/// (idFileOf()).
+/// Maps ids of trees to their places, the tile and the tree's number in it ("3_4/17"): a CSV file with the
+/// columns id and place. The ids of a tiled forest are distributed over several such files (idFileOf()).
 using TileIds = std::unordered_map<std::string, std::string>;
 
-/// @return all of it, or what is wrong, at which line. Thread-safe.
+/// Thread-safe. @param file name for diagnostics.
 Result<TileIds> readTileIds(std::istream& input, const std::string& file);
-std::string tileIdsHead();
+std::string tileIdsHeader();
 std::string tileIdsRow(const std::string& id, const std::string& place);
 
 } // namespace osgTreeWind

@@ -48,8 +48,8 @@ void append(std::string& text, Number number) {
 }
 
 double rounded(double metres) {
-    constexpr double parts = 10000.0;
-    return std::round(metres * parts) / parts;
+    constexpr double partsPerMetre = 10000.0;
+    return std::round(metres * partsPerMetre) / partsPerMetre;
 }
 
 void appendSize(std::string& text, float size) {
@@ -86,7 +86,7 @@ void readEstimated(CsvCells& row, EstimatedSizes& estimated) {
         else if (letter == 'w')
             estimated.crownWidth = true;
         else
-            row.expect(Estimated, "some of h, d and w");
+            row.failExpected(Estimated, "some of h, d and w");
 }
 
 std::size_t indexOf(std::vector<std::string>& names, const std::string& name) {
@@ -106,7 +106,7 @@ TreePlacement readTree(CsvCells& row, std::vector<std::string>& species) {
     };
     TreePlacement tree;
     if (!row.has(SpeciesName))
-        row.expect(SpeciesName, "a name");
+        row.failExpected(SpeciesName, "a name");
     tree.species = indexOf(species, row.text(SpeciesName));
     tree.position = {row.number(X, worldCoordinates), row.number(Y, worldCoordinates),
                      row.number(Z, worldCoordinates)};
@@ -116,7 +116,7 @@ TreePlacement readTree(CsvCells& row, std::vector<std::string>& species) {
     tree.seed = static_cast<std::uint32_t>(row.number(Seed, within(0, 4294967295.0)));
     tree.openGrown = row.text(OpenGrown) == "1";
     if (row.has(OpenGrown) && !tree.openGrown)
-        row.expect(OpenGrown, "1 or nothing");
+        row.failExpected(OpenGrown, "1 or nothing");
     readEstimated(row, tree.estimated);
     tree.name = row.text(Id);
     return tree;
@@ -126,7 +126,7 @@ TreePlacement readTree(CsvCells& row, std::vector<std::string>& species) {
 
 Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
     TileTrees list;
-    const Diagnostics problems = readCsvOf(input, file, treeColumnNames, [&](CsvCells& row) {
+    const Diagnostics problems = readCsvWithColumns(input, file, treeColumnNames, [&](CsvCells& row) {
         list.trees.push_back(readTree(row, list.species));
     });
     if (!problems.empty())
@@ -134,7 +134,8 @@ Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
     return list;
 }
 
-Diagnostics TileTrees::fit(const std::vector<Species>& known, std::size_t count, const std::string& file) {
+Diagnostics TileTrees::resolve(const std::vector<Species>& known, std::size_t count,
+                               const std::string& file) {
     if (trees.size() != count)
         return {fileProblem(file, "expected " + std::to_string(count) + " trees, found " +
                                       std::to_string(trees.size()))};
@@ -169,7 +170,8 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
     Result<TileTrees> read = readTileTrees(input.value(), file);
     if (!read)
         return read.problems();
-    if (Diagnostics problems = read.value().fit(species, tiles.tiles[tile].trees, file); !problems.empty())
+    if (Diagnostics problems = read.value().resolve(species, tiles.tiles[tile].trees, file);
+        !problems.empty())
         return problems;
     std::vector<TreePlacement> trees = std::move(read.value().trees);
     trees.erase(std::remove_if(trees.begin(), trees.end(),
@@ -178,7 +180,7 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
     return trees;
 }
 
-std::string tileHead() {
+std::string tileHeader() {
     return csvLine(treeColumnNames);
 }
 

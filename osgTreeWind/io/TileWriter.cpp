@@ -36,14 +36,14 @@ TileWriter::TileWriter(const ForestDescription& world, Executor executor)
 
 bool TileWriter::add(const std::vector<TreePlacement>& trees) {
     std::vector<std::vector<std::uint32_t>> byTile(_tiles.tiles.size());
-    std::map<std::uint32_t, std::string> ids; // by file
+    std::map<std::uint32_t, std::string> ids; // rows by file
     for (std::size_t i = 0; !_failed && i < trees.size(); ++i) {
         const std::size_t tile = tileAt(_tiles, trees[i].position);
         const std::string& name = trees[i].name;
         if (!name.empty()) {
             const std::uint32_t file = *idFileOf(_tiles, name);
             const std::size_t number = _tiles.tiles[tile].trees + byTile[tile].size();
-            ids[file] += (_idFiles[file] ? "" : tileIdsHead()) +
+            ids[file] += (_idFiles[file] ? "" : tileIdsHeader()) +
                          tileIdsRow(name, nameOfTile(_tiles, tile) + '/' + std::to_string(number));
             _idFiles[file] = true;
         }
@@ -63,20 +63,20 @@ bool TileWriter::add(const std::vector<TreePlacement>& trees) {
 bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& all,
                            const std::vector<std::uint32_t>& trees) {
     ForestTiles::Tile& entry = _tiles.tiles[tile];
-    const std::string head = entry.trees == 0 ? tileHead() : std::string();
+    const std::string header = entry.trees == 0 ? tileHeader() : std::string();
     for (const std::uint32_t index : trees) {
         const auto z = static_cast<float>(all[index].position.z);
         entry.low = entry.trees == 0 ? z : std::min(entry.low, z);
         entry.high = entry.trees == 0 ? z : std::max(entry.high, z);
         ++entry.trees;
-        _crowns[tile].add(all[index], _shapes.measured(_shapes.fitted(all[index])), _tiles);
+        _crowns[tile].add(all[index], _shapes.sizeOf(_shapes.makePlacedTree(all[index])), _tiles);
     }
-    return append(fileOfTile(_tiles, tile), head + tileRows(all, trees, _shapes.description().species));
+    return append(fileOfTile(_tiles, tile), header + tileRows(all, trees, _shapes.description().species));
 }
 
 bool TileWriter::finish() {
-    std::string crowns = crownSheetHead();
-    for (const CrownSums& each : _crowns)
+    std::string crowns = crownSummaryHeader();
+    for (const CrownAccumulator& each : _crowns)
         crowns += each.text(_shapes.description().species);
     return !_failed && append(fileOfCrowns(_tiles), crowns);
 }

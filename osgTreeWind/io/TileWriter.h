@@ -3,25 +3,25 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/io/CrownSheet.h>
+#include <osgTreeWind/io/CrownSummary.h>
 
 #include <string>
 #include <vector>
 
 namespace osgTreeWind {
 
-/// Writes the files of tiles as their trees come, some at a time. A file has another name until it is whole.
+/// Writes the files of a tiled forest from batches of trees.
 class TileWriter {
 public:
-    /// @param world without trees, with tiles that have no trees yet, in a folder without their files.
+    /// @param world without trees, with empty tiles in a folder that has no files of them.
     TileWriter(const ForestDescription& world, Executor executor);
 
-    /// Those that come next. @return false where they cannot be written.
+    /// Writes a batch of trees. @return false if a file cannot be written.
     bool add(const std::vector<TreePlacement>& trees);
-    /// All have come. @return false where a file cannot be written.
+    /// Completes the files after the last batch. @return false if a file cannot be written.
     bool finish();
 
-    /// With the trees so far.
+    /// The tiles, with counts and heights of the trees so far.
     const ForestTiles& tiles() const { return _tiles; }
     const PlacedForest& shapes() const { return _shapes; }
 
@@ -32,8 +32,8 @@ private:
     ForestTiles _tiles;
     Executor _executor;
     PlacedForest _shapes;
-    std::vector<CrownSums> _crowns; ///< Per tile.
-    std::vector<bool> _idFiles;     ///< Those that are begun.
+    std::vector<CrownAccumulator> _crowns; ///< Per tile.
+    std::vector<bool> _idFiles;            ///< Whether the file has a header.
     bool _failed = false;
 };
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TiledForest.h>
 
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/TileFiles.h>
+#include <osgTreeWind/io/FlightPath.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TileWriter.h>
-#include <osgTreeWind/io/TilesFlight.h>
-#include <osgTreeWind/io/TreesInAll.h>
-#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/io/TreeBounds.h>
+#include <osgTreeWind/motion/MakeCanopy.h>
 
 #include <glm/common.hpp>
 
@@ -37,23 +37,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostTiles = 10000.0, largestByDefault = 1000.0, treesByDefault = 2000.0, idsInFile = 5000.0;
-constexpr std::size_t treesForStands = 20000;
+constexpr double maxTiles = 10000.0, maxDefaultSize = 1000.0, defaultTreesPerTile = 2000.0,
+                 idsPerFile = 5000.0;
+constexpr std::size_t maxCanopyTrees = 20000;
 
-/// Whole tiles that hold all trees, corners at multiples of their size.
-ForestTiles gridOver(const TreesInAll& all, double size) {
+/// Empty tiles that cover all trees, with corners at multiples of their size.
+ForestTiles makeTileGrid(const TreeBounds& all, double size) {
     const glm::dvec2 low(all.low), high(all.high);
     const auto count = [&](int axis, double side) {
         return std::floor(high[axis] / side) - std::floor(low[axis] / side) + 1.0;
     };
-    const bool chosen = size > 0.0;
-    if (!chosen)
-        size = largestByDefault;
-    while (count(0, size) * count(1, size) > mostTiles)
+    const bool isSizeGiven = size > 0.0;
+    if (!isSizeGiven)
+        size = maxDefaultSize;
+    while (count(0, size) * count(1, size) > maxTiles)
         size *= 2.0;
     const auto trees = static_cast<double>(all.count);
-    while (!chosen && trees > treesByDefault * count(0, size) * count(1, size) &&
-           count(0, 0.5 * size) * count(1, 0.5 * size) <= mostTiles)
+    while (!isSizeGiven && trees > defaultTreesPerTile * count(0, size) * count(1, size) &&
+           count(0, 0.5 * size) * count(1, 0.5 * size) <= maxTiles)
         size *= 0.5;
     ForestTiles tiles;
     tiles.size = size;
@@ -63,14 +64,15 @@ ForestTiles gridOver(const TreesInAll& all, double size) {
     return tiles;
 }
 
-/// Of all trees, or of those of tiles all over the world.
-WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std::atomic<bool>& failed) {
+/// Computes the canopy statistics from all trees, or in large forests from every n-th tile.
+WindCanopy computeTiledCanopy(const TileWriter& written, const Executor& executor,
+                              std::atomic<bool>& failed) {
     const PlacedForest& shapes = written.shapes();
     const ForestTiles& all = written.tiles();
-    const std::size_t every = (all.treeCount() + treesForStands - 1) / treesForStands;
+    const std::size_t stride = (all.treeCount() + maxCanopyTrees - 1) / maxCanopyTrees;
     std::vector<std::size_t> tiles;
-    for (std::size_t tile = 0, met = 0; tile < all.tiles.size(); ++tile)
-        if (all.tiles[tile].trees > 0 && met++ % every == 0)
+    for (std::size_t tile = 0, count = 0; tile < all.tiles.size(); ++tile)
+        if (all.tiles[tile].trees > 0 && count++ % stride == 0)
             tiles.push_back(tile);
     std::vector<std::vector<CanopyTree>> stands(tiles.size());
     runJobs(executor, tiles.size(), [&](std::size_t i) {
@@ -79,19 +81,19 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
         if (!trees)
             failed = true;
         for (std::size_t j = 0; trees && j < trees.value().size(); ++j) {
-            const PlacedTree tree = shapes.fitted(trees.value()[j]);
+            const PlacedTree tree = shapes.makePlacedTree(trees.value()[j]);
             stands[i].emplace_back(shapes.modelOf(tree), tree.scale, shapes.speciesOf(tree), tree.leaves,
                                    glm::vec2(tree.position));
         }
     });
-    for (std::size_t i = 1; every == 1 && i < stands.size(); ++i) // no borders between tiles
+    for (std::size_t i = 1; stride == 1 && i < stands.size(); ++i) // all trees are one stand
         std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
-    if (every == 1)
+    if (stride == 1)
         stands.resize(1);
-    return withUsualStands(shapes.description().wind.canopy.value_or(WindCanopy()), stands);
+    return withCanopyStatistics(shapes.description().wind.canopy.value_or(WindCanopy()), stands);
 }
 
-/// The folder of a world while one program writes it.
+/// The folder of a tiled forest while it is written. A lock excludes other processes.
 class WorldFolder {
 public:
     explicit WorldFolder(const std::string& folder) : _folder(folder), _file(folder + "/world.treewind") {
@@ -108,7 +110,7 @@ public:
 
     const std::string& file() const { return _file; }
 
-    /// Makes an empty folder for new tiles beside those that there are. @return what keeps it from that.
+    /// Locks the folder and creates an empty folder for new tiles, beside existing ones.
     Diagnostics begin() {
         if (_descriptor < 0)
             return {fileProblem(_folder, "cannot be written: " + std::generic_category().message(errno))};
@@ -122,28 +124,28 @@ public:
                                            "it, or choose another folder")};
             _old = fs::path(world.value().tiles->folder).lexically_normal();
         }
-        const fs::path usual = fs::path(_folder) / "tiles";
-        _tiles = usual.string() + (fs::equivalent(_old, usual, error) ? "-2" : "");
-        for (const std::string& name : {usual.string(), usual.string() + "-2"})
+        const std::string first = (fs::path(_folder) / "tiles").string(), second = first + "-2";
+        _tiles = fs::equivalent(_old, first, error) ? second : first;
+        for (const std::string& name : {first, second})
             if (!fs::equivalent(_old, name, error))
                 if (Diagnostics problems = remove(name); !problems.empty())
                     return problems;
         if (!fs::create_directories(_tiles, error))
-            return {fileProblem(_tiles, "cannot be made: " + error.message())};
+            return {fileProblem(_tiles, "cannot be created: " + error.message())};
         _new.emplace(_tiles);
         return {};
     }
     const std::string& tiles() const { return _tiles; }
 
-    /// The world is now that of the new tiles.
-    void finish() {
-        _new->finish();
+    /// Keeps the new tiles and removes the old ones.
+    void commit() {
+        _new->keep();
         if (const fs::path parent = fs::path(_tiles).parent_path(); _old.parent_path() == parent)
             remove(_old.string());
     }
 
 private:
-    /// A folder of tiles; problems where it has other files, too.
+    /// Removes a folder of tiles; fails if it contains other files.
     static Diagnostics remove(const std::string& folder) {
         std::error_code error, ignored;
         if (!fs::is_directory(folder, error))
@@ -163,45 +165,45 @@ private:
 
     std::string _folder, _file, _tiles;
     fs::path _old;
-    std::optional<Unfinished> _new;
+    std::optional<TemporaryPath> _new;
     int _descriptor = -1;
 };
 
-using Take = std::function<void(const std::vector<TreePlacement>&)>;
+using TreeVisitor = std::function<void(const std::vector<TreePlacement>&)>;
 
-/// @param forest without trees. @param visit hands over all of them each time, and says whether it could.
-Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<bool(const Take&)>& visit,
+/// @param forest without trees. @param visit visits all trees; false on an error.
+Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<bool(const TreeVisitor&)>& visit,
                                const std::string& folder, const TilingOptions& options) {
-    TreesInAll all;
-    bool isRead = visit([&](const std::vector<TreePlacement>& trees) { all.add(trees); });
-    if (isRead && all.count == 0)
+    TreeBounds all;
+    bool isComplete = visit([&](const std::vector<TreePlacement>& trees) { all.add(trees); });
+    if (isComplete && all.count == 0)
         return keyProblem({}, "there are no trees to cut into tiles");
     WorldFolder world(folder);
     if (Diagnostics problems = world.begin(); !problems.empty())
         return problems;
-    ForestTiles& tiles = forest.tiles.emplace(gridOver(all, options.size));
+    ForestTiles& tiles = forest.tiles.emplace(makeTileGrid(all, options.size));
     tiles.folder = world.tiles();
-    all.nameCompanies(forest.species, tiles);
+    all.addSpeciesNames(forest.species, tiles);
     tiles.idFiles = static_cast<std::uint32_t>(
-        std::min(std::ceil(static_cast<double>(all.named) / idsInFile), mostTiles));
+        std::min(std::ceil(static_cast<double>(all.named) / idsPerFile), maxTiles));
     const Executor executor = options.executor ? options.executor : Executor(runInTurn);
     TileWriter writer(forest, executor);
-    isRead = isRead && visit([&](const std::vector<TreePlacement>& trees) { writer.add(trees); });
-    std::atomic<bool> failed = !writer.finish() || !isRead;
+    isComplete = isComplete && visit([&](const std::vector<TreePlacement>& trees) { writer.add(trees); });
+    std::atomic<bool> failed = !writer.finish() || !isComplete;
     tiles = writer.tiles();
-    tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
+    tiles.range = options.range > 0.0 ? options.range : defaultTileRange(tiles);
     if (!failed)
-        forest.wind.canopy = tiledCanopy(writer, executor, failed);
+        forest.wind.canopy = computeTiledCanopy(writer, executor, failed);
     if (failed)
-        return WholeFile(fileOfCrowns(tiles)).problem();
-    Diagnostics problems = writeWholeFile(folder + "/fly.path", flightOver(tiles, forest.origin));
+        return AtomicFile(fileOfCrowns(tiles)).problem();
+    Diagnostics problems = writeFileAtomically(folder + "/fly.path", makeFlightPath(tiles, forest.origin));
     ForestTiles result = tiles;
     tiles.folder = fs::path(tiles.folder).filename().string();
     if (problems.empty())
         problems = writeForestFile(forest, world.file());
     if (!problems.empty())
         return problems;
-    world.finish();
+    world.commit();
     return result;
 }
 
@@ -213,8 +215,8 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
         return problems;
     ForestDescription world = forest;
     world.trees.clear();
-    const auto visit = [&](const Take& take) {
-        take(forest.trees);
+    const auto visit = [&](const TreeVisitor& visitor) {
+        visitor(forest.trees);
         return true;
     };
     return writeWorld(std::move(world), visit, folder, options);
@@ -223,7 +225,8 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
 Result<ForestTiles> writeTiledForest(const ForestStream& forest, const std::string& folder,
                                      const TilingOptions& options) {
     return writeWorld(
-        forest.description(), [&](const Take& take) { return forest.visit(take); }, folder, options);
+        forest.description(), [&](const TreeVisitor& visitor) { return forest.visit(visitor); }, folder,
+        options);
 }
 
 } // namespace osgTreeWind

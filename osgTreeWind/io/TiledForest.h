@@ -11,40 +11,39 @@
 
 namespace osgTreeWind {
 
-/// How a forest is cut.
+/// How a forest is divided into tiles.
 struct TilingOptions {
-    double size =
-        1000.0;         ///< Of a tile, metres, [10, 100000]; larger where there would be over 10,000 of them.
-    double range = 0.0; ///< ForestTiles::range; 0: by how many trees there are.
+    /// Side of a tile, metres, [10, 100000]; doubled until there are at most 10,000 tiles.
+    double size = 1000.0;
+    double range = 0.0; ///< ForestTiles::range; 0: chosen from the density of trees.
     Executor executor;  ///< Null: the calling thread.
 };
 
-/// Writes a forest as a folder that Forest draws a part of at a time (docs/worlds.md): `world.treewind` and
-/// `tiles/`, and a flight over it for viewers, `fly.path`. The same bytes whatever the threads.
+/// Writes a tiled forest, of which Forest loads only a part at a time (docs/worlds.md): a folder with
+/// `world.treewind`, `tiles/`, and `fly.path`, a camera path for viewers. Threads do not affect the files.
 ///
-/// `world.treewind` is taken away first and comes last: without it there is no world, and the same call makes
-/// one. Files of tiles that were there before and are none of it are removed.
-/// @return the tiles, or what keeps it from being written.
+/// `world.treewind` is replaced last, after the tiles are complete. Old files of tiles are then removed.
+/// @return the tiles, or an error.
 OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestDescription& forest,
                                                         const std::string& folder,
                                                         const TilingOptions& options = {});
 
-/// The same of a forest that is not in memory; the same bytes, whatever of it is at once.
+/// Writes the same files for a forest that is not in memory.
 OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestStream& forest, const std::string& folder,
                                                         const TilingOptions& options = {});
 
-/// Columns and rows of tiles, both ends included.
+/// A rectangle of tiles, inclusive at both ends.
 struct TileBox {
-    std::uint32_t firstColumn = 0;  ///< The westernmost,
-    std::uint32_t firstRow = 0;     ///< the southernmost,
-    std::uint32_t lastColumn = ~0u; ///< the easternmost,
-    std::uint32_t lastRow = ~0u;    ///< the northernmost.
+    std::uint32_t firstColumn = 0;  ///< Westernmost column.
+    std::uint32_t firstRow = 0;     ///< Southernmost row.
+    std::uint32_t lastColumn = ~0u; ///< Easternmost column.
+    std::uint32_t lastRow = ~0u;    ///< Northernmost row.
 };
 
-/// Reads the trees of those tiles into the forest, which has no tiles then, and keeps of its own trees those
-/// that stand there. From files, not from URLs.
-/// @param margin metres around the tiles, of which all trees come behind, for what they are to the others.
-/// @return how many trees of those tiles there are, which come first, or the problems.
+/// Replaces the tiles of a forest by the trees in a rectangle of tiles, from files only, not URLs. Of the
+/// forest's other trees, it keeps those in the rectangle.
+/// @param margin metres around the rectangle from which trees are appended, as neighbours of the others.
+/// @return the number of trees in the rectangle, which come first, or an error.
 OSGTREEWIND_EXPORT Result<std::size_t> loadTiles(ForestDescription& forest, const TileBox& box = {},
                                                  double margin = 0.0);
 

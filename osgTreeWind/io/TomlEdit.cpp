@@ -11,32 +11,33 @@ namespace osgTreeWind {
 
 namespace {
 
-std::size_t lineBegin(const std::string& text, std::size_t line) { // 1: the first
+/// @param line 1-based.
+std::size_t lineBegin(const std::string& text, std::size_t line) {
     std::size_t at = 0;
     for (; line > 1 && at < text.size(); --line)
         at = std::min(text.find('\n', at), text.size() - 1) + 1;
     return at;
 }
 
-/// Columns count characters, of one byte or more each.
-std::size_t offsetOf(const std::string& text, const toml::source_position& place) {
-    std::size_t at = lineBegin(text, place.line);
-    for (std::size_t column = 1; column < place.column && at < text.size(); ++column)
+/// The byte offset of a position, whose columns count UTF-8 characters.
+std::size_t offsetOf(const std::string& text, const toml::source_position& position) {
+    std::size_t at = lineBegin(text, position.line);
+    for (std::size_t column = 1; column < position.column && at < text.size(); ++column)
         do
             ++at;
         while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
     return at;
 }
 
-/// The table of that name, or of none the document itself; null where there is none.
-toml::table* tableOf(toml::parse_result& document, const std::string& name) {
+/// The table of that name, or the root table for an empty name. May be null.
+toml::table* findTable(toml::parse_result& document, const std::string& name) {
     if (!document)
         return nullptr;
     return name.empty() ? &document.table() : document.table()[name].as_table();
 }
 
-/// The line behind which a further key of a table comes; nothing where no key can.
-std::optional<std::size_t> lastLineOf(const toml::table& table, bool isDocument) {
+/// The line after which a new key of a table can be inserted; empty for an inline table.
+std::optional<std::size_t> findLastLine(const toml::table& table, bool isDocument) {
     if (table.is_inline())
         return std::nullopt;
     std::size_t last = isDocument ? 0 : table.source().begin.line;
@@ -59,14 +60,14 @@ void TomlEdit::append(const std::string& lines) {
 
 void TomlEdit::set(const std::string& table, const std::string& key, const std::string& value) {
     toml::parse_result document = toml::parse(_text);
-    toml::table* const found = tableOf(document, table);
+    toml::table* const found = findTable(document, table);
     const std::string line = key + " = " + value + '\n';
     if (!found)
         return append("\n[" + table + "]\n" + line);
     if (const toml::node* node = found->get(key)) {
         const std::size_t begin = offsetOf(_text, node->source().begin);
         _text.replace(begin, offsetOf(_text, node->source().end) - begin, value);
-    } else if (const auto last = lastLineOf(*found, table.empty())) {
+    } else if (const auto last = findLastLine(*found, table.empty())) {
         const std::size_t at = lineBegin(_text, *last + 1);
         if (at == _text.size())
             append(line);
@@ -77,7 +78,7 @@ void TomlEdit::set(const std::string& table, const std::string& key, const std::
 
 void TomlEdit::remove(const std::string& table, const std::string& key) {
     toml::parse_result document = toml::parse(_text);
-    const toml::table* const found = tableOf(document, table);
+    const toml::table* const found = findTable(document, table);
     const toml::node* const node = found && !found->is_inline() ? found->get(key) : nullptr;
     if (!node)
         return;
@@ -86,10 +87,10 @@ void TomlEdit::remove(const std::string& table, const std::string& key) {
 }
 
 void TomlEdit::replaceTables(const std::string& table, const std::string& lines) {
-    const std::regex header(R"(^\s*\[\[?\s*([A-Za-z0-9_.-]+))"), said(R"(^\s*[^#\s])");
+    const std::regex header(R"(^\s*\[\[?\s*([A-Za-z0-9_.-]+))"), content(R"(^\s*[^#\s])");
     const std::string parent = table.substr(0, table.find('.'));
-    std::string kept, name, before; // what may be said of the next table: comments and empty lines
-    std::optional<std::size_t> place, behindParent;
+    std::string kept, name, pending; // comments and empty lines, which belong to the next table
+    std::optional<std::size_t> insertion, afterParent;
     for (std::size_t at = 0; at < _text.size();) {
         const std::size_t next = std::min(_text.find('\n', at), _text.size() - 1) + 1;
         const std::string line = _text.substr(at, next - at);
@@ -97,26 +98,26 @@ void TomlEdit::replaceTables(const std::string& table, const std::string& lines)
         std::smatch found;
         if (std::regex_search(line, found, header))
             name = found[1];
-        const bool goes = name == table || name.compare(0, table.size() + 1, table + '.') == 0;
-        if (!std::regex_search(line, said)) {
-            before += line;
+        const bool isReplaced = name == table || name.compare(0, table.size() + 1, table + '.') == 0;
+        if (!std::regex_search(line, content)) {
+            pending += line;
             continue;
         }
-        if (goes && !place)
-            place = (kept += before).size();
-        else if (!goes)
-            kept += before;
-        before.clear();
-        if (!goes)
+        if (isReplaced && !insertion)
+            insertion = (kept += pending).size();
+        else if (!isReplaced)
+            kept += pending;
+        pending.clear();
+        if (!isReplaced)
             kept += line;
         if (name == parent)
-            behindParent = kept.size();
+            afterParent = kept.size();
     }
-    _text = kept + before;
-    if (place)
-        _text.insert(*place, lines);
-    else if (behindParent)
-        _text.insert(*behindParent, '\n' + lines);
+    _text = kept + pending;
+    if (insertion)
+        _text.insert(*insertion, lines);
+    else if (afterParent)
+        _text.insert(*afterParent, '\n' + lines);
     else
         append('\n' + lines);
 }

@@ -5,19 +5,19 @@
 
 namespace osgTreeWind {
 
-/// Changes keys in the text of a TOML document, and leaves all else as it stands: comments, order, spaces.
-/// What it cannot change so (a key that would come into an inline table) is not changed: read the text again.
+/// Edits keys in the text of a TOML document and preserves everything else: comments, order, spaces. An edit
+/// that is not possible, such as adding a key to an inline table, is ignored; read the text again to check.
 class TomlEdit {
 public:
     explicit TomlEdit(std::string text) : _text(std::move(text)) {}
 
-    /// Gives a key another value, as TOML has it. A key that is not there comes behind the others of its
-    /// table, and a table that is not there behind all. @param table "wind"; empty: of the document itself.
+    /// Sets a key to a TOML value. A new key is appended to its table, and a new table to the document.
+    /// @param table "wind"; empty: the root table.
     void set(const std::string& table, const std::string& key, const std::string& value);
-    /// Takes away the lines that a key is on.
+    /// Removes the lines of a key.
     void remove(const std::string& table, const std::string& key);
-    /// Puts other lines in place of the tables of a name and of those within them; where there are none,
-    /// behind the table that they are in. @param table "wind", "wind.source".
+    /// Replaces all tables of a name, including nested ones, by other lines. Without such tables, inserts the
+    /// lines after the parent table. @param table "wind", "wind.source".
     void replaceTables(const std::string& table, const std::string& lines);
 
     const std::string& text() const { return _text; }

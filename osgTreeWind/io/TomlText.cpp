@@ -14,9 +14,9 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The shortest decimal of six digits or more that is taken for the number.
-template <typename Taken>
-std::string shortest(double number, const Taken& taken) {
+/// The shortest decimal text with at least six digits whose value `isEqual` accepts.
+template <typename IsEqual>
+std::string shortest(double number, const IsEqual& isEqual) {
     if (number == 0.0)
         return std::signbit(number) ? "-0.0" : "0";
     for (int digits = 6;; ++digits) {
@@ -25,12 +25,12 @@ std::string shortest(double number, const Taken& taken) {
             std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr;
         double read = 0.0;
         std::from_chars(text, end, read);
-        if (digits == 17 || taken(read))
+        if (digits == 17 || isEqual(read))
             return {text, end};
     }
 }
 
-/// The value of a field.
+/// Formats the value of a field; empty if it need not be written.
 struct ValueText {
     const Field& field;
 
@@ -39,12 +39,12 @@ struct ValueText {
         return value->has_value() ? (*this)(&**value) : "";
     }
     std::string operator()(const float* value) const {
-        const auto taken = [&](double read) {
+        const auto isEqual = [&](double read) {
             return static_cast<float>(field.degrees() ? glm::radians(read) : read) == *value &&
                    field.range.contains(read);
         };
         const double number = static_cast<double>(*value);
-        return shortest(field.degrees() ? glm::degrees(number) : number, taken);
+        return shortest(field.degrees() ? glm::degrees(number) : number, isEqual);
     }
     std::string operator()(const std::array<float, 4>* values) const {
         std::string text;
@@ -61,13 +61,13 @@ struct ValueText {
     std::string operator()(const std::vector<T>* values) const {
         return values->empty() ? "" : tomlText(*values);
     }
-    std::string operator()(const WordMember& word) const {
+    std::string operator()(const EnumMember& word) const {
         for (const auto& [text, value] : field.words)
             if (value == word.get(word.object))
                 return tomlText(text);
         return {};
     }
-    std::string operator()(const PartMember&) const { return {}; }
+    std::string operator()(const NestedMember&) const { return {}; }
     std::string operator()(const std::uint32_t* value) const { return std::to_string(*value); }
     template <typename T>
     std::string operator()(const T* value) const {
@@ -101,22 +101,24 @@ std::string tomlText(const std::string& text) {
 }
 
 void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
-                 const void* usual) {
-    const auto differs = [&](const Field& field) { return !usual || !sameField(field, owner, usual); };
+                 const void* defaults) {
+    const auto differs = [&](const Field& field) {
+        return !defaults || !isFieldEqual(field, owner, defaults);
+    };
     for (const Field& field : fields)
         if (differs(field))
             if (const std::string text = std::visit(ValueText{field}, field.of(owner)); !text.empty())
                 output << field.key << " = " << text << '\n';
     for (const Field& field : fields) {
         const Member member = field.of(owner);
-        const auto part = std::get_if<PartMember>(&member);
+        const auto part = std::get_if<NestedMember>(&member);
         if (!part || !differs(field))
             continue;
         const std::string path = table + '.' + field.key;
-        const Member other = usual ? field.of(usual) : Member();
+        const Member other = defaults ? field.of(defaults) : Member();
         output << "\n[" << path << "]\n";
         writeFields(output, path, *part->fields, part->object,
-                    usual ? std::get_if<PartMember>(&other)->object : nullptr);
+                    defaults ? std::get_if<NestedMember>(&other)->object : nullptr);
     }
 }
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-/// Values as TOML that read back the same, to the bit.
+/// Formats values as TOML that reads back exactly.
 namespace osgTreeWind {
 
 std::string tomlText(double number);
-std::string tomlText(float number); ///< Read as a double and rounded.
+std::string tomlText(float number); ///< Exact after reading a double and rounding to float.
 std::string tomlText(const std::string& text);
 
 inline std::string tomlText(int number) {
@@ -30,25 +30,25 @@ std::string tomlText(const std::vector<T>& values) {
     return '[' + text + ']';
 }
 
-/// Writes the keys that are not as in `usual` (null: all), then tables of those parts that are not.
-/// @param table that the keys are in, as "species.growth".
+/// Writes the fields that differ from `defaults` (null: all fields): first the keys, then the tables of
+/// nested structs. @param table that contains the keys, such as "species.growth".
 void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
-                 const void* usual);
+                 const void* defaults);
 template <typename Struct>
 void writeFields(std::ostream& output, const std::string& table, const Struct& value,
-                 const Struct& usual = {}) {
-    writeFields(output, table, fieldsOf<Struct>(), &value, &usual);
+                 const Struct& defaults = {}) {
+    writeFields(output, table, fieldsOf<Struct>(), &value, &defaults);
 }
-/// The same below "[table]", which is left out where nothing would be in it.
+/// Writes "[table]" and its fields, unless all fields have their defaults.
 template <typename Struct>
 void writeTable(std::ostream& output, const std::string& table, const Struct& value) {
-    const Struct usual{};
+    const Struct defaults{};
     for (const Field& field : fieldsOf<Struct>())
-        if (!sameField(field, &value, &usual))
-            return output << "\n[" << table << "]\n", writeFields(output, table, value, usual);
+        if (!isFieldEqual(field, &value, &defaults))
+            return output << "\n[" << table << "]\n", writeFields(output, table, value, defaults);
 }
 
-/// Why a document cannot name a file; empty where it can.
+/// Why a document cannot refer to a file; empty if it can.
 std::string problemOfFile(const std::string& file);
 
 } // namespace osgTreeWind

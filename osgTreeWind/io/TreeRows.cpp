@@ -23,40 +23,42 @@ std::optional<std::size_t> TreeRows::column(const std::string& name) const {
 }
 
 std::string TreeRows::problemOfColumn(const std::string& name) const {
-    const std::string near = nearestName(name, columns());
+    const std::string similar = nearestName(name, columns());
     return "no column " + inQuotes(name) + " in " + file() +
-           (near.empty() ? "" : "; the nearest is " + inQuotes(near));
+           (similar.empty() ? "" : "; did you mean " + inQuotes(similar) + '?');
 }
 
 namespace {
 
 class CsvRows final : public TreeRows {
 public:
-    /// @param text as tableText() gives it, in which readCsvRows() found nothing wrong and that head.
-    CsvRows(CsvTable head, std::string text) : _head(std::move(head)), _text(std::move(text)) {
+    /// @param text from decodeTable(), checked by readCsvRows(). @param header from readCsvRows().
+    CsvRows(CsvTable header, std::string text) : _header(std::move(header)), _text(std::move(text)) {
         rewind({}, {});
     }
 
-    const std::string& file() const override { return _head.file; }
+    const std::string& file() const override { return _header.file; }
     const std::string& format() const override { return _format; }
-    const std::vector<std::string>& columns() const override { return _head.columns; }
+    const std::vector<std::string>& columns() const override { return _header.columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind(const CrsWay&, const std::vector<std::size_t>&) override {
-        _reader.emplace(_text, _head.file, _head.format.delimiter);
-        static_cast<void>(_reader->next()); // the header, which was read before
+    void rewind(const CrsTransform&, const std::vector<std::size_t>&) override {
+        _reader.emplace(_text, _header.file, _header.format.delimiter);
+        static_cast<void>(_reader->next()); // skip the header
     }
     Result<bool> next() override { return _reader->next(); }
     bool has(std::size_t column) const override { return !text(column).empty(); }
     std::string text(std::size_t column) const override { return _reader->row().cells[column]; }
-    Result<double> number(std::size_t column) const override { return _head.number(_reader->row(), column); }
+    Result<double> number(std::size_t column) const override {
+        return _header.number(_reader->row(), column);
+    }
     Result<VectorPlace> place() const override { return VectorPlace(); }
     Diagnostic problem(const std::string& column, const std::string& message) const override {
-        return {_head.file, _reader->row().line, 0, column, message};
+        return {_header.file, _reader->row().line, 0, column, message};
     }
 
 private:
-    CsvTable _head;
+    CsvTable _header;
     std::string _text;
     const std::string _format = "CSV";
     std::optional<CsvReader> _reader;
@@ -77,11 +79,11 @@ public:
     const std::vector<std::string>& columns() const override { return _file.columns(); }
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
-    void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) override {
+    void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) override {
         std::vector<std::size_t> all = columns;
         if (_natural && !all.empty())
             all.push_back(*_natural);
-        _file.rewind(way, all);
+        _file.rewind(transform, all);
     }
     Result<bool> next() override {
         for (;;) {
@@ -95,7 +97,7 @@ public:
     Result<double> number(std::size_t column) const override {
         const std::optional<double> stored = _file.number(column);
         const std::optional<double> number = stored     ? stored
-                                             : _natural ? metresOf(text(column))
+                                             : _natural ? parseMetres(text(column))
                                                         : parseNumber(text(column));
         if (number && Range().contains(*number))
             return *number;
@@ -112,14 +114,14 @@ public:
 private:
     VectorFile _file;
     std::string _format;
-    std::optional<std::size_t> _natural; ///< Of OpenStreetMap: the column that says "tree".
+    std::optional<std::size_t> _natural; ///< OpenStreetMap's column `natural`, which is "tree" for trees.
 };
 
 std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& options,
                                   ForestReading& reading) {
     Result<std::string> bytes = readBytes(path);
     Result<TableText> text =
-        bytes ? tableText(std::move(bytes.value()), path, options) : Result<TableText>(bytes.problems());
+        bytes ? decodeTable(std::move(bytes.value()), path, options) : Result<TableText>(bytes.problems());
     const Result<CsvTable> table = text ? readCsvRows(text.value().text, path, text.value().format,
                                                       [](const CsvTable&, CsvTable::Row&) {})
                                         : Result<CsvTable>(text.problems());
@@ -132,7 +134,7 @@ std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& o
     return std::make_unique<CsvRows>(table.value(), std::move(text.value().text));
 }
 
-/// Those of others that match a condition.
+/// The rows that match a filter.
 class MatchingRows final : public TreeRows {
 public:
     MatchingRows(std::unique_ptr<TreeRows> all, RowFilter filter)
@@ -143,11 +145,11 @@ public:
     const std::vector<std::string>& columns() const override { return _all->columns(); }
     const std::optional<Crs>& crs() const override { return _all->crs(); }
     bool hasPlaces() const override { return _all->hasPlaces(); }
-    void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) override {
+    void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) override {
         std::vector<std::size_t> all = columns;
         if (!all.empty())
             all.insert(all.end(), _filter.columns().begin(), _filter.columns().end());
-        _all->rewind(way, all);
+        _all->rewind(transform, all);
     }
     Result<bool> next() override {
         for (;;) {
@@ -202,15 +204,15 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
     auto file = reading.open(table, "file");
     if (!file)
         return {};
-    const bool hasFeatures = VectorFile::knows(file->path);
-    bool fits = true;
+    const bool hasFeatures = VectorFile::isSupported(file->path);
+    bool isValid = true;
     for (const char* key : {"layer", "delimiter"})
         if (table.has(key) && hasFeatures == (key == std::string("delimiter"))) {
-            table.problem(key, hasFeatures ? "expected only beside a CSV table"
-                                           : "expected only beside a file with layers, not a CSV table");
-            fits = false;
+            table.problem(key, hasFeatures ? "applies only to a CSV table"
+                                           : "applies only to a file with layers, not to a CSV table");
+            isValid = false;
         }
-    if (!fits)
+    if (!isValid)
         return {};
     std::unique_ptr<TreeRows> rows =
         hasFeatures ? openFeatures(file->path, layer, reading) : openCsv(file->path, options, reading);

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// All of a tree but its name.
+/// All members of a tree except its name.
 template <typename Tree>
 auto storedParts(Tree& tree) {
     return std::tie(tree.position, tree.species, tree.size, tree.heading, tree.leaves, tree.seed,
@@ -27,8 +27,8 @@ void append(std::string& bytes, const TreePlacement& tree, bool onGround) {
     bytes += tree.name;
 }
 
-/// @return where the next one begins.
-const char* take(const char* bytes, TreePlacement& tree, bool& onGround) {
+/// @return the begin of the next tree.
+const char* deserialize(const char* bytes, TreePlacement& tree, bool& onGround) {
     const auto read = [&](auto&... parts) {
         ((std::memcpy(static_cast<void*>(&parts), bytes, sizeof parts), bytes += sizeof parts), ...);
     };
@@ -39,7 +39,7 @@ const char* take(const char* bytes, TreePlacement& tree, bool& onGround) {
     return bytes + length;
 }
 
-std::string bytesOf(const TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+std::string serialize(const TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
     std::string bytes;
     bytes.reserve(trees.size() * sizeof(TreePlacement));
     auto next = onGround.begin();
@@ -54,12 +54,12 @@ std::string bytesOf(const TreeStore::Trees& trees, const std::vector<std::size_t
 
 } // namespace
 
-bool TreeStore::useFile(const std::string& folder, std::size_t most) {
+bool TreeStore::useFile(const std::string& folder, std::size_t maxInMemory) {
     const std::string path = folder + "/trees.part";
     _file.reset(std::fopen(path.c_str(), "w+b"));
     if (_file)
         std::remove(path.c_str());
-    _most = most;
+    _maxInMemory = maxInMemory;
     return _file != nullptr;
 }
 
@@ -67,14 +67,14 @@ void TreeStore::add(const TreePlacement& tree, bool onGround) {
     if (onGround)
         _onGround.push_back(_memory.size());
     _memory.push_back(tree);
-    if (_file && _memory.size() >= _most)
+    if (_file && _memory.size() >= _maxInMemory)
         store();
 }
 
 void TreeStore::store() {
     if (!_file || _memory.empty())
         return;
-    const std::string bytes = bytesOf(_memory, _onGround);
+    const std::string bytes = serialize(_memory, _onGround);
     Part part;
     if (!_parts.empty())
         part.begin = _parts.back().begin + static_cast<long>(_parts.back().bytes);
@@ -106,37 +106,37 @@ bool TreeStore::load(const Part& part, Trees& trees, std::vector<std::size_t>& o
     const char* next = bytes.data();
     for (std::size_t i = 0; i < trees.size(); ++i) {
         bool isOnGround = false;
-        next = take(next, trees[i], isOnGround);
+        next = deserialize(next, trees[i], isOnGround);
         if (isOnGround)
             onGround.push_back(i);
     }
     return true;
 }
 
-void TreeStore::visit(const std::function<void(const Trees&)>& take) {
-    eachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>&) { take(trees); });
+void TreeStore::visit(const std::function<void(const Trees&)>& visitor) {
+    forEachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>&) { visitor(trees); });
 }
 
-void TreeStore::change(
-    const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& change) {
-    eachPart([&](const Part* part, Trees& trees, const std::vector<std::size_t>& onGround) {
-        change(trees, onGround);
+void TreeStore::modify(
+    const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
+    forEachPart([&](const Part* part, Trees& trees, const std::vector<std::size_t>& onGround) {
+        modifier(trees, onGround);
         if (part)
-            write(*part, bytesOf(trees, onGround));
+            write(*part, serialize(trees, onGround));
     });
 }
 
-void TreeStore::eachPart(
-    const std::function<void(const Part*, Trees& trees, const std::vector<std::size_t>& onGround)>& use) {
+void TreeStore::forEachPart(
+    const std::function<void(const Part*, Trees& trees, const std::vector<std::size_t>& onGround)>& visitor) {
     if (!_file)
-        return use(nullptr, _memory, _onGround);
+        return visitor(nullptr, _memory, _onGround);
     store();
     Trees().swap(_memory);
     Trees trees;
     std::vector<std::size_t> onGround;
     for (const Part& part : _parts)
         if (load(part, trees, onGround))
-            use(&part, trees, onGround);
+            visitor(&part, trees, onGround);
 }
 
 } // namespace osgTreeWind

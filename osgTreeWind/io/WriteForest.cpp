@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Unicode.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/io/TreesInAll.h>
+#include <osgTreeWind/io/TreeBounds.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/places/MapScale.h>
 #include <osgTreeWind/species/SpeciesFields.h>
@@ -22,10 +22,10 @@ namespace osgTreeWind {
 
 namespace {
 
-/// What could be, but not be written.
-class Refusals {
+/// Finds problems that keep a forest from being written.
+class WriteChecks {
 public:
-    explicit Refusals(const ForestDescription& forest) : _problems(check(forest)) {
+    explicit WriteChecks(const ForestDescription& forest) : _problems(check(forest)) {
         if (!isUtf8(forest.crs))
             add("crs", "expected UTF-8");
         if (!isUtf8(forest.hostCrs))
@@ -33,11 +33,11 @@ public:
         if (forest.species.empty())
             add("species", "expected at least one");
         for (std::size_t i = 0; i < forest.species.size(); ++i)
-            ofSpecies(forest.species[i], "species[" + std::to_string(i) + ']');
+            checkSpecies(forest.species[i], "species[" + std::to_string(i) + ']');
         std::set<std::string> names;
         for (std::size_t i = 0; i < forest.trees.size(); ++i)
             if (const std::string& name = forest.trees[i].name; !name.empty())
-                ofName(name, names, "tree[" + std::to_string(i) + "].id", name);
+                checkName(name, names, "tree[" + std::to_string(i) + "].id", name);
         if (!_problems.empty())
             return;
         if (const std::string problem = problemOfShapes(forest); !problem.empty())
@@ -50,54 +50,54 @@ private:
     void add(const std::string& key, const std::string& message) {
         _problems.push_back(keyProblem(key, message));
     }
-    void ofName(const std::string& name, std::set<std::string>& names, const std::string& key,
-                const std::string& folded) {
+    void checkName(const std::string& name, std::set<std::string>& names, const std::string& key,
+                   const std::string& folded) {
         if (!isUtf8(name))
             add(key, "expected UTF-8");
         else if (!names.insert(folded).second)
             add(key, "the name " + inQuotes(name) + " is taken already");
     }
-    void ofSpecies(const Species& species, const std::string& path) {
+    void checkSpecies(const Species& species, const std::string& path) {
         if (species.name.empty())
             add(path + ".name", "missing");
-        ofName(species.name, _species, path + ".name", foldedName(species.name));
+        checkName(species.name, _species, path + ".name", foldedName(species.name));
         for (const std::string& alias : species.aliases)
-            ofName(alias, _species, path + ".aliases", foldedName(alias));
+            checkName(alias, _species, path + ".aliases", foldedName(alias));
         if (!isUtf8(species.source))
             add(path + ".source", "expected UTF-8");
         if (!isUtf8(species.height.source))
             add(path + ".height.source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
-                ofFile(*picture, path + ".appearance");
+                checkFile(*picture, path + ".appearance");
         if (species.tree.scans)
-            ofScans(species, path + ".scan");
+            checkScans(species, path + ".scan");
     }
-    void ofFile(const std::string& file, const std::string& key) {
+    void checkFile(const std::string& file, const std::string& key) {
         if (const std::string problem = problemOfFile(file); !problem.empty())
             add(key, problem);
     }
-    /// All trees of each file have to be there, and be all there is.
-    void ofScans(const Species& species, const std::string& key) {
+    /// The shapes must be exactly the trees of each file, in order.
+    void checkScans(const Species& species, const std::string& key) {
         const std::vector<ScannedTree>& scans = *species.tree.scans;
         for (std::size_t i = 0; i < scans.size(); ++i) {
             const ScanReport& scan = scans[i].report;
             if (scan.file.empty())
                 return add(key, "scan " + std::to_string(i) + " was not read from a file");
-            const bool follows = scan.tree == 0 || (i > 0 && scans[i - 1].report.file == scan.file &&
-                                                    scans[i - 1].report.tree + 1 == scan.tree);
-            const bool ends =
+            const bool isNext = scan.tree == 0 || (i > 0 && scans[i - 1].report.file == scan.file &&
+                                                   scans[i - 1].report.tree + 1 == scan.tree);
+            const bool isComplete =
                 scan.tree + 1 == scan.trees || (i + 1 < scans.size() && scans[i + 1].report.tree > 0);
-            if (!follows || !ends)
+            if (!isNext || !isComplete)
                 return add(key, "expected all trees of " + inQuotes(scan.file) + ", in their order");
-            ofFile(scan.file, key);
+            checkFile(scan.file, key);
         }
         if (species.shapes != static_cast<int>(scans.size()) || species.tree.palm || species.tree.growth)
-            add(key, "expected as many shapes as scans, and no palm or habit beside them");
-        const RecursiveTreeParameters usual;
+            add(key, "expected as many shapes as scans, and neither a palm nor a habit");
+        const RecursiveTreeParameters defaults;
         for (const Field& field : fieldsOf<RecursiveTreeParameters>())
-            if (!sameField(field, &species.tree.wood, &usual))
-                return add(key, "expected no tree beside scans");
+            if (!isFieldEqual(field, &species.tree.wood, &defaults))
+                return add(key, "cannot be combined with scans");
     }
 
     std::set<std::string> _species;
@@ -114,12 +114,12 @@ void writeScans(std::ostream& output, const std::vector<ScannedTree>& scans) {
 
 void writeSpecies(std::ostream& output, const Species& species) {
     output << "\n[[species]]\nname = " << tomlText(species.name) << '\n';
-    Species usual;
+    Species defaults;
     if (species.tree.scans) {
         writeScans(output, *species.tree.scans);
-        usual.shapes = species.shapes;
+        defaults.shapes = species.shapes;
     }
-    writeFields(output, "species", species, usual);
+    writeFields(output, "species", species, defaults);
     writeTable(output, "species.tree", species.tree.wood);
     if (species.tree.palm) {
         output << "\n[species.palm]\n";
@@ -129,20 +129,20 @@ void writeSpecies(std::ostream& output, const Species& species) {
         output << "\n[species.habit]\n";
         writeFields(output, "species.habit", *species.tree.growth);
     }
-    output << "\n[species.leaves]\n"; // all: what is not said depends on the rest
+    output << "\n[species.leaves]\n"; // all fields, because defaults depend on other tables
     writeFields(output, "species.leaves", fieldsOf<LeafParameters>(), &species.tree.leaves, nullptr);
 }
 
 void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDescription& forest) {
     output << "\n[[tree]]\nspecies = " << tomlText(forest.species[tree.species].name)
            << "\nposition = " << tomlText(tree.position) << '\n';
-    TreePlacement usual;
-    usual.seed = ~tree.seed;           // it is always written: else its place in the file would tell it
-    usual.openGrown = !tree.openGrown; // likewise: else what stands around it would
+    TreePlacement defaults;
+    defaults.seed = ~tree.seed;           // always written, because a reader would derive it from the index
+    defaults.openGrown = !tree.openGrown; // always written, because a reader would derive it from neighbours
     for (float TreeSize::*size : {&TreeSize::height, &TreeSize::trunkDiameter, &TreeSize::crownWidth})
         if (!(tree.size.*size > 0.0f))
-            usual.size.*size = tree.size.*size; // not given
-    writeFields(output, "tree", tree, usual);
+            defaults.size.*size = tree.size.*size; // not given
+    writeFields(output, "tree", tree, defaults);
 }
 
 void writeMotion(std::ostream& output, const ForestDescription& forest) {
@@ -152,32 +152,32 @@ void writeMotion(std::ostream& output, const ForestDescription& forest) {
         output << "noise = \"1/f\"\nnoise_exponent = " << tomlText(*forest.noiseExponent) << '\n';
 }
 
-/// Whether a reader would leave the map of a forest made in code for one in true metres.
+/// Whether a reader would reproject the forest unless the file has `stretched = true`.
 bool isOnStretchedMap(const ForestDescription& forest) {
     if (forest.crs.empty() || forest.trees.empty())
         return false;
     const Result<Crs> map = Crs::parse(forest.crs);
     if (!map)
         return false;
-    TreesInAll trees;
+    TreeBounds trees;
     trees.add(forest.trees);
     return scaleOfMap(map.value(), 0.5 * glm::dvec2(trees.low + trees.high)) != 1.0;
 }
 
-/// Names a folder of tiles below its own by the way there, so that both may move.
-ForestDescription besideItsTiles(ForestDescription forest, const std::string& file) {
+/// Makes the path of the tiles relative if they are below the file's folder, so that both can be moved.
+ForestDescription withRelativeTileFolder(ForestDescription forest, const std::string& file) {
     namespace fs = std::filesystem;
-    const fs::path way = fs::path(forest.tiles->folder)
-                             .lexically_relative(fs::absolute(file).lexically_normal().parent_path());
-    if (!way.empty() && *way.begin() != "..")
-        forest.tiles->folder = way.string();
+    const fs::path relative = fs::path(forest.tiles->folder)
+                                  .lexically_relative(fs::absolute(file).lexically_normal().parent_path());
+    if (!relative.empty() && *relative.begin() != "..")
+        forest.tiles->folder = relative.string();
     return forest;
 }
 
 } // namespace
 
 Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
-    Diagnostics problems = Refusals(forest).take();
+    Diagnostics problems = WriteChecks(forest).take();
     std::ostringstream wind;
     if (const std::string problem = writeWind(wind, forest); !problem.empty())
         problems.push_back(keyProblem("wind", problem));
@@ -188,8 +188,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         return problems;
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
            << '\n';
-    const ForestDescription usual;
-    writeFields(output, "", fieldsOfFile(), &forest, &usual);
+    const ForestDescription defaults;
+    writeFields(output, "", forestFileFields(), &forest, &defaults);
     if (isOnStretchedMap(forest))
         output << "stretched = true\n";
     if (forest.trees.empty() && !forest.tiles)
@@ -212,9 +212,9 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
 Diagnostics writeForestFile(const ForestDescription& forest, const std::string& path) {
     std::ostringstream text;
     Diagnostics problems =
-        forest.tiles ? writeForest(besideItsTiles(forest, path), text) : writeForest(forest, text);
+        forest.tiles ? writeForest(withRelativeTileFolder(forest, path), text) : writeForest(forest, text);
     if (problems.empty())
-        return writeWholeFile(path, text.str());
+        return writeFileAtomically(path, text.str());
     for (Diagnostic& problem : problems)
         problem.file = path;
     return problems;

@@ -6,7 +6,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindParts.h>
+#include <osgTreeWind/wind/WindInternals.h>
 
 #include <filesystem>
 #include <utility>
@@ -16,25 +16,25 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Writes one kind of wind, and gives what keeps it from that.
+/// Writes a wind. @return why it cannot be written; empty on success.
 class WindWriter {
 public:
     WindWriter(std::ostream& output, const ForestDescription& forest) : _output(output), _forest(forest) {}
 
-    /// The field, with the clock and the adjustment.
+    /// Writes the field, the clock and the adjustment.
     std::string write(const Wind& wind) {
-        const WindFiles* const files = WindParts::files(wind);
-        std::string problem = files ? ofFiles(*files) : std::visit(*this, wind.field->kind());
-        const WindClock usual;
-        if (wind.clock.start != usual.start || wind.clock.scale != usual.scale)
-            take(problem, fields(wind.clock));
-        if (!wind.adjustment.isNone())
-            take(problem, fields(wind.adjustment));
-        const bool isFilesOwn = files && !std::holds_alternative<const TimeSeriesWind*>(wind.field->kind());
-        if (wind.clock.travels() && !isFilesOwn)
+        const WindFiles* const files = WindInternals::files(wind);
+        std::string problem = files ? writeFiles(*files) : std::visit(*this, wind.field->kind());
+        const WindClock defaults;
+        if (wind.clock.start != defaults.start || wind.clock.scale != defaults.scale)
+            keepFirst(problem, fields(wind.clock));
+        if (!wind.adjustment.isIdentity())
+            keepFirst(problem, fields(wind.adjustment));
+        const bool isFromFile = files && !std::holds_alternative<const TimeSeriesWind*>(wind.field->kind());
+        if (wind.clock.travels() && !isFromFile)
             key("travel", tomlText(std::vector<double>{wind.clock.travel.x, wind.clock.travel.y}));
-        if (!files && WindParts::map(wind))
-            take(problem, "a wind on a map of its own that was not read from a file");
+        if (!files && WindInternals::map(wind))
+            keepFirst(problem, "a wind with its own map that was not read from a file");
         return problem;
     }
 
@@ -59,8 +59,9 @@ public:
         return kind("series"), fields(wind->series()) + profile(wind->series().profile);
     }
     std::string operator()(const WindField*) {
-        return "a wind that no file can say: expected a uniform one, gusts, a grid, a series or one from a "
-               "file, not a callable or streamed one";
+        return "this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series or "
+               "one "
+               "from a file, not a callable or streamed one";
     }
 
 private:
@@ -70,7 +71,7 @@ private:
     }
     void kind(const char* name) { _output << "kind = \"" << name << "\"\n"; }
 
-    /// All fields of a struct. @return the first one that is out of range.
+    /// Writes all fields of a struct. @return the first problem with their values.
     template <typename Struct>
     std::string fields(const Struct& value) {
         Diagnostics problems;
@@ -82,13 +83,12 @@ private:
         return profile ? fields(*profile) : std::string();
     }
 
-    /// Keeps the first problem.
-    static void take(std::string& problem, std::string&& next) {
+    static void keepFirst(std::string& problem, std::string&& next) {
         if (problem.empty())
             problem = std::move(next);
     }
 
-    std::string ofFiles(const WindFiles& source) {
+    std::string writeFiles(const WindFiles& source) {
         kind("file");
         std::vector<std::string> files;
         for (const std::string& file : source.files) {
@@ -108,7 +108,7 @@ private:
             key("roughness", tomlText(source.roughness));
         if (source.height > 0.0)
             key("height", tomlText(source.height));
-        if (source.holdsBeyond)
+        if (source.allowsOutside)
             key("beyond", tomlText(std::string("hold")));
         if (source.crs != _forest.crs)
             return "it was read for a forest with another crs";
@@ -123,8 +123,8 @@ private:
 
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     const Wind& wind = forest.wind;
-    const WindCanopy usual, canopy = wind.canopy.value_or(usual);
-    if (wind.isCalm() && sameFields(canopy, usual))
+    const WindCanopy defaults, canopy = wind.canopy.value_or(defaults);
+    if (wind.isCalm() && areFieldsEqual(canopy, defaults))
         return {};
     output << "\n[wind]\n";
     std::string problem;
@@ -135,7 +135,7 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     for (const auto& [name, frame] : windFrames())
         if (frame == wind.frame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';
-    writeFields(output, "wind", fieldsOf<WindCanopy>(), &canopy, &usual);
+    writeFields(output, "wind", fieldsOf<WindCanopy>(), &canopy, &defaults);
     for (std::size_t i = 0; problem.empty() && i < wind.sources.size(); ++i) {
         output << "\n[[wind.source]]\n";
         Diagnostics problems;

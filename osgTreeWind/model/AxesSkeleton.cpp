@@ -17,16 +17,16 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double shortestBranch = 1e-3; // branch, over the tree's height
-constexpr double offShoot = 0.5;        // by which the course of a shoot may be off, over its radius
+constexpr double minBranchLength = 1e-3; // over the tree's height
+constexpr double shootTolerance = 0.5;   // tolerance of the course of a shoot, over its radius
 
-/// Arc lengths at which an axis is cut into units, both ends among them: halves of halves, until none is
-/// longer than `longest` or crooked.
-std::vector<double> cutsOf(const WoodLine& line, double longest) {
-    constexpr double straightest = 0.88; // of chord over arc: an arc of 100 degrees
+/// Arc lengths at which an axis is cut into units, both ends included. Halves it until no unit is longer than
+/// `longest` or crooked.
+std::vector<double> computeCuts(const WoodLine& line, double longest) {
+    constexpr double straightest = 0.88; // chord over arc: an arc of 100 degrees
     constexpr double most = 64.0;
     longest = std::max(longest, line.length() / most);
-    std::vector<double> cuts = {0.0}, ends = {line.length()}; // those to come, the next one last
+    std::vector<double> cuts = {0.0}, ends = {line.length()}; // ends: a stack of pending cuts
     while (!ends.empty()) {
         const double from = cuts.back(), to = ends.back(), length = to - from;
         const bool isCrooked = glm::distance(line.at(from), line.at(to)) < straightest * length;
@@ -40,10 +40,10 @@ std::vector<double> cutsOf(const WoodLine& line, double longest) {
     return cuts;
 }
 
-/// Radii at the cuts, fitted to those of the axis by least squares, tapering.
+/// Radii at the cuts: a least squares fit to those of the axis, made to taper.
 std::vector<double> fittedRadii(const WoodAxis& axis, const std::vector<double>& cuts) {
     const std::size_t count = cuts.size() - 1;
-    // Normal equations of a line with bends at the cuts; tridiagonal.
+    // Normal equations of a piecewise linear function with nodes at the cuts; tridiagonal.
     std::vector<double> diagonal(count + 1, 0.0), beside(count + 1, 0.0), right(count + 1, 0.0);
     std::size_t stretch = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,28 +85,28 @@ public:
         : _axes(std::move(axes)), _detail(detail), _branches(_axes.size()), _cuts(_axes.size()),
           _isShoot(_axes.size()) {
         _detail.ringsPerBranch = glm::clamp(detail.ringsPerBranch, 2, 64);
-        _detail.mostUnits = std::min(detail.mostUnits, mostScanUnits);
-        _detail.mostShoots = std::min(detail.mostShoots, mostScanShoots);
+        _detail.maxUnits = std::min(detail.maxUnits, maxScanUnits);
+        _detail.maxShoots = std::min(detail.maxShoots, maxScanShoots);
         for (const WoodAxis& axis : _axes)
             for (const glm::dvec3& point : axis.line.points)
                 _height = std::max(_height, point.z);
-        choose();
+        selectAxes();
     }
 
-    SkeletonOfAxes make() {
+    AxesSkeleton make() {
         _tree.skeleton.ringsPerBranch = _detail.ringsPerBranch;
         _tree.skeleton.joined = true;
-        grow(0, -1, 1.0f);
+        addAxis(0, -1, 1.0f);
         std::stable_sort(_tree.skeleton.shoots.begin(), _tree.skeleton.shoots.end(),
                          [](const Shoot& a, const Shoot& b) { return a.unit < b.unit; });
         for (std::size_t i = 0; i < _axes.size(); ++i)
-            _tree.pieces += isTaken(i) || _isShoot[i] ? _axes[i].pieces : 0;
+            _tree.pieces += hasUnits(i) || _isShoot[i] ? _axes[i].pieces : 0;
         return std::move(_tree);
     }
 
 private:
-    /// Decides which axes are units, and how many each, and which are shoots.
-    void choose() {
+    /// Selects the axes that become units, and those that become shoots.
+    void selectAxes() {
         const double longest = 0.125 * _height;
         std::vector<double> thickness(_axes.size());
         std::vector<std::size_t> order(_axes.size());
@@ -114,40 +114,40 @@ private:
         for (std::size_t i = 0; i < _axes.size(); ++i) {
             const WoodAxis& axis = _axes[i];
             thickness[i] = axis.radii.front();
-            if (axis.parent >= 0) // taken after its parent
+            if (axis.parent >= 0) // so that no branch is selected before its parent
                 thickness[i] = std::min(thickness[i], thickness[static_cast<std::size_t>(axis.parent)]);
         }
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return thickness[a] > thickness[b]; });
         std::size_t count = 0;
         const auto take = [&](std::size_t i) {
-            std::vector<double> cuts = cutsOf(_axes[i].line, longest);
-            if (count > 0 && count + cuts.size() - 1 > _detail.mostUnits)
+            std::vector<double> cuts = computeCuts(_axes[i].line, longest);
+            if (count > 0 && count + cuts.size() - 1 > _detail.maxUnits)
                 return false;
             count += cuts.size() - 1;
             _cuts[i] = std::move(cuts);
             return true;
         };
-        for (const std::size_t i : wayUp())
+        for (const std::size_t i : axesToTop())
             if (!take(i))
                 break;
         std::size_t shoots = 0;
         bool isFull = false;
         for (const std::size_t i : order) {
-            if (isTaken(i) || _axes[i].line.length() < shortestBranch * _height)
+            if (hasUnits(i) || _axes[i].line.length() < minBranchLength * _height)
                 continue;
             const auto parent = static_cast<std::size_t>(_axes[i].parent);
-            isFull = isFull || thickness[i] < _detail.thinnest;
-            if (!isFull && isTaken(parent) && take(i))
+            isFull = isFull || thickness[i] < _detail.minRadius;
+            if (!isFull && hasUnits(parent) && take(i))
                 continue;
-            isFull = isFull || isTaken(parent);
-            if ((isTaken(parent) || _isShoot[parent]) && shoots < _detail.mostShoots) {
+            isFull = isFull || hasUnits(parent);
+            if ((hasUnits(parent) || _isShoot[parent]) && shoots < _detail.maxShoots) {
                 _isShoot[i] = true;
                 ++shoots;
             }
         }
         for (std::size_t i = 1; i < _axes.size(); ++i)
-            if (isTaken(i) || _isShoot[i])
+            if (hasUnits(i) || _isShoot[i])
                 _branches[static_cast<std::size_t>(_axes[i].parent)].push_back(i);
         for (std::vector<std::size_t>& branches : _branches)
             std::sort(branches.begin(), branches.end(), [&](std::size_t a, std::size_t b) {
@@ -155,8 +155,8 @@ private:
             });
     }
 
-    /// The axes from the trunk to the highest point.
-    std::vector<std::size_t> wayUp() const {
+    /// The axes on the path from the trunk to the highest point.
+    std::vector<std::size_t> axesToTop() const {
         const auto reaches = [&](const glm::dvec3& point) { return point.z >= _height; };
         std::size_t highest = 0;
         for (std::size_t i = 0; i < _axes.size(); ++i)
@@ -168,9 +168,9 @@ private:
         return {way.rbegin(), way.rend()};
     }
 
-    bool isTaken(std::size_t axis) const { return !_cuts[axis].empty(); }
+    bool hasUnits(std::size_t axis) const { return !_cuts[axis].empty(); }
 
-    /// Radii at the cuts of an axis: of the volume of its cylinders, at most `thickest`.
+    /// Radii at the cuts of an axis, which keep the volume of its cylinders. @param thickest upper limit.
     std::vector<double> radiiOf(const WoodAxis& axis, const std::vector<double>& cuts,
                                 double thickest) const {
         std::vector<double> radii = fittedRadii(axis, cuts);
@@ -186,9 +186,8 @@ private:
         return radii;
     }
 
-    /// Adds the units of an axis, each followed by what springs from it.
-    /// @param attach on the unit `parent`.
-    void grow(std::size_t index, int parent, float attach) {
+    /// Adds the units of an axis, each followed by its branches. @param attach position on the unit `parent`.
+    void addAxis(std::size_t index, int parent, float attach) {
         const WoodAxis& axis = _axes[index];
         const std::vector<double>& cuts = _cuts[index];
         const double thickest = parent < 0 ? axis.radii.front() * 2.0 : radiusAt(parent, attach);
@@ -213,31 +212,31 @@ private:
                 if (_isShoot[*branch])
                     addShoots({*branch, pointAt(parent, place), radiusAt(parent, place)}, parent);
                 else
-                    grow(*branch, parent, place);
+                    addAxis(*branch, parent, place);
             }
         }
     }
 
-    /// A shoot to be added where it springs: from wood that is `thickest` there.
-    struct Spring {
+    /// Start of a shoot. `thickest` is the radius of its parent there.
+    struct ShootStart {
         std::size_t axis;
         glm::vec3 base;
         double thickest;
     };
 
-    /// Adds a shoot of a unit and all that it bears.
-    void addShoots(const Spring& first, int unit) {
-        std::vector<Spring> springs{first};
-        while (!springs.empty()) {
-            const Spring spring = springs.back();
-            springs.pop_back();
-            const WoodAxis& axis = _axes[spring.axis];
+    /// Adds a shoot of a unit and all its branches.
+    void addShoots(const ShootStart& first, int unit) {
+        std::vector<ShootStart> pending{first};
+        while (!pending.empty()) {
+            const ShootStart start = pending.back();
+            pending.pop_back();
+            const WoodAxis& axis = _axes[start.axis];
             const double length = axis.line.length();
-            const std::vector<double> radii = radiiOf(axis, {0.0, length}, spring.thickest);
-            addShoot(axis, spring.base, radii, unit);
-            for (const std::size_t branch : _branches[spring.axis]) {
+            const std::vector<double> radii = radiiOf(axis, {0.0, length}, start.thickest);
+            addShoot(axis, start.base, radii, unit);
+            for (const std::size_t branch : _branches[start.axis]) {
                 const double along = _axes[branch].attach;
-                springs.push_back({branch, glm::vec3(axis.line.at(along)),
+                pending.push_back({branch, glm::vec3(axis.line.at(along)),
                                    glm::mix(radii.front(), radii.back(), along / length)});
             }
         }
@@ -257,20 +256,20 @@ private:
         points.push_back(base);
         const std::vector<glm::dvec3>& line = axis.line.points;
         for (std::size_t i = 1; i + 1 < line.size(); ++i)
-            if (isBend(glm::dvec3(points.back()), line[i], line[i + 1], offShoot * radii.front()))
+            if (isBend(glm::dvec3(points.back()), line[i], line[i + 1], shootTolerance * radii.front()))
                 points.emplace_back(line[i]);
         points.emplace_back(line.back());
         shoot.count = points.size() - shoot.first;
         _tree.skeleton.shoots.push_back(shoot);
     }
 
-    /// Of the part of an axis between two arc lengths.
+    /// The leafy part of an axis between two arc lengths, measured from the first.
     static BranchPart leafyPart(const WoodAxis& axis, double from, double to) {
         return {static_cast<float>(std::max(axis.leafy->first - from, 0.0)),
                 static_cast<float>(std::min(axis.leafy->second, to) - from)};
     }
 
-    /// Whether a point is farther than `off` from the line between two others.
+    /// Whether a point is farther than `off` from the line between its neighbours.
     static bool isBend(const glm::dvec3& before, const glm::dvec3& point, const glm::dvec3& after,
                        double off) {
         const glm::dvec3 along = after - before, from = point - before;
@@ -293,7 +292,7 @@ private:
         return static_cast<int>(_tree.skeleton.units.size()) - 1;
     }
 
-    /// Whether points lie so near together that the line between them has no clear direction.
+    /// Whether points are so close together that the line has no clear direction.
     static bool isFolded(const std::vector<glm::vec3>& points, float length) {
         const float nearest = 0.1f * length / static_cast<float>(points.size() - 1);
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -329,15 +328,15 @@ private:
     std::vector<WoodAxis> _axes;
     WoodDetail _detail;
     std::vector<std::vector<std::size_t>> _branches; ///< Units and shoots that spring from an axis, upward.
-    std::vector<std::vector<double>> _cuts;          ///< Of each axis; none: a shoot, or pruned.
-    std::vector<bool> _isShoot;                      ///< Of each axis.
+    std::vector<std::vector<double>> _cuts;          ///< Per axis; empty for a shoot or a pruned branch.
+    std::vector<bool> _isShoot;                      ///< Per axis.
     double _height = 0.0;
-    SkeletonOfAxes _tree;
+    AxesSkeleton _tree;
 };
 
 } // namespace
 
-SkeletonOfAxes makeSkeleton(std::vector<WoodAxis> axes, const WoodDetail& detail) {
+AxesSkeleton makeSkeleton(std::vector<WoodAxis> axes, const WoodDetail& detail) {
     return SkeletonMaker(std::move(axes), detail).make();
 }
 

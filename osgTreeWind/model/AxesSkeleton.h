@@ -8,14 +8,14 @@
 
 namespace osgTreeWind {
 
-/// What became of axes.
-struct SkeletonOfAxes {
+/// A skeleton made from axes.
+struct AxesSkeleton {
     Skeleton skeleton;      ///< Joined.
-    std::size_t pieces = 0; ///< Of the axes that are in it.
+    std::size_t pieces = 0; ///< Sum of WoodAxis::pieces of the axes used.
 };
 
-/// The skeleton of a tree's axes, the trunk first and parents before their branches: units and shoots as
-/// makeScannedTree() says.
-SkeletonOfAxes makeSkeleton(std::vector<WoodAxis> axes, const WoodDetail& detail);
+/// Makes a skeleton from a tree's axes, with units and shoots as described at makeScannedTree(). @param axes
+/// the trunk first, parents before their branches.
+AxesSkeleton makeSkeleton(std::vector<WoodAxis> axes, const WoodDetail& detail);
 
 } // namespace osgTreeWind

@@ -12,7 +12,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float collarWidth = 1.6f, collarLength = 2.5f; ///< Over the radius of the branch.
-constexpr float steepest = 0.3f; ///< Sine of the angle below which branches leave as if at that.
+constexpr float steepest = 0.3f; ///< Lower limit of the sine of the angle between branch and parent.
 
 } // namespace
 
@@ -42,7 +42,7 @@ float BranchCollar::widening(float place) const {
 }
 
 SkinVertex BranchCollar::vertex(const glm::vec3& aside) const {
-    // A line along the branch, `_reach` beside it, meets the cylinder of the parent's bark.
+    // Intersection of the cylinder of the parent's bark with a parallel to the branch at `_reach`.
     const float beside = glm::clamp(_reach * glm::dot(aside, _across) / _bark, -0.95f, 0.95f);
     const float toward = std::sqrt(1.0f - beside * beside);
     const float from = _reach * glm::dot(aside, _away);

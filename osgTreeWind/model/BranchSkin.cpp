@@ -15,7 +15,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// @param start bark coordinate at the base.
+/// @param start bark coordinate v at the base.
 void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, float start,
               std::vector<SkinVertex>& vertices) {
     glm::vec3 e1 = perpendicular(skeleton.tangent(unit, 0));
@@ -25,7 +25,7 @@ void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, 
     for (int i = 0, before = 0; i < rings; ++i) {
         const int ring = i * (skeleton.ringsPerBranch - 1) / (rings - 1);
         const glm::vec3 tangent = skeleton.tangent(unit, ring);
-        // Carried along, so that rings do not turn against each other.
+        // Parallel transport, so that successive rings are not twisted.
         e1 = directionOr(e1 - tangent * glm::dot(e1, tangent), perpendicular(tangent));
         const glm::vec3 e2 = glm::cross(tangent, e1);
         along += glm::distance(skeleton.point(unit, ring), skeleton.point(unit, before));

@@ -24,13 +24,13 @@ Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
 std::string problemOfForm(const ScanCylinder& cylinder) {
     if (!(cylinder.radius > 0.0 && cylinder.radius <= thickestCylinder))
         return "expected a radius above 0 and of at most 10 m, found " + numberText(cylinder.radius);
-    if (!(glm::distance(cylinder.start, cylinder.end) >= shortestCylinder)) // NaN is none
-        return "expected a cylinder with a length";
+    if (!(glm::distance(cylinder.start, cylinder.end) >= shortestCylinder)) // also true for NaN
+        return "expected a cylinder of at least a micrometre";
     return {};
 }
 
-/// Cylinders from which no way leads down to the root.
-std::vector<bool> unreached(const ScanCylinders& cylinders, std::size_t root) {
+/// Marks cylinders that are not connected to the root.
+std::vector<bool> findUnreachable(const ScanCylinders& cylinders, std::size_t root) {
     std::vector<std::vector<std::size_t>> children(cylinders.size());
     for (std::size_t i = 0; i < cylinders.size(); ++i)
         if (i != root)
@@ -46,13 +46,13 @@ std::vector<bool> unreached(const ScanCylinders& cylinders, std::size_t root) {
 }
 
 /// The cylinder of lowest index on a loop, if there is one.
-std::optional<std::size_t> onLoop(const ScanCylinders& cylinders, std::size_t root) {
-    const std::vector<bool> lost = unreached(cylinders, root);
+std::optional<std::size_t> findLoop(const ScanCylinders& cylinders, std::size_t root) {
+    const std::vector<bool> lost = findUnreachable(cylinders, root);
     const auto found = std::find(lost.begin(), lost.end(), true);
     if (found == lost.end())
         return std::nullopt;
     auto at = static_cast<std::size_t>(found - lost.begin());
-    for (std::size_t step = 0; step < cylinders.size(); ++step) // then it is on the loop for sure
+    for (std::size_t step = 0; step < cylinders.size(); ++step) // enough steps to be on the loop
         at = static_cast<std::size_t>(cylinders[at].parent);
     std::size_t first = at;
     for (auto next = static_cast<std::size_t>(cylinders[at].parent); next != at;
@@ -92,13 +92,13 @@ std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
         if (cylinder.parent >= 0)
             continue;
         if (root)
-            return problem(cylinder,
-                           "expected one root, found another one than in line " + std::to_string(root->line));
+            return problem(cylinder, "expected one root, found a second one besides line " +
+                                         std::to_string(root->line));
         root = &cylinder;
     }
     if (!root)
-        return fileProblem({}, "expected a root: a cylinder that springs from no other");
-    if (const auto looped = onLoop(cylinders, static_cast<std::size_t>(root - cylinders.data())))
+        return fileProblem({}, "expected a root: a cylinder without a parent");
+    if (const auto looped = findLoop(cylinders, static_cast<std::size_t>(root - cylinders.data())))
         return problem(cylinders[*looped], "expected parents that lead to the root, found a loop");
     return problemOfSize(cylinders, *root);
 }
@@ -137,8 +137,8 @@ std::string problemOfShoot(const Skeleton& skeleton, const Shoot& shoot, int lea
 }
 
 std::string problemOfShoots(const Skeleton& skeleton) {
-    if (skeleton.shoots.size() > mostScanShoots)
-        return "expected at most " + std::to_string(mostScanShoots) + " shoots, found " +
+    if (skeleton.shoots.size() > maxScanShoots)
+        return "expected at most " + std::to_string(maxScanShoots) + " shoots, found " +
                std::to_string(skeleton.shoots.size());
     if (!skeleton.leafyUnits.empty() && skeleton.leafyUnits.size() != skeleton.units.size())
         return "expected a leafy part for each unit or for none, found " +
@@ -162,8 +162,8 @@ std::string problemOfSkeleton(const Skeleton& skeleton) {
         return "expected 2 to 64 rings a branch, found " + std::to_string(skeleton.ringsPerBranch);
     if (!within(0, 3).contains(static_cast<double>(skeleton.flare)))
         return "expected a flare in [0, 3], found " + numberText(static_cast<double>(skeleton.flare));
-    if (skeleton.units.empty() || skeleton.units.size() > mostScanUnits)
-        return "expected 1 to " + std::to_string(mostScanUnits) + " units, found " +
+    if (skeleton.units.empty() || skeleton.units.size() > maxScanUnits)
+        return "expected 1 to " + std::to_string(maxScanUnits) + " units, found " +
                std::to_string(skeleton.units.size());
     if (skeleton.points.size() != skeleton.units.size() * static_cast<std::size_t>(skeleton.ringsPerBranch))
         return "expected a point for each ring of each unit, found " + std::to_string(skeleton.points.size());

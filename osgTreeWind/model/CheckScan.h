@@ -8,14 +8,12 @@
 
 namespace osgTreeWind {
 
-constexpr std::size_t mostScanUnits = 4096, mostScanShoots = 100000; ///< Of a skeleton.
+constexpr std::size_t maxScanUnits = 4096, maxScanShoots = 100000; ///< Limits of a skeleton.
 
-/// What keeps the cylinders from being one tree, with its line: no cylinder, a radius outside (0, 10] m or a
-/// length below a micrometre, no root or two, a parent that is not there, a loop, a height above the foot
-/// outside 0.1 to 150 m, or an extent of over 200 m. Nothing for a sound tree.
+/// The reason why cylinders do not form a tree, with their line (see makeScannedTree()); empty if they do.
 std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders);
 
-/// What keeps a skeleton from being one tree's wood; empty for a sound one.
+/// The reason why a skeleton is invalid; empty if it is valid.
 std::string problemOfSkeleton(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

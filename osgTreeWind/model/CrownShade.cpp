@@ -10,7 +10,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// Of the mesh, m^2.
+/// Area of the mesh, m^2.
 float areaOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
     float area = 0.0f;
     for (std::size_t i = 0; i < mesh.size(); i += 4)
@@ -19,7 +19,7 @@ float areaOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
     return area;
 }
 
-/// The cell of a grid that a place is in, and where in it, [0, 1].
+/// A cell of a grid, and a position in it, [0, 1].
 struct GridPlace {
     glm::ivec3 cell;
     glm::vec3 part;
@@ -60,7 +60,7 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     const auto middleOf = [&](const LeafCluster& leaf) {
         return leaf.anchor + leaf.size * (leaf.orientation * middle);
     };
-    glm::vec3 low(1e9f), high(-1e9f), first(0.0f), last(0.0f); // of the anchors; of the tree from its foot
+    glm::vec3 low(1e9f), high(-1e9f), first(0.0f), last(0.0f); // bounds of the anchors; of the tree
     for (const LeafCluster& leaf : leaves) {
         low = glm::min(low, leaf.anchor);
         high = glm::max(high, leaf.anchor);
@@ -72,19 +72,19 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     _low = first;
     _cell = glm::max((last - first) / static_cast<float>(cells), glm::vec3(1e-3f));
 
-    std::vector<float> density(nodes * nodes * nodes, 0.0f); // m^2 in m^3
-    float size = 0.0f, area = coverage * areaOf(mesh);       // of a cluster
+    std::vector<float> density(nodes * nodes * nodes, 0.0f); // m^2 per m^3
+    float size = 0.0f, area = coverage * areaOf(mesh);       // area of a cluster
     for (const LeafCluster& leaf : leaves)
         size += leaf.size * leaf.size;
-    area = glm::min(area, mostLeafArea * glm::pi<float>() * _halfAxes.x * _halfAxes.y / size);
+    area = glm::min(area, maxLeafArea * glm::pi<float>() * _halfAxes.x * _halfAxes.y / size);
     for (const LeafCluster& leaf : leaves)
         for (std::size_t i = 0; i < mesh.size(); ++i) { // a quarter of a quad
             const std::size_t quad = i - i % 4;
             const glm::vec3 centre = 0.25f * (mesh[quad].corner + mesh[quad + 1].corner +
                                               mesh[quad + 2].corner + mesh[quad + 3].corner);
             const glm::vec3 point = 0.5f * (centre + mesh[i].corner);
-            spread(leaf.anchor + leaf.size * (leaf.orientation * point),
-                   area * leaf.size * leaf.size / verticesPerLeafCluster, density);
+            addArea(leaf.anchor + leaf.size * (leaf.orientation * point),
+                    area * leaf.size * leaf.size / verticesPerLeafCluster, density);
         }
     for (std::size_t i = 0; i < density.size(); ++i) {
         const glm::ivec3 at(i % nodes, i / nodes % nodes, i / (nodes * nodes));
@@ -96,20 +96,20 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     }
     _depths.resize(density.size());
     for (std::size_t d = 0; d < directions; ++d)
-        sum(density, d);
+        integrate(density, d);
 }
 
-void CrownShade::spread(const glm::vec3& point, float area, std::vector<float>& areas) const {
+void CrownShade::addArea(const glm::vec3& point, float area, std::vector<float>& areas) const {
     GridPlace((point - _low) / _cell, cells).eachNode(nodes, [&](std::size_t node, float weight) {
         areas[node] += weight * area;
     });
 }
 
-void CrownShade::sum(const std::vector<float>& density, std::size_t direction) {
+void CrownShade::integrate(const std::vector<float>& density, std::size_t direction) {
     const glm::ivec3 way = CrownShade::direction(direction);
     const float half = 0.5f * glm::length(glm::vec3(way) * _cell);
     const int step = (way.z * nodes + way.y) * nodes + way.x;
-    for (int k = 0; k < nodes * nodes * nodes; ++k) { // from where the way leaves the grid
+    for (int k = 0; k < nodes * nodes * nodes; ++k) { // starts where the direction leaves the grid
         const glm::ivec3 order(k % nodes, k / nodes % nodes, k / (nodes * nodes));
         const glm::ivec3 at = glm::mix(order, cells - order, glm::greaterThan(way, glm::ivec3(0)));
         const glm::ivec3 next = at + way;
@@ -139,7 +139,7 @@ CrownShade::Light CrownShade::at(const glm::vec3& point) const {
         const float left = glm::exp(-projection * depths[d]);
         if (d < 6)
             (d % 2 ? light.below : light.above)[static_cast<int>(d / 2)] = left;
-        // The quadrature of the sphere of 14 points (Lebedev 1976), times the brightness there.
+        // Quadrature of the sphere with 14 points (Lebedev 1976), times the brightness of the sky.
         const int up = direction(d).z;
         const float weight = (d < 6 ? 1.0f / 15.0f : 3.0f / 40.0f) * (up > 0 ? 1.0f : up == 0 ? 0.6f : 0.2f);
         sky += weight * left;

@@ -12,12 +12,12 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t mostUnits = 250;
+constexpr std::size_t maxUnits = 250;
 
 std::vector<WoodAxis> axesOf(const GrownForm& form) {
     struct Place {
         std::size_t axis;
-        double along; ///< The axis, metres.
+        double along; ///< Arc length on the axis, metres.
     };
     std::vector<WoodAxis> axes(1);
     axes.front().line.add(glm::dvec3(0.0));
@@ -34,7 +34,7 @@ std::vector<WoodAxis> axesOf(const GrownForm& form) {
             axis.order = metamer.order;
             axis.attach = places[parent].along;
             axis.line.add(glm::dvec3(form.metamers[parent].position));
-            axis.leafy = {0.0, 0.0}; // no leaf so far
+            axis.leafy = {0.0, 0.0}; // no leaves yet
             axes.push_back(std::move(axis));
         }
         WoodAxis& axis = axes[found->second];
@@ -56,8 +56,8 @@ std::vector<WoodAxis> axesOf(const GrownForm& form) {
 
 Skeleton makeSkeleton(const GrownForm& form) {
     WoodDetail detail;
-    detail.mostUnits = mostUnits;
-    detail.mostShoots = form.metamers.size();
+    detail.maxUnits = maxUnits;
+    detail.maxShoots = form.metamers.size();
     return makeSkeleton(axesOf(form), detail).skeleton;
 }
 

@@ -6,8 +6,8 @@
 
 namespace osgTreeWind {
 
-/// The wood of a tree that has grown: its thickest axes as at most 250 units, all others as shoots, and the
-/// stretches of both that bear leaves.
+/// The wood of a grown tree: the thickest axes as at most 250 units and the others as shoots, with leafy
+/// parts.
 Skeleton makeSkeleton(const GrownForm& form);
 
 } // namespace osgTreeWind

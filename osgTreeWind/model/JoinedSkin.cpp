@@ -18,9 +18,9 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float limbLength = 2.0f;    ///< Over the radius of a stem, within which its limbs thin from that.
-constexpr float sunk = 0.98f;         ///< Collars begin below the bark, over its radius.
-constexpr float closestRings = 0.25f; ///< Smallest distance of the rings after a collar, in intervals.
+constexpr float limbLength = 2.0f;       ///< Distance over which limbs thin from the stem, over its radius.
+constexpr float collarDepth = 0.98f;     ///< Collars begin below the bark, at this share of its radius.
+constexpr float minRingDistance = 0.25f; ///< Smallest distance of the rings after a collar, in intervals.
 
 /// A cross-section of a branch.
 struct CrossSection {
@@ -38,7 +38,7 @@ CrossSection sectionAt(const Skeleton& skeleton, std::size_t unit, float place) 
             glm::mix(skeleton.radius(unit, ring), skeleton.radius(unit, ring + 1), part)};
 }
 
-/// Where a ring begins, and which way it goes around.
+/// Orientation of a ring: the axis, and the direction of its first vertex.
 struct Frame {
     glm::vec3 tangent, first;
 
@@ -46,7 +46,7 @@ struct Frame {
     glm::vec3 outward(float angle) const {
         return cosine(angle) * first + sine(angle) * glm::cross(tangent, first);
     }
-    /// Turned the shortest way, so that rings do not turn against each other.
+    /// Rotates the frame by the smallest angle to a new tangent, so that successive rings are not twisted.
     void follow(const glm::vec3& next) {
         first -= (tangent + next) * (glm::dot(first, next) / glm::max(1.0f + glm::dot(tangent, next), 1e-3f));
         first = directionOr(first - next * glm::dot(first, next), perpendicular(next));
@@ -75,8 +75,8 @@ private:
         Frame frame(_skeleton.tangent(_unit, 0));
         if (plan.fromEnd) {
             frame = _ends[parent];
-            const std::vector<float> places = evenly(plan.rings);
-            goOnFrom(parent, plan.sides);
+            const std::vector<float> places = evenPlaces(plan.rings);
+            copyLastRing(parent, plan.sides);
             const float stem = _skeleton.units[parent].tipRadius;
             for (int i = 1; i < plan.rings; ++i) {
                 const float place = places[static_cast<std::size_t>(i)];
@@ -84,8 +84,8 @@ private:
                 addRing(frame, place, plan.sides, (stem - branch.baseRadius) * left * left);
             }
         } else if (branch.parent < 0) {
-            const std::vector<float> places = placesOfStem(plan);
-            // One that lies between two rings would be a cone as high as those are apart.
+            const std::vector<float> places = stemPlaces(plan);
+            // A foot between two rings would become a cone as high as the distance of the rings.
             const bool hasFoot = sectionAt(_skeleton, _unit, places[1]).centre.z < _foot.height();
             for (const float place : places) {
                 addRing(frame, place, plan.sides);
@@ -110,11 +110,11 @@ private:
         const BranchUnit& bearer = _skeleton.units[parent];
         const int sides = _plans[parent].sides;
         const float inside =
-            sunk * ringWidening(sides) * cosine(glm::pi<float>() / static_cast<float>(sides));
+            collarDepth * ringWidening(sides) * cosine(glm::pi<float>() / static_cast<float>(sides));
         const BranchCollar collar(_skeleton, _unit,
                                   inside * glm::mix(bearer.baseRadius, bearer.tipRadius, branch.attach));
-        const bool isHidden = plan.taken < 3 || collar.begin() > 0.75f * last();
-        const std::vector<float> places = isHidden ? evenly(plan.rings) : placesAfter(collar, plan);
+        const bool isHidden = plan.skeletonRings < 3 || collar.begin() > 0.75f * last();
+        const std::vector<float> places = isHidden ? evenPlaces(plan.rings) : sideBranchPlaces(collar, plan);
         const std::size_t first = _skin.vertices.size();
         if (isHidden) {
             addRing(frame, 0.0f, plan.sides);
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    std::vector<float> evenly(int rings) const {
+    std::vector<float> evenPlaces(int rings) const {
         std::vector<float> places;
         for (int i = 0; i < rings; ++i) {
             const int ring = i * (_skeleton.ringsPerBranch - 1) / (rings - 1);
@@ -144,26 +144,26 @@ private:
         return places;
     }
 
-    std::vector<float> placesOfStem(const SkinPlan& plan) const {
-        std::vector<float> places = evenly(plan.taken);
+    std::vector<float> stemPlaces(const SkinPlan& plan) const {
+        std::vector<float> places = evenPlaces(plan.skeletonRings);
         const float rise = glm::max(_skeleton.point(_unit, 1).z - _skeleton.point(_unit, 0).z, 1e-6f);
-        if (plan.rings > plan.taken)
+        if (plan.rings > plan.skeletonRings)
             for (const float share : StemFoot::rings)
                 places.push_back(glm::min(share * _foot.height() / rise, last()));
         std::sort(places.begin(), places.end());
         return places;
     }
 
-    /// The collar's own, those up to its end, and those of the skeleton beyond.
-    std::vector<float> placesAfter(const BranchCollar& collar, const SkinPlan& plan) const {
-        std::vector<float> beyond = evenly(plan.taken);
+    /// Rings of a side branch: the collar, those up to its end, and those of the skeleton beyond.
+    std::vector<float> sideBranchPlaces(const BranchCollar& collar, const SkinPlan& plan) const {
+        std::vector<float> beyond = evenPlaces(plan.skeletonRings);
         beyond.erase(beyond.begin(), std::find_if(beyond.begin(), beyond.end() - 1, [&](float place) {
-                         return place > collar.end() + closestRings;
+                         return place > collar.end() + minRingDistance;
                      }));
         if (static_cast<int>(beyond.size()) == plan.rings - 1 && plan.rings > 2)
             beyond.erase(beyond.begin());
         float end = collar.end();
-        if (end + closestRings >= last()) {
+        if (end + minRingDistance >= last()) {
             beyond.clear();
             end = last();
         }
@@ -178,7 +178,7 @@ private:
 
     static float partOf(int side, int sides) { return static_cast<float>(side) / static_cast<float>(sides); }
 
-    /// Of the unit's centre line from its base, metres.
+    /// Length of the unit's centre line from its base, metres.
     float lengthTo(float place) const {
         float length = 0.0f;
         for (int ring = 0; static_cast<float>(ring) < place; ++ring)
@@ -192,7 +192,7 @@ private:
                lengthTo(place) / (glm::two_pi<float>() * glm::max(_skeleton.units[_unit].baseRadius, 1e-6f));
     }
 
-    /// @param wider than the skeleton, metres.
+    /// @param wider than the skeleton by so much, metres.
     void addRing(Frame& frame, float place, int sides, float wider = 0.0f) {
         const CrossSection section = sectionAt(_skeleton, _unit, place);
         frame.follow(section.tangent);
@@ -208,8 +208,8 @@ private:
         }
     }
 
-    /// The last ring of the parent, or every second of its vertices.
-    void goOnFrom(std::size_t parent, int sides) {
+    /// Copies the last ring of the parent, or every n-th vertex of it.
+    void copyLastRing(std::size_t parent, int sides) {
         const int step = _plans[parent].sides / sides;
         const std::size_t first =
             _skin.firstVertices[parent + 1] - static_cast<std::size_t>(_plans[parent].sides);
@@ -229,10 +229,10 @@ private:
     const Skeleton& _skeleton;
     const std::vector<SkinPlan> _plans;
     const StemFoot _foot;
-    std::vector<Frame> _ends; ///< Of each unit.
+    std::vector<Frame> _ends; ///< Per unit.
     BranchSkin _skin;
-    std::size_t _unit = 0; ///< The present one,
-    float _bark = 0.0f;    ///< and where its bark begins.
+    std::size_t _unit = 0; ///< The current unit.
+    float _bark = 0.0f;    ///< Bark coordinate v at its base.
 };
 
 } // namespace

@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-/// The skin of a joined skeleton, as makeBranchSkin() says.
+/// Makes the bark of a joined skeleton; see makeBranchSkin().
 BranchSkin makeJoinedSkin(const Skeleton& skeleton, float tolerance);
 
 } // namespace osgTreeWind

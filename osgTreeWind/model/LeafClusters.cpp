@@ -18,18 +18,18 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float goldenAngle = 2.3999632f;
-/// The leader is clad all around: clusters on a metre of a trunk's leafy end over those on other shoots.
+/// Clusters per metre on a trunk's leafy end, over those on other shoots: a leader is clad all around.
 constexpr float leaderWeight = 3.0f;
-/// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
-/// how they stand on these: as variances, these shares of the first two leave the third one its own.
+/// The inclination of leaf faces has three parts: of their cluster, of the quads within the cluster, and of
+/// the leaves on the quads. Shares of the variance; the third part is the remainder.
 constexpr float clusterShare = 0.8f, quadShare = 0.7f;
-constexpr float outerSide = 0.7f; ///< Faces lean outwards, give or take this share of half a turn.
-/// Of shoots that hang, over the mean inclination, so that with the one upon them they have that mean.
+constexpr float leanSpread = 0.7f; ///< Faces lean outward, within this share of half a turn.
+/// Inclination of hanging shoots and of the row on top, over the mean inclination, which they have together.
 constexpr float hangingShare = 1.2f, lyingShare = 0.3f;
-constexpr float slim = 0.75f;      ///< Width of such a shoot over that of a spray, which is as large.
-constexpr float onward = 0.7f;     ///< Radians by which one that hangs leans the way its twig goes.
-constexpr float halfV = 1.22f;     ///< Radians between the rows of a frond and upright.
-constexpr float leastRoll = 0.25f; ///< Radians: flat crowns too are seen from the side.
+constexpr float hangingWidth = 0.75f; ///< Width of a hanging shoot over that of a spray of the same area.
+constexpr float onward = 0.7f;        ///< Forward lean of a hanging shoot along its twig, radians.
+constexpr float rowAngle = 1.22f;     ///< Angle between the rows of a frond and the upright, radians.
+constexpr float minRoll = 0.25f;      ///< Radians; makes flat crowns visible from the side.
 
 /// The leaf frame whose petiole (+Z) points along `petiole`, turned by `roll` about it.
 glm::quat leafFrame(const glm::vec3& petiole, float roll) {
@@ -47,14 +47,13 @@ int lastLevelOf(const Skeleton& skeleton) {
     return last;
 }
 
-/// The part of a unit, or of a shoot that it bears, on which clusters sit: metres along it from its base,
-/// none if `to` is not beyond `from`.
+/// The part of a unit, or of one of its shoots, that bears clusters, in metres from its base.
 struct Stretch {
     std::size_t unit = 0;
     const Shoot* shoot = nullptr;
     float from = 0.0f, to = 0.0f;
-    float length = 0.0f; ///< Of the unit or the shoot.
-    float weight = 1.0f; ///< Clusters on a metre over those on a metre of other stretches.
+    float length = 0.0f; ///< Of the unit or shoot.
+    float weight = 1.0f; ///< Clusters per metre relative to other stretches.
 
     float share() const { return weight * std::max(to - from, 0.0f); }
 };
@@ -66,9 +65,9 @@ float lengthOf(const Skeleton& skeleton, const Shoot& shoot) {
     return length;
 }
 
-/// Radius up to which wood is as thin as `share` of its length, by units and shoots.
-/// @param length of the units.
-float radiusAbove(const Skeleton& skeleton, const std::vector<float>& length, float share) {
+/// The radius below which lies `share` of the length of all wood, by units and shoots. @param length of
+/// units.
+float radiusQuantile(const Skeleton& skeleton, const std::vector<float>& length, float share) {
     std::vector<std::pair<float, float>> wood; // radius, length
     for (std::size_t i = 0; i < length.size(); ++i)
         wood.emplace_back(0.5f * (skeleton.units[i].baseRadius + skeleton.units[i].tipRadius), length[i]);
@@ -91,8 +90,8 @@ float lengthOf(const Skeleton& skeleton, std::size_t unit) {
     return length;
 }
 
-/// Those that the skeleton tells.
-std::vector<Stretch> knownStretches(const Skeleton& skeleton) {
+/// The stretches given by the skeleton.
+std::vector<Stretch> stretchesOfSkeleton(const Skeleton& skeleton) {
     std::vector<Stretch> stretches;
     const auto add = [&](std::size_t unit, const Shoot* shoot, const BranchPart& leafy, float length) {
         const bool leader = !shoot && skeleton.units[unit].level == 0;
@@ -110,10 +109,10 @@ std::vector<Stretch> knownStretches(const Skeleton& skeleton) {
 
 std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParameters& p) {
     if (!skeleton.leafyUnits.empty())
-        return knownStretches(skeleton);
+        return stretchesOfSkeleton(skeleton);
     const std::vector<BranchUnit>& units = skeleton.units;
     const auto levels = static_cast<float>(std::max(lastLevelOf(skeleton) - p.firstLevel, 1));
-    std::vector<float> length(units.size()), before(units.size()); // of the unit; of its branch below it
+    std::vector<float> length(units.size()), before(units.size()); // of the unit; of its branch below that
     std::vector<float> branch(units.size()); // length of the branch that begins with the unit
     std::vector<std::size_t> first(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -127,8 +126,8 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
         branch[first[i]] += length[i];
     }
     const float thickest =
-        p.thinWood < 1.0f ? radiusAbove(skeleton, length, p.thinWood) : std::numeric_limits<float>::max();
-    /// Length from the base of a piece of wood on in which it is too thick.
+        p.thinWood < 1.0f ? radiusQuantile(skeleton, length, p.thinWood) : std::numeric_limits<float>::max();
+    /// Length, from the base of a piece of wood, over which it is too thick.
     const auto below = [&](float base, float tip, float whole) {
         const float thick = std::max(base - thickest, 0.0f), taper = base - tip;
         return thick < taper ? whole * thick / taper : thick > 0.0f ? whole : 0.0f;
@@ -154,8 +153,8 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
     return stretches;
 }
 
-/// Jöhnk's draw from a beta distribution on (0, 1).
-float betaOf(Random& random, float alpha, float beta) {
+/// Draws from a beta distribution on (0, 1) (Jöhnk).
+float drawBeta(Random& random, float alpha, float beta) {
     for (int tries = 0; tries < 1000; ++tries) {
         const float x = power(random.uniform(), 1.0f / alpha), y = power(random.uniform(), 1.0f / beta);
         if (x + y > 0.0f && x + y <= 1.0f)
@@ -164,24 +163,24 @@ float betaOf(Random& random, float alpha, float beta) {
     return alpha / (alpha + beta);
 }
 
-/// Angle of a leaf face from the horizontal: leaf angles follow a beta distribution (Goel and Strebel 1984),
-/// here with a standard deviation of 13 to 20 degrees, as measured crowns have.
+/// Random angle of a leaf face from the horizontal: a beta distribution (Goel and Strebel 1984) with the
+/// standard deviation of measured crowns, 13 to 20 degrees.
 float leafAngle(Random& random, float mean) {
     constexpr float concentration = 4.0f;
     const float m = mean / glm::half_pi<float>();
-    return glm::half_pi<float>() * betaOf(random, concentration * m, concentration * (1.0f - m));
+    return glm::half_pi<float>() * drawBeta(random, concentration * m, concentration * (1.0f - m));
 }
 
-/// Where a cluster sits on a branch, which way that goes on, and which way is out of it.
-struct LeafSeat {
+/// Attachment of a cluster to a branch: the direction of the branch, and a normal.
+struct LeafAttachment {
     glm::vec3 anchor, tangent, outward;
 };
 
-/// The leaf frame of a flat spray: its petiole points along `outward` as far as its faces let it.
-/// @param angle of its faces from the horizontal. @param turn about the vertical, of the way they lean to
-/// from that out of the crown.
-glm::quat sprayFrame(const LeafSeat& seat, const glm::vec3& outward, float angle, float turn) {
-    const glm::vec2 out(directionOr(glm::vec3(seat.anchor.x, seat.anchor.y, 0.0f), glm::vec3(1, 0, 0)));
+/// The leaf frame of a flat spray. Its petiole points along `outward` as far as the inclination allows.
+/// @param angle of its faces from the horizontal. @param turn azimuth of their lean off outward.
+glm::quat sprayFrame(const LeafAttachment& attachment, const glm::vec3& outward, float angle, float turn) {
+    const glm::vec2 out(
+        directionOr(glm::vec3(attachment.anchor.x, attachment.anchor.y, 0.0f), glm::vec3(1, 0, 0)));
     const float along = cosine(turn), across = sine(turn);
     const glm::vec3 normal{sine(angle) * (along * out.x - across * out.y),
                            sine(angle) * (across * out.x + along * out.y), cosine(angle)};
@@ -190,44 +189,45 @@ glm::quat sprayFrame(const LeafSeat& seat, const glm::vec3& outward, float angle
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
 }
 
-/// The leaf frame of a segment of a frond: along it, its face up.
+/// The leaf frame of a segment of a frond: petiole along it, face up.
 glm::quat frondFrame(const glm::vec3& along) {
     const glm::vec3 up = directionOr(glm::vec3(0, 0, 1) - along.z * along, perpendicular(along));
     return glm::quat_cast(glm::mat3(glm::cross(along, up), -up, along));
 }
 
-LeafSeat seatAt(const glm::vec3& anchor, const glm::vec3& tangent, float around) {
+LeafAttachment attachmentAt(const glm::vec3& anchor, const glm::vec3& tangent, float around) {
     const glm::vec3 e1 = perpendicular(tangent);
     return {anchor, tangent, cosine(around) * e1 + sine(around) * glm::cross(tangent, e1)};
 }
 
-/// @param along the unit, 0 to 1.
-LeafSeat seatOn(const Skeleton& skeleton, std::size_t unit, float along, float around) {
+/// @param along position on the unit, 0 to 1.
+LeafAttachment attachmentOn(const Skeleton& skeleton, std::size_t unit, float along, float around) {
     const float place = along * static_cast<float>(skeleton.ringsPerBranch - 1);
     const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
-    return seatAt(glm::mix(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
-                           place - static_cast<float>(ring)),
-                  skeleton.tangent(unit, ring), around);
+    return attachmentAt(glm::mix(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
+                                 place - static_cast<float>(ring)),
+                        skeleton.tangent(unit, ring), around);
 }
 
 /// @param left metres along the shoot.
-LeafSeat seatOn(const Skeleton& skeleton, const Shoot& shoot, float left, float around) {
+LeafAttachment attachmentOn(const Skeleton& skeleton, const Shoot& shoot, float left, float around) {
     for (std::size_t i = 1;; ++i) {
         const glm::vec3 from = skeleton.shootPoint(shoot, i - 1), way = skeleton.shootPoint(shoot, i) - from;
         const float length = glm::length(way);
         if (left <= length || i + 1 == shoot.count)
-            return seatAt(from + way * (length > 0.0f ? std::min(left / length, 1.0f) : 0.0f),
-                          directionOr(way, up), around);
+            return attachmentAt(from + way * (length > 0.0f ? std::min(left / length, 1.0f) : 0.0f),
+                                directionOr(way, up), around);
         left -= length;
     }
 }
 
-/// @param onward how far it leans along the branch.
-glm::vec3 petioleOf(const LeafSeat& seat, float onward, float droop) {
-    return directionOr(seat.outward + onward * seat.tangent - glm::vec3(0, 0, droop * 1.2f), seat.outward);
+/// @param onward component along the branch.
+glm::vec3 petioleOf(const LeafAttachment& attachment, float onward, float droop) {
+    return directionOr(attachment.outward + onward * attachment.tangent - glm::vec3(0, 0, droop * 1.2f),
+                       attachment.outward);
 }
 
-/// Clusters evenly along all leafy stretches.
+/// Spaces clusters evenly over all leafy stretches.
 std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafParameters& p) {
     const std::vector<Stretch> stretches = leafyStretches(skeleton, p);
     float whole = 0.0f;
@@ -247,19 +247,20 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
             const float t = glm::clamp((stretch.to - left / stretch.weight) / stretch.length, 0.0f, 1.0f);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t * stretch.length, around)
-                                                : seatOn(skeleton, stretch.unit, t, around);
-            const glm::vec3 petiole = petioleOf(seat, 0.8f, p.droop);
+            const LeafAttachment attachment =
+                stretch.shoot ? attachmentOn(skeleton, *stretch.shoot, t * stretch.length, around)
+                              : attachmentOn(skeleton, stretch.unit, t, around);
+            const glm::vec3 petiole = petioleOf(attachment, 0.8f, p.droop);
 
             LeafCluster cluster;
-            cluster.anchor = seat.anchor;
+            cluster.anchor = attachment.anchor;
             cluster.unit = static_cast<int>(stretch.unit);
             const float turn = random.symmetric() * glm::pi<float>();
             cluster.orientation =
-                p.frond ? frondFrame(seat.tangent)
+                p.frond ? frondFrame(attachment.tangent)
                 : p.inclination > 0.0f
-                    ? sprayFrame(seat, petiole, leafAngle(angles, clusterShare * p.inclination),
-                                 outerSide * turn)
+                    ? sprayFrame(attachment, petiole, leafAngle(angles, clusterShare * p.inclination),
+                                 leanSpread * turn)
                     : leafFrame(petiole, turn);
             cluster.size = 1.0f + 0.25f * random.symmetric();
             clusters.push_back(cluster);
@@ -268,25 +269,25 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
     return clusters;
 }
 
-/// One of the quads: where it begins on the petiole over its length, its axes across and along.
+/// One quad: its start over the petiole's length, and its axes across and along.
 struct QuadPlace {
     float start;
     glm::vec3 side, along;
 };
 
-/// Of a fan about the petiole; each quad leans away from it so that the cluster fills a volume.
+/// A quad of a fan about the petiole; it leans away from the petiole, so that the cluster fills a volume.
 QuadPlace fanQuad(int quad) {
     const float turn = glm::two_pi<float>() * static_cast<float>(quad) / quadsPerLeafCluster;
     const glm::vec3 away{-sine(turn), cosine(turn), 0.0f};
     return {0.0f, {cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
 }
 
-/// Of a flat spray: the first quad goes straight on from further out, the others to both sides, a little out
-/// of its plane; each is turned about its own length.
+/// A quad of a flat spray: the first continues the petiole from further out, the others point to both sides,
+/// a little out of the plane; each is rotated about its length.
 QuadPlace sprayQuad(int quad, float inclination) {
-    const float roll = glm::max(quadShare * inclination, leastRoll) * (quad == 0   ? 0.5f
-                                                                       : quad == 1 ? 1.0f
-                                                                                   : -1.0f);
+    const float roll = glm::max(quadShare * inclination, minRoll) * (quad == 0   ? 0.5f
+                                                                     : quad == 1 ? 1.0f
+                                                                                 : -1.0f);
     if (quad == 0)
         return {0.4f, {cosine(roll), sine(roll), 0}, {0, 0, 1}};
     const float turn = quad == 1 ? 1.05f : -1.05f;
@@ -295,7 +296,7 @@ QuadPlace sprayQuad(int quad, float inclination) {
     return {0.0f, cosine(roll) * across + sine(roll) * glm::cross(along, across), along};
 }
 
-/// Shoots of a twig: two hang, one on each side of it, the third lies upon it.
+/// Shoots of a twig: two hang at its sides, the third lies on top.
 void addHangingQuad(const LeafParameters& parameters, int quad, LeafVertex* corners) {
     const float hand = quad == 0 ? 1.0f : -1.0f;
     const float steep = (quad == 2 ? lyingShare : hangingShare) * parameters.inclination;
@@ -307,15 +308,15 @@ void addHangingQuad(const LeafParameters& parameters, int quad, LeafVertex* corn
     for (int corner = 0; corner < 4; ++corner) {
         const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};
         corners[corner] = {start * parameters.length * ahead +
-                               (uv.x - 0.5f) * slim * parameters.width * side +
-                               uv.y / slim * parameters.length * along,
+                               (uv.x - 0.5f) * hangingWidth * parameters.width * side +
+                               uv.y / hangingWidth * parameters.length * along,
                            normal, uv};
     }
 }
 
-/// A row of leaflets along a segment of a frond: to the right and to the left, in a V, or hanging.
+/// A row of leaflets along a segment of a frond: to the right and left in a V, or hanging.
 void addFrondRow(const LeafParameters& parameters, int row, LeafVertex* corners) {
-    const float lean = row == 0 ? halfV : row == 1 ? -halfV : 2.9f; // from upright
+    const float lean = row == 0 ? rowAngle : row == 1 ? -rowAngle : 2.9f; // from the upright
     const glm::vec3 outward{sine(lean), -cosine(lean), 0.0f};
     const float upward = row == 1 ? 1.0f : -1.0f;
     const glm::vec3 normal{upward * cosine(lean), upward * sine(lean), 0.0f};
@@ -353,11 +354,11 @@ std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafPa
         for (int i = 0; i < count; ++i) {
             const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const LeafSeat seat = seatOn(skeleton, index, t, around);
-            const glm::vec3 petiole = petioleOf(seat, 0.35f + 0.45f * t, parameters.droop);
+            const LeafAttachment attachment = attachmentOn(skeleton, index, t, around);
+            const glm::vec3 petiole = petioleOf(attachment, 0.35f + 0.45f * t, parameters.droop);
 
             LeafCluster cluster;
-            cluster.anchor = seat.anchor;
+            cluster.anchor = attachment.anchor;
             cluster.unit = static_cast<int>(index);
             cluster.orientation = leafFrame(petiole, random.symmetric() * glm::pi<float>());
             cluster.size = levelSize * (1.0f + 0.25f * random.symmetric());

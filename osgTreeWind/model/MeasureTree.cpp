@@ -10,13 +10,13 @@
 namespace osgTreeWind {
 namespace {
 
-/// A size in metres, or 0 for "not given".
-float given(float size) {
+/// A size in metres within limits; 0: not given.
+float validSize(float size) {
     return size > 0.0f ? glm::clamp(size, 0.001f, 1000.0f) : 0.0f;
 }
 
-/// Keeps the search for a size that the shape cannot have from running away.
-float near(float factor, float expected) {
+/// Bounds a factor, so that the search for an impossible size does not diverge.
+float clampNear(float factor, float expected) {
     return glm::clamp(factor, 0.02f * expected, 50.0f * expected);
 }
 
@@ -45,16 +45,16 @@ float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
 
 TreeScale fitTree(const TreeExtents& extents, const TreeSize& size) {
     const TreeSize rest = measureTree(extents);
-    const float height = given(size.height), trunk = given(size.trunkDiameter),
-                crown = given(size.crownWidth);
+    const float height = validSize(size.height), trunk = validSize(size.trunkDiameter),
+                crown = validSize(size.crownWidth);
     TreeScale scale;
     for (int round = 0; round < 24; ++round) {
         const TreeSize now = measureTree(extents, scale);
         const float up = height > 0.0f ? height / now.height : 1.0f;
         const float out = crown > 0.0f ? crown / now.crownWidth : 1.0f;
         const float thick = trunk > 0.0f ? trunk / now.trunkDiameter : 1.0f;
-        scale.axes.z = near(scale.axes.z * up, height > 0.0f ? height / rest.height : 1.0f);
-        scale.axes.x = crown > 0.0f ? near(scale.axes.x * out, crown / rest.crownWidth) : scale.axes.z;
+        scale.axes.z = clampNear(scale.axes.z * up, height > 0.0f ? height / rest.height : 1.0f);
+        scale.axes.x = crown > 0.0f ? clampNear(scale.axes.x * out, crown / rest.crownWidth) : scale.axes.z;
         scale.axes.y = scale.axes.x;
         scale.radius = trunk > 0.0f ? scale.radius * thick : scale.axes.z;
         scale.leaf = std::cbrt(scale.axes.x * scale.axes.y * scale.axes.z);

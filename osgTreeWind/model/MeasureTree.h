@@ -6,15 +6,15 @@
 
 namespace osgTreeWind {
 
-/// Size of a model under a scale whose parts are above 0: that of all its wood and leaves.
+/// Size of a model at a scale with all parts above 0, including wood and leaves.
 TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale = {});
 TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
 
 /// Cross-section of the trunk at breast height, m^2.
 float trunkSection(const Skeleton& skeleton, const TreeScale& scale = {});
 
-/// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is
-/// narrower than its trunk. Sizes not given follow the height in proportion; with no size at all the scale
+/// The scale at which measureTree() gives `size`, within 1 % if the shape allows it: no crown is narrower
+/// than its trunk. Sizes that are not given follow the height in proportion; without any size, the scale
 /// is 1.
 TreeScale fitTree(const TreeExtents& extents, const TreeSize& size);
 TreeScale fitTree(const TreeModel& model, const TreeSize& size);

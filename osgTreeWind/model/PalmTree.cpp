@@ -15,18 +15,18 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr int palmRings = 8; ///< Points of a unit.
+constexpr int palmRings = 8; ///< Points per unit.
 constexpr int stemUnits = 5;
-constexpr float turnOfFronds = 2.3999632f; ///< The golden angle.
+constexpr float frondTurn = 2.3999632f; ///< The golden angle.
 constexpr float breastHeight = 1.3f;
 constexpr float frondTaper = 0.35f;
-constexpr float shorterBy = 0.2f;     ///< The largest random part of a frond's length.
-constexpr float angleSpread = 0.15f;  ///< The largest random part of its inclination.
-constexpr float straightPart = 0.18f; ///< Share of the droop in the inner half of a frond.
-constexpr float winding = 0.05f;      ///< How far a frond winds.
-constexpr float mostOfTheStem = 0.9f; ///< A frond's stalk over the radius of the stem.
+constexpr float lengthSpread = 0.2f;  ///< Largest random reduction of a frond's length.
+constexpr float angleSpread = 0.15f;  ///< Largest random change of its inclination, radians.
+constexpr float innerDroop = 0.18f;   ///< Share of the droop in the inner half of a frond.
+constexpr float winding = 0.05f;      ///< Crook of a frond.
+constexpr float maxStalkRatio = 0.9f; ///< Upper limit of a stalk's radius over that of the stem.
 
-/// The unit vector `heading` turned down by `angle`, at most until it is vertical.
+/// Rotates a unit vector down by `angle`, at most to the vertical.
 glm::vec3 bentDown(const glm::vec3& heading, float angle) {
     const glm::vec3 across = -up - heading * glm::dot(-up, heading);
     if (heading.z < 0.0f && glm::length(across) <= sine(angle))
@@ -37,7 +37,7 @@ glm::vec3 bentDown(const glm::vec3& heading, float angle) {
 
 class PalmMaker {
 public:
-    /// @param parameters within their ranges.
+    /// @param parameters must be clamped().
     explicit PalmMaker(const PalmParameters& parameters)
         : _p(parameters), _random(parameters.seed), _stemHeight(parameters.height * parameters.trunk) {
         _skeleton.ringsPerBranch = palmRings;
@@ -46,7 +46,7 @@ public:
     }
 
     Skeleton make() {
-        _stem = way(up, 0.0f, _p.trunkCrook, stemUnits);
+        _stem = makeCurve(up, 0.0f, _p.trunkCrook, stemUnits);
         for (glm::vec3& point : _stem)
             point *= _stemHeight;
         const float first = std::min(_p.crownBase / _p.trunk, 0.99f); // along the stem
@@ -65,8 +65,8 @@ public:
     }
 
 private:
-    /// The points of a branch of length 1 from the origin that bends down and winds.
-    std::vector<glm::vec3> way(glm::vec3 heading, float droop, float crook, int units) {
+    /// Points of a branch of length 1 from the origin that droops and winds.
+    std::vector<glm::vec3> makeCurve(glm::vec3 heading, float droop, float crook, int units) {
         const int segments = units * (palmRings - 1);
         const auto count = static_cast<float>(segments);
         const float step = crook * 0.7f / std::sqrt(count);
@@ -74,7 +74,7 @@ private:
         points.reserve(static_cast<std::size_t>(segments) + 1);
         glm::vec3 turn(0.0f);
         for (int i = 0; i < segments; ++i) {
-            const float part = i < segments / 2 ? straightPart : 1.0f - straightPart;
+            const float part = i < segments / 2 ? innerDroop : 1.0f - innerDroop;
             heading = bentDown(heading, 2.0f * part * droop / count);
             points.push_back(points.back() + heading / count);
             const float x = _random.symmetric(), y = _random.symmetric(), z = _random.symmetric();
@@ -103,8 +103,8 @@ private:
         return _lastStemUnit = static_cast<int>(_skeleton.units.size()) - 1;
     }
 
-    /// How long a frond can be until it leaves the crown.
-    float roomFor(const glm::vec3& foot, const std::vector<glm::vec3>& points) const {
+    /// The maximum length of a frond within the crown.
+    float maxFrondLength(const glm::vec3& foot, const std::vector<glm::vec3>& points) const {
         const float lowest = std::max(_p.height * _p.crownBase - 0.25f * _p.crownWidth, 0.0f),
                     halfWidth = 0.5f * _p.crownWidth;
         const auto outside = [&](float length) {
@@ -121,7 +121,7 @@ private:
         return inside;
     }
 
-    /// @param along the stem's unit, (0, 1]. @param age 0: the oldest frond, 1: the youngest one.
+    /// @param along position on the stem's unit, (0, 1]. @param age 0: the oldest frond, 1: the youngest.
     void addFrond(int stemUnit, float along, float age, int index) {
         const BranchUnit stem = _skeleton.units[static_cast<std::size_t>(stemUnit)];
         const float ring = along * static_cast<float>(palmRings - 1);
@@ -129,15 +129,15 @@ private:
         const auto bearer = static_cast<std::size_t>(stemUnit);
         const glm::vec3 a = _skeleton.point(bearer, below), b = _skeleton.point(bearer, below + 1);
         const glm::vec3 foot = glm::mix(a, b, ring - static_cast<float>(below)), axis = glm::normalize(b - a);
-        const float azimuth = turnOfFronds * static_cast<float>(index) + _start;
+        const float azimuth = frondTurn * static_cast<float>(index) + _start;
         const glm::vec3 side = perpendicular(axis);
         const glm::vec3 aside = cosine(azimuth) * side + sine(azimuth) * glm::cross(axis, side);
         const float inclination =
             glm::mix(_p.inclination, _p.inclinationEnd, age) + angleSpread * _random.symmetric();
-        std::vector<glm::vec3> points =
-            way(glm::normalize(cosine(inclination) * axis + sine(inclination) * aside), _p.droop, winding, 1);
-        const float length =
-            std::max(roomFor(foot, points) * (1.0f - shorterBy * _random.uniform()), 1e-3f * _p.height);
+        std::vector<glm::vec3> points = makeCurve(
+            glm::normalize(cosine(inclination) * axis + sine(inclination) * aside), _p.droop, winding, 1);
+        const float length = std::max(
+            maxFrondLength(foot, points) * (1.0f - lengthSpread * _random.uniform()), 1e-3f * _p.height);
         for (glm::vec3& point : points)
             point = foot + length * point;
         BranchUnit frond;
@@ -146,7 +146,7 @@ private:
         frond.base = points.front();
         frond.tip = points.back();
         frond.baseRadius =
-            std::min(_p.frondRadius, mostOfTheStem * glm::mix(stem.baseRadius, stem.tipRadius, along));
+            std::min(_p.frondRadius, maxStalkRatio * glm::mix(stem.baseRadius, stem.tipRadius, along));
         frond.tipRadius = frondTaper * frond.baseRadius;
         frond.attach = along;
         _skeleton.units.push_back(frond);

@@ -17,10 +17,10 @@
 namespace osgTreeWind {
 namespace {
 
-/// A branch is never longer than this times its parent, whatever the jitter.
+/// Upper limit of a branch's length over its parent's, with jitter.
 constexpr float maxLengthRatio = 1.5f;
 
-/// The direction `inclination` away from `axis`, at `azimuth` measured from the side nearest to +x.
+/// The direction at `inclination` from `axis`, at `azimuth` from the side nearest to +x.
 glm::vec3 inclined(const glm::vec3& axis, float inclination, float azimuth) {
     const glm::vec3 e1 = perpendicular(axis);
     const glm::vec3 e2 = glm::cross(axis, e1);
@@ -31,8 +31,8 @@ float trunkLength(const RecursiveTreeParameters& p) {
     return p.length * static_cast<float>(p.trunkUnits);
 }
 
-/// An upper bound for the distance of any point from the root, metres.
-float longestReach(const RecursiveTreeParameters& p) {
+/// An upper bound of the distance of any point from the root, metres.
+float maxReach(const RecursiveTreeParameters& p) {
     const float ratio = std::min(p.lengthRatio * (1.0f + p.jitter), maxLengthRatio);
     float branch = trunkLength(p) *
                    std::min(p.boughLength * std::max(p.crownTaper, 1.0f) * (1.0f + p.jitter), maxLengthRatio);
@@ -42,7 +42,7 @@ float longestReach(const RecursiveTreeParameters& p) {
     return reach;
 }
 
-/// Units the values would make as they stand.
+/// Number of units that these values make.
 std::uint64_t countUnits(const RecursiveTreeParameters& p) {
     std::uint64_t count = static_cast<std::uint64_t>(p.trunkUnits);
     std::uint64_t onLevel = static_cast<std::uint64_t>(branchingUnits(p));
@@ -53,10 +53,10 @@ std::uint64_t countUnits(const RecursiveTreeParameters& p) {
 
 class RecursiveTreeGenerator {
 public:
-    /// @param parameters within their ranges.
+    /// @param parameters must be clamped().
     explicit RecursiveTreeGenerator(const RecursiveTreeParameters& parameters)
-        : _p(parameters), _shortest(1e-4f * longestReach(parameters)),
-          _thinnest(1e-5f * longestReach(parameters)), _random(parameters.seed) {
+        : _p(parameters), _minLength(1e-4f * maxReach(parameters)), _minRadius(1e-5f * maxReach(parameters)),
+          _random(parameters.seed) {
         _skeleton.ringsPerBranch = _p.ringsPerBranch;
         _skeleton.units.reserve(countUnits(_p));
         _skeleton.points.reserve(countUnits(_p) * static_cast<std::size_t>(_p.ringsPerBranch));
@@ -66,14 +66,14 @@ public:
         const float east = _random.symmetric(), north = _random.symmetric();
         _trunkAxis = glm::normalize(up + 0.15f * _p.jitter * glm::vec3(east, north, 0.0f));
         BranchUnit ground;
-        ground.tipRadius = thickEnough(_p.radius);
+        ground.tipRadius = atLeastMinRadius(_p.radius);
         growTrunk(0, ground);
         return std::move(_skeleton);
     }
 
 private:
-    /// Thinner or shorter would be lost in the rounding of the coordinates.
-    float thickEnough(float radius) const { return std::max(radius, _thinnest); }
+    /// Thinner wood would be lost in the rounding of the coordinates.
+    float atLeastMinRadius(float radius) const { return std::max(radius, _minRadius); }
 
     void growTrunk(int index, const BranchUnit& below) {
         const float height = static_cast<float>(index + 1) / static_cast<float>(_p.trunkUnits);
@@ -81,7 +81,7 @@ private:
         unit.base = below.tip;
         unit.tip = unit.base + _p.length * _trunkAxis;
         unit.baseRadius = below.tipRadius;
-        unit.tipRadius = thickEnough(_p.radius * glm::mix(1.0f, _p.taper, height));
+        unit.tipRadius = atLeastMinRadius(_p.radius * glm::mix(1.0f, _p.taper, height));
         unit.parent = index == 0 ? -1 : _trunkTop;
         _trunkTop = addUnit(unit);
 
@@ -95,7 +95,7 @@ private:
             growTrunk(index + 1, unit);
     }
 
-    /// @param ratio of the branches' length over `parentLength`.
+    /// @param ratio length of the branches over `parentLength`.
     void growBranches(int parentIndex, float parentLength, float ratio) {
         const BranchUnit parent = _skeleton.units[static_cast<std::size_t>(parentIndex)];
         if (parent.level == _p.levels)
@@ -105,18 +105,18 @@ private:
         const float spacing = glm::two_pi<float>() / static_cast<float>(_p.childrenPerBranch);
         const float levelInclination =
             _p.inclination * power(_p.inclinationGrowth, static_cast<float>(level - 1));
-        // Whorls on a trunk are turned against each other like levels are.
+        // Successive whorls on a trunk are rotated like successive levels.
         const float turn = _p.twist * static_cast<float>(level == 1 ? ++_whorls : level);
-        const bool trunkGoesOn = level == 1 && _whorls < branchingUnits(_p);
+        const bool trunkContinues = level == 1 && _whorls < branchingUnits(_p);
 
         for (int child = 0; child < _p.childrenPerBranch; ++child) {
             const float azimuth =
                 spacing * (static_cast<float>(child) + 0.5f * _p.jitter * _random.symmetric()) + turn;
-            const float lean = child == 0 && !trunkGoesOn ? 1.0f - _p.leader : 1.0f;
+            const float lean = child == 0 && !trunkContinues ? 1.0f - _p.leader : 1.0f;
             const float inclination =
                 std::min(lean * levelInclination * (1.0f + _p.jitter * _random.symmetric()), maxInclination);
             const float jittered = ratio * (1.0f + _p.jitter * _random.symmetric());
-            const float length = std::max(parentLength * std::min(jittered, maxLengthRatio), _shortest);
+            const float length = std::max(parentLength * std::min(jittered, maxLengthRatio), _minLength);
             const glm::vec3 fromVertical = inclined(up, inclination, azimuth);
             const glm::vec3 direction = directionOr(
                 glm::mix(fromVertical, inclined(axis, inclination, azimuth), _p.follow), fromVertical);
@@ -126,14 +126,14 @@ private:
             unit.level = level;
             unit.base = parent.tip;
             unit.tip = unit.base + length * direction;
-            unit.baseRadius = thickEnough(parent.tipRadius * _p.radiusRatio);
-            unit.tipRadius = thickEnough(unit.baseRadius * _p.taper);
+            unit.baseRadius = atLeastMinRadius(parent.tipRadius * _p.radiusRatio);
+            unit.tipRadius = atLeastMinRadius(unit.baseRadius * _p.taper);
             growBranches(addUnit(unit), length, _p.lengthRatio);
         }
     }
 
-    /// Appends a unit and breaks it into points: straight, plus two slow waves and a little unevenness. All
-    /// vanish at both ends with their slopes, so that rings of units in line meet there.
+    /// Appends a unit and its points: a straight line plus two slow waves and some noise. All vanish at both
+    /// ends with their slopes, so that rings of successive units coincide.
     int addUnit(const BranchUnit& unit) {
         const glm::vec3 along = unit.tip - unit.base;
         const float length = glm::length(along);
@@ -142,7 +142,7 @@ private:
         const glm::vec2 bow{_random.symmetric(), _random.symmetric()};
         const glm::vec2 wave{_random.symmetric(), _random.symmetric()};
         const int last = _p.ringsPerBranch - 1;
-        // Rings closer together than the reference tree's must not zigzag more steeply.
+        // Limits the slope of rings that are closer together than the reference tree's.
         const float roughness = 0.15f * 15.0f / static_cast<float>(std::max(last, 15));
         for (int i = 0; i <= last; ++i) {
             const float t = static_cast<float>(i) / static_cast<float>(last);
@@ -159,13 +159,13 @@ private:
     }
 
     const RecursiveTreeParameters _p;
-    const float _shortest; ///< Branch length.
-    const float _thinnest; ///< Radius.
+    const float _minLength; ///< Branch length.
+    const float _minRadius; ///< Radius.
     Random _random;
     Skeleton _skeleton;
     glm::vec3 _trunkAxis{0.0f, 0.0f, 1.0f};
-    int _trunkTop = -1; ///< Unit the trunk has grown to.
-    int _whorls = 0;    ///< Sets of first branches so far.
+    int _trunkTop = -1; ///< Index of the last trunk unit.
+    int _whorls = 0;    ///< Number of first-level whorls so far.
 };
 
 } // namespace

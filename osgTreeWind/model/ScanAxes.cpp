@@ -19,11 +19,10 @@ double lengthOf(const ScanCylinder& cylinder) {
     return glm::distance(cylinder.start, cylinder.end);
 }
 
-/// Non-increasing sections (pool adjacent violators): neighbours in the wrong order become one, of their
-/// mean.
+/// Makes sections non-increasing (pool adjacent violators): neighbours in wrong order get their mean.
 void taper(std::vector<double>& radii, const WoodLine& line) {
     struct Pool {
-        double section, length; // radius^2, its mean
+        double section, length; // section: radius^2
         std::size_t end;
     };
     std::vector<Pool> pools;
@@ -47,7 +46,7 @@ void taper(std::vector<double>& radii, const WoodLine& line) {
 class AxisFinder {
 public:
     explicit AxisFinder(const ScanCylinders& cylinders)
-        : _cylinders(cylinders), _children(cylinders.size()), _borne(cylinders.size()),
+        : _cylinders(cylinders), _children(cylinders.size()), _woodLengths(cylinders.size()),
           _next(cylinders.size(), noCylinder), _place(cylinders.size()) {
         for (std::size_t i = 0; i < cylinders.size(); ++i)
             if (cylinders[i].parent < 0)
@@ -56,21 +55,21 @@ public:
                 _children[static_cast<std::size_t>(cylinders[i].parent)].push_back(i);
         const std::vector<std::size_t> order = parentsFirst();
         for (auto at = order.rbegin(); at != order.rend(); ++at) {
-            _borne[*at] = lengthOf(cylinders[*at]);
+            _woodLengths[*at] = lengthOf(cylinders[*at]);
             for (const std::size_t child : _children[*at])
-                _borne[*at] += _borne[child];
-            carryOn(*at);
+                _woodLengths[*at] += _woodLengths[child];
+            chooseContinuation(*at);
         }
     }
 
     std::vector<WoodAxis> axes() {
-        follow(_root, -1);
+        addAxis(_root, -1);
         for (std::size_t axis = 0; axis < _axes.size(); ++axis) {
             const std::size_t first = _firsts[axis];
             for (std::size_t at = first; at != noCylinder; at = _next[at])
                 for (const std::size_t child : _children[at])
                     if (child != _next[at])
-                        follow(child, static_cast<int>(axis));
+                        addAxis(child, static_cast<int>(axis));
         }
         for (WoodAxis& axis : _axes)
             taper(axis.radii, axis.line);
@@ -78,7 +77,7 @@ public:
     }
 
 private:
-    /// A cylinder's stretch of the line of its axis.
+    /// Axis of a cylinder, and its segment of the axis' line.
     struct Place {
         std::size_t axis = 0, stretch = 0;
     };
@@ -93,11 +92,11 @@ private:
         return order;
     }
 
-    void carryOn(std::size_t at) {
+    void chooseContinuation(std::size_t at) {
         const ScanCylinder& cylinder = _cylinders[at];
         const auto rank = [&](std::size_t child) {
             const double gap = glm::distance(_cylinders[child].start, cylinder.end);
-            return std::make_pair(gap < cylinder.radius, _borne[child]);
+            return std::make_pair(gap < cylinder.radius, _woodLengths[child]);
         };
         for (const std::size_t child : _children[at]) {
             const glm::dvec3 ahead = _cylinders[child].start - cylinder.end;
@@ -108,14 +107,14 @@ private:
     }
 
     /// Adds the axis that begins with cylinder `first`.
-    void follow(std::size_t first, int parent) {
+    void addAxis(std::size_t first, int parent) {
         const glm::dvec3 foot = _cylinders[_root].start;
         WoodAxis axis;
         axis.parent = parent;
         if (parent < 0)
             axis.line.add(glm::dvec3(0.0));
         else
-            spring(axis, first);
+            startOnParent(axis, first);
         for (std::size_t at = first; at != noCylinder; at = _next[at]) {
             const ScanCylinder& cylinder = _cylinders[at];
             _place[at] = {_axes.size(), axis.radii.size()};
@@ -128,8 +127,8 @@ private:
         _firsts.push_back(first);
     }
 
-    /// Begins an axis on the stretch of its parent's line that the parent of its first cylinder is.
-    void spring(WoodAxis& axis, std::size_t first) const {
+    /// Starts an axis on the segment of its parent's line that belongs to the parent of its first cylinder.
+    void startOnParent(WoodAxis& axis, std::size_t first) const {
         const ScanCylinder& cylinder = _cylinders[first];
         const auto carrier = static_cast<std::size_t>(cylinder.parent);
         const WoodAxis& parent = _axes[static_cast<std::size_t>(axis.parent)];
@@ -150,8 +149,8 @@ private:
 
     const ScanCylinders& _cylinders;
     std::vector<std::vector<std::size_t>> _children;
-    std::vector<double> _borne;     ///< Length of all wood that springs from a cylinder and its own.
-    std::vector<std::size_t> _next; ///< The child that carries its axis on.
+    std::vector<double> _woodLengths; ///< Length of wood of each cylinder and its descendants.
+    std::vector<std::size_t> _next;   ///< The child that continues the axis.
     std::vector<Place> _place;
     std::size_t _root = 0;
     std::vector<WoodAxis> _axes;

@@ -6,11 +6,11 @@
 
 namespace osgTreeWind {
 
-/// Orders a sound scan (problemOfScan) by axes, the trunk first, parents before their branches.
+/// Sorts a valid scan (problemOfScan()) into axes, the trunk first, parents before their branches.
 ///
-/// Of the cylinders that begin at another's end, within its radius, the one that bears the greatest length of
-/// wood carries the axis on; where there is none, of those that begin beyond the end. Radii are brought to
-/// taper by joining cylinders that do not: sections are averaged by length, which keeps the volume.
+/// An axis continues with the child that carries the greatest length of wood, of those that begin within its
+/// radius of the end; if there are none, of those that begin beyond the end. Cylinders that do not taper are
+/// merged, and their sections averaged by length, which keeps the volume.
 std::vector<WoodAxis> axesOfScan(const ScanCylinders& cylinders);
 
 } // namespace osgTreeWind

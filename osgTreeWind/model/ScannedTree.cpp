@@ -23,9 +23,9 @@ Result<ScannedTree> makeScannedTree(const ScanCylinders& cylinders, const WoodDe
         for (const glm::dvec3& point : axis.line.points)
             report.height = std::max(report.height, point.z);
     }
-    SkeletonOfAxes made = makeSkeleton(std::move(axes), detail);
+    AxesSkeleton made = makeSkeleton(std::move(axes), detail);
     tree.skeleton = std::move(made.skeleton);
-    report.taken = made.pieces;
+    report.usedCylinders = made.pieces;
     report.units = tree.skeleton.units.size();
     report.shoots = tree.skeleton.shoots.size();
     report.woodVolume = woodVolume(tree.skeleton);

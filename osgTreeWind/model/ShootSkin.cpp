@@ -16,7 +16,7 @@ namespace {
 
 constexpr int shootSides = 3;
 
-/// The ends of a shoot, and those of its points between which straight lines would be off.
+/// The ends of a shoot, and the points needed to approximate its course within a tolerance.
 std::vector<glm::vec3> courseWithin(const Skeleton& skeleton, const Shoot& shoot, float tolerance) {
     std::vector<glm::vec3> course{skeleton.shootPoint(shoot, 0)};
     for (std::size_t i = 1; i + 1 < shoot.count; ++i) {

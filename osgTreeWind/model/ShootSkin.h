@@ -5,13 +5,12 @@
 
 namespace osgTreeWind {
 
-/// Adds the bark of a skeleton's shoots to that of its units, behind the vertices of the unit that bears
-/// them: prisms of three sides that close to a point.
-/// @param tolerance metres, by which their course may be off. @param thinnest radius at the base below which
-/// shoots are left out, metres.
+/// Adds the bark of a skeleton's shoots to that of its units, after the vertices of the unit that bears them:
+/// three-sided prisms that close to a point.
+/// @param tolerance allowed error of their course, metres. @param thinnest smallest base radius, metres.
 void addShootSkin(const Skeleton& skeleton, float tolerance, float thinnest, BranchSkin& skin);
 
-/// Numbers of what addShootSkin() adds with a tolerance and a radius of 0.
+/// Numbers of what addShootSkin() adds at full detail.
 SkinSize sizeOfShootSkin(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// Perimeter of a regular polygon over its radius: its mean width, but for a factor.
+/// Perimeter of a regular polygon over twice its radius; proportional to its mean width.
 float perimeter(int sides) {
     return static_cast<float>(sides) * sine(glm::pi<float>() / static_cast<float>(sides));
 }

@@ -5,19 +5,16 @@
 
 namespace osgTreeWind {
 
-/// Factor on the radius of a ring of so many sides that gives it the mean width of an octagon.
+/// Factor on the radius of a ring that gives it the mean width of an octagon.
 float ringWidening(int sides);
 
-/// Bark coordinate at the base of a unit: bark goes on from where the branch springs.
-/// @param skin of all units before it.
+/// Bark coordinate v at the base of a unit, continued from its parent. @param skin of all previous units.
 float barkStart(const BranchUnit& unit, const BranchSkin& skin);
 
-/// Adds the triangles between rings of vertices, from a vertex on.
-/// @param closed the last ring, by one more vertex after it.
+/// Adds the triangles between rings of vertices. @param closed whether one more vertex closes the end.
 void addRingTriangles(BranchSkin& skin, std::size_t firstVertex, int rings, int sides, bool closed);
 
-/// Adds the triangles of the unit whose rings are the vertices since the last one, as addRingTriangles()
-/// does.
+/// Ends a unit: adds its triangles as addRingTriangles() does, for all vertices since the last unit.
 void finishUnit(BranchSkin& skin, int rings, int sides, bool closed = false);
 
 } // namespace osgTreeWind

@@ -12,17 +12,18 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float bends =
-    2.0f; ///< Over a tolerance, how far a branch may be from where it was: less is seen of it.
-constexpr float stout = 0.012f; ///< Radius of branches from which on a collar has a ring of its own, metres.
+constexpr float ringTolerance =
+    2.0f; ///< Tolerance along a branch over that of its outline: it is less visible.
+constexpr float minCollarRadius =
+    0.012f; ///< Smallest radius of a branch whose collar has an additional ring, metres.
 
-int wholeSides(const Skeleton& skeleton, float radius) {
+int fullSides(const Skeleton& skeleton, float radius) {
     if (!skeleton.joined)
         return BranchSkin::verticesPerRing;
     return radius >= 0.12f ? 20 : radius >= 0.05f ? 10 : radius >= 0.02f ? 8 : 6;
 }
 
-/// The fewest whose middles lie within a tolerance of the circle.
+/// The smallest number of sides whose midpoints are within a tolerance of the circle.
 int sidesWithin(float radius, float tolerance, int most) {
     for (const int sides : {3, 4, 6, 8, 12})
         if (sides < most &&
@@ -32,7 +33,7 @@ int sidesWithin(float radius, float tolerance, int most) {
     return most;
 }
 
-/// Whether all points of a unit lie within a tolerance of straight lines between so many of them.
+/// Whether a polyline of that many rings approximates a unit within a tolerance.
 bool areRingsWithin(const Skeleton& skeleton, std::size_t unit, int rings, float tolerance) {
     const int last = skeleton.ringsPerBranch - 1;
     for (int i = 0; i + 1 < rings; ++i) {
@@ -50,7 +51,7 @@ bool areRingsWithin(const Skeleton& skeleton, std::size_t unit, int rings, float
 int ringsWithin(const Skeleton& skeleton, std::size_t unit, float tolerance, int fewest) {
     int rings = glm::min(fewest, skeleton.ringsPerBranch);
     while (rings < skeleton.ringsPerBranch &&
-           (tolerance <= 0.0f || !areRingsWithin(skeleton, unit, rings, bends * tolerance)))
+           (tolerance <= 0.0f || !areRingsWithin(skeleton, unit, rings, ringTolerance * tolerance)))
         ++rings;
     return rings;
 }
@@ -64,12 +65,12 @@ std::vector<SkinPlan> planSkin(const Skeleton& skeleton, float tolerance) {
         const BranchUnit& unit = skeleton.units[i];
         const bool stem = unit.parent < 0;
         SkinPlan plan;
-        plan.sides = sidesWithin(unit.baseRadius, tolerance, wholeSides(skeleton, unit.baseRadius));
+        plan.sides = sidesWithin(unit.baseRadius, tolerance, fullSides(skeleton, unit.baseRadius));
         plan.fromEnd = skeleton.joined && !stem && unit.attach >= 1.0f;
         plan.closed = skeleton.joined && unit.tipRadius >= tolerance;
-        const bool hasCollar =
-            skeleton.joined && !stem && !plan.fromEnd && unit.baseRadius >= glm::max(stout, 4.0f * tolerance);
-        plan.rings = plan.taken = ringsWithin(skeleton, i, tolerance, hasCollar ? 3 : 2);
+        const bool hasCollar = skeleton.joined && !stem && !plan.fromEnd &&
+                               unit.baseRadius >= glm::max(minCollarRadius, 4.0f * tolerance);
+        plan.rings = plan.skeletonRings = ringsWithin(skeleton, i, tolerance, hasCollar ? 3 : 2);
         if (plan.fromEnd) {
             SkinPlan& parent = plans[static_cast<std::size_t>(unit.parent)];
             parent.closed = false;

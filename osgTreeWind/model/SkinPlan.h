@@ -7,17 +7,17 @@
 
 namespace osgTreeWind {
 
-/// What the skin of a joined skeleton makes of a unit.
+/// Rings and sides of the skin of one unit.
 struct SkinPlan {
     int rings = 2, sides = 3;
-    int taken = 2; ///< Rings at points of the skeleton, evenly, its ends among them; without foot and collar.
-    bool fromEnd = false; ///< It springs from its parent's end.
-    bool closed = false;  ///< By a vertex at its tip.
+    int skeletonRings = 2; ///< Rings at points of the skeleton, evenly spaced; without foot and collar.
+    bool fromEnd = false;  ///< Whether the unit springs from its parent's end.
+    bool closed = false;   ///< Whether a vertex closes the tip.
 };
 
-/// Of all units, as makeBranchSkin() says. Sides are those for the thickness of a branch, of joined skeletons
-/// halved along an axis as it thins, so that rings of different units meet corner by corner; and joined ones
-/// have rings more for a foot and for collars.
+/// Plans the skin of all units, see makeBranchSkin(). The number of sides follows from the thickness of a
+/// branch; in a joined skeleton it is halved along an axis as that thins, so that the rings of successive
+/// units share corners.
 std::vector<SkinPlan> planSkin(const Skeleton& skeleton, float tolerance);
 
 } // namespace osgTreeWind

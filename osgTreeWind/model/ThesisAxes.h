@@ -5,8 +5,8 @@
 
 namespace osgTreeWind {
 
-/// The one place where the thesis' axes (Y up) and OSG's (Z up, x east, y north) meet.
-/// Both maps are proper rotations, so they serve for points, velocities and rotation axes alike.
+/// Conversion between the thesis' axes (Y up) and OSG's (Z up, x east, y north). Both are proper rotations,
+/// so they apply to points, velocities and rotation axes alike.
 inline glm::vec3 fromThesis(const glm::vec3& v) {
     return {v.x, -v.z, v.y};
 }

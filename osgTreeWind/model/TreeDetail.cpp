@@ -9,8 +9,8 @@
 namespace osgTreeWind {
 namespace {
 
-/// Van der Corput's: in every run of indices even in [0, 1).
-double evenly(std::uint32_t index) {
+/// The van der Corput sequence: evenly distributed in [0, 1) over every range of indices.
+double vanDerCorput(std::uint32_t index) {
     double value = 0.0;
     for (double digit = 0.5; index != 0; index >>= 1, digit *= 0.5)
         value += (index & 1u) != 0 ? digit : 0.0;
@@ -39,7 +39,7 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
         const double size = static_cast<double>(leaves[i].size);
         area += quadsPerLeafCluster * size * size;
         const auto index = static_cast<std::uint32_t>(i);
-        if (evenly(index) >= static_cast<double>(detail.leafShare))
+        if (vanDerCorput(index) >= static_cast<double>(detail.leafShare))
             continue;
         kept += thinned.quads() * size * size;
         thinned.clusters.push_back(leaves[i]);
@@ -48,7 +48,7 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
     if (kept <= 0.0)
         return thinned;
     const auto growth = static_cast<float>(std::sqrt(static_cast<double>(detail.leafArea) * area / kept));
-    constexpr float beyond = 0.4f; // crowns reach out hardly farther
+    constexpr float beyond = 0.4f; // limits how far crowns grow outward
     const glm::vec3 before = middleOf(mesh, 0, quadsPerLeafCluster);
     float tip = 0.0f;
     for (const LeafVertex& v : mesh)

@@ -10,46 +10,46 @@
 
 namespace osgTreeWind {
 
-/// How much of a tree is drawn.
+/// Level of detail of a drawn tree.
 struct TreeDetail {
-    float bark = 0.0f; ///< By so much, over the height of the tree, it may be off: makeBranchSkin().
-    float thinnest =
-        0.0f; ///< Units and shoots thinner at their base, over the height of the tree, are left out.
-    float leafShare = 1.0f; ///< Of the leaf clusters, [0, 1].
-    int bough = 1;          ///< 2 to 4: each is one card of boughs that many times a spray's. 1: its sprays.
-    float leafArea = 1.0f;  ///< Of the cards over that of the whole tree, > 0.
+    float bark = 0.0f;      ///< Tolerance of makeBranchSkin() over the height of the tree.
+    float thinnest = 0.0f;  ///< Smallest base diameter of units and shoots over the height of the tree.
+    float leafShare = 1.0f; ///< Share of the leaf clusters, [0, 1].
+    int bough = 1;          ///< 1: clusters of sprays. 2 to 4: cards of boughs, that many times larger.
+    float leafArea = 1.0f;  ///< Area of the cards over that of the full tree, > 0.
 
     static constexpr TreeDetail full() { return {}; }
-    /// Less bark; then ever fewer and larger cards as well, whose leaves keep about their size. 0 times:
-    /// full().
+    /// Detail reduced 0 (full()) to `reductions` times: first less bark, then also fewer and larger cards,
+    /// whose leaves keep about their size.
     static constexpr int reductions = 5;
     static TreeDetail reduced(int times);
 };
 
-/// Some leaf clusters in place of all.
+/// A sample of a tree's leaf clusters.
 struct ThinnedLeaves {
     std::vector<LeafCluster> clusters;
-    std::vector<std::uint32_t> indices; ///< Of each among all: phases and colours follow it.
-    int bough = 1;                      ///< As of TreeDetail.
+    std::vector<std::uint32_t> indices; ///< Index in the full tree; determines phase and colour.
+    int bough = 1;                      ///< As in TreeDetail.
 
-    /// Of each, those of the mesh from this one on: one by turns, so that together they face as all do.
+    /// Quads drawn per cluster, from firstQuad() on. A bough uses one quad, in rotation, which keeps the
+    /// overall distribution of directions.
     int quads() const { return bough > 1 ? 1 : quadsPerLeafCluster; }
     int firstQuad(std::size_t i) const {
         return bough > 1 ? static_cast<int>(indices[i] % quadsPerLeafCluster) : 0;
     }
 };
 
-/// Some clusters, as even a sample of them all as of those on each unit, and the more of them the others
-/// among them, enlarged about their outer halves so that all together have the area that `detail` says. Where
-/// all are kept they stay as they are, to the bit.
+/// Selects clusters, evenly over the tree and over each unit; a larger share includes the clusters of a
+/// smaller one. They are enlarged about their outer halves to the total area of `detail`. If all are
+/// kept, they are unchanged, to the bit.
 ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                             const TreeDetail& detail);
 
-/// Middle of some quads of a cluster.
+/// Centre of some quads of a cluster.
 glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads);
 
-/// As `detail` says.
+/// The skin of a skeleton at a level of detail.
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail);
 
 } // namespace osgTreeWind

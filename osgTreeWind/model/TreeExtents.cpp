@@ -16,8 +16,8 @@ bool turnsRight(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x);
 }
 
-/// Corners of the convex hull whose outward normal has no negative part, from the largest `along` on.
-TreeExtents::Hull outermost(TreeExtents::Hull points) {
+/// Corners of the convex hull on the side of positive x and y, from the largest `along` on.
+TreeExtents::Hull outerHull(TreeExtents::Hull points) {
     std::sort(points.begin(), points.end(),
               [](const glm::vec2& a, const glm::vec2& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
     TreeExtents::Hull hull;
@@ -38,7 +38,7 @@ float farthestReach(const TreeExtents::Hull& hull, float axis, float factor) {
     return reach;
 }
 
-/// Neighbours at the same place, such as the vertices of a ring, become one point.
+/// Merges successive points with the same `along`, such as the vertices of a ring.
 void add(TreeExtents::Hull& points, float along, float beyond) {
     if (!points.empty() && points.back().x == along)
         points.back().y = std::max(points.back().y, beyond);
@@ -78,7 +78,7 @@ float TreeExtents::trunkRadius(const TreeScale& scale, float height) const {
 
 TreeExtents makeTreeExtents(const TreeModel& model) {
     std::array<TreeExtents::Hull, 5> wood, leaves;
-    Skeleton open = model.skeleton; // no flare or collar makes a tree wider
+    Skeleton open = model.skeleton; // flare and collars do not make a tree wider
     open.joined = false;
     const BranchSkin tubes = makeBranchSkin(open);
     for (const SkinVertex& vertex : tubes.vertices)
@@ -88,7 +88,7 @@ TreeExtents makeTreeExtents(const TreeModel& model) {
             add(leaves, leaf.anchor, leaf.orientation * (leaf.size * vertex.corner));
     TreeExtents extents;
     for (std::size_t side = 0; side < extents.sides.size(); ++side)
-        extents.sides[side] = {outermost(std::move(wood[side])), outermost(std::move(leaves[side]))};
+        extents.sides[side] = {outerHull(std::move(wood[side])), outerHull(std::move(leaves[side]))};
     std::copy_if(model.skeleton.units.begin(), model.skeleton.units.end(), std::back_inserter(extents.trunk),
                  [](const BranchUnit& unit) { return unit.level == 0; });
     return extents;

@@ -13,7 +13,7 @@ const Fields& fieldsOf<PalmParameters>();
 template <>
 const Fields& fieldsOf<LeafParameters>();
 
-/// What keeps numbers that are each in range from going together. A key of "" means the whole.
+/// Values that are in range but do not fit together. An empty key means the whole.
 std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree);
 std::vector<FieldConflict> conflictsOf(const PalmParameters& palm);
 

@@ -41,8 +41,8 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     return makeRecursiveTree(wood);
 }
 
-/// Makes the quads of all clusters `area` large together, m^2.
-void setArea(TreeModel& model, float area) {
+/// Scales the mesh, so that the quads of all clusters have a total area of `area`, m^2.
+void scaleToArea(TreeModel& model, float area) {
     float now = 0.0f;
     for (const LeafCluster& leaf : model.leaves)
         now += leaf.size * leaf.size;
@@ -64,8 +64,8 @@ void addBytes(const std::vector<T>& values, std::string& bytes) {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-/// What tells a shape from all others.
-std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
+/// A key that identifies a shape.
+std::string shapeKey(const TreeParameters& parameters, std::uint32_t variant) {
     std::string key = std::to_string(variant) + ' ';
     addFieldBytes(parameters.leaves, key);
     if (parameters.scans) {
@@ -75,7 +75,7 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(std::vector<float>{scan.flare}, key);
         addBytes(scan.units, key);
         addBytes(scan.points, key);
-        for (const Shoot& shoot : scan.shoots) { // which has bytes without a meaning
+        for (const Shoot& shoot : scan.shoots) { // has padding and an index that does not matter
             key += std::to_string(shoot.unit) + ' ' + std::to_string(shoot.count) + ' ';
             addBytes(std::vector<float>{shoot.baseRadius, shoot.tipRadius, shoot.leafy.from, shoot.leafy.to},
                      key);
@@ -108,7 +108,7 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     const auto setMesh = [&] {
         model.leafMesh = makeLeafMesh(leaves);
         if (leaves.area > 0.0f)
-            setArea(model, leaves.area * trunkSection(model.skeleton));
+            scaleToArea(model, leaves.area * trunkSection(model.skeleton));
     };
     const bool hanging = std::exchange(leaves.hanging, false);
     setMesh();
@@ -121,7 +121,7 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
 }
 
 std::shared_ptr<const TreeModel> sharedTreeModel(const TreeParameters& parameters, std::uint32_t variant) {
-    return sharedModels().get(keyOf(parameters, variant), [&] {
+    return sharedModels().get(shapeKey(parameters, variant), [&] {
         static std::atomic<std::uint64_t> last{0};
         auto model = std::make_shared<TreeModel>(makeTreeModel(parameters, variant));
         model->identity = ++last;
@@ -154,7 +154,7 @@ TreeCounts countTree(const TreeModel& model) {
 }
 
 TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
-    if (const auto known = sharedModels().find(keyOf(parameters, variant)))
+    if (const auto known = sharedModels().find(shapeKey(parameters, variant)))
         return countTree(*known);
     LeafParameters leaves = clamped(parameters.leaves);
     leaves.seed += variant;
@@ -207,10 +207,10 @@ TreeCounts countLargest(const TreeParameters& parameters, int shapes) {
             largest.*number += largest.*number / 4;
         return largest;
     }
-    const int distinct = parameters.scans  ? std::min(shapes, static_cast<int>(parameters.scans->size()))
+    const int variants = parameters.scans  ? std::min(shapes, static_cast<int>(parameters.scans->size()))
                          : parameters.palm ? shapes
                                            : 1;
-    for (int shape = 1; shape < distinct; ++shape) {
+    for (int shape = 1; shape < variants; ++shape) {
         const TreeCounts counts = countTree(parameters, static_cast<std::uint32_t>(shape));
         for (const auto number : numbers)
             largest.*number = std::max(largest.*number, counts.*number);

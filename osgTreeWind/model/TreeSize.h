@@ -7,31 +7,31 @@
 
 namespace osgTreeWind {
 
-/// What a forester measures, in metres. 0 and less means "not given".
+/// Forest inventory measures of a tree, metres. 0 or less: not given.
 struct TreeSize {
     float height = 0.0f;        ///< Ground to the highest point of wood or leaves, at most 150.
     float trunkDiameter = 0.0f; ///< At breastHeight(), at most 20.
     float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents, at most 150.
 };
 
-/// Where trunks are measured, of a tree of that height: 1.3 m, or a tenth of the height if that is lower.
+/// Height at which trunks are measured: 1.3 m, or a tenth of the tree's height if that is lower.
 inline float breastHeight(float height) {
     return std::min(1.3f, 0.1f * height);
 }
 
-/// Which measures of a TreeSize nobody took: they follow from laws of its species.
+/// Which sizes of a TreeSize are estimates from the growth laws of its species.
 struct EstimatedSizes {
-    bool height = false;        ///< Metres were not given,
-    bool trunkDiameter = false; ///< nor these,
-    bool crownWidth = false;    ///< nor these.
+    bool height = false;        ///< TreeSize::height
+    bool trunkDiameter = false; ///< TreeSize::trunkDiameter
+    bool crownWidth = false;    ///< TreeSize::crownWidth
 };
 
-/// How a shared model is stretched to one tree: a rest point p of the centre line becomes axes * p, radii are
-/// multiplied by `radius`, leaf clusters by `leaf`.
+/// Scale from a shared model to one tree: a rest point p of the centre line becomes axes * p, and radii and
+/// leaf clusters are multiplied by factors.
 struct TreeScale {
-    glm::vec3 axes{1.0f}; ///< Of positions along x, y and z.
-    float radius = 1.0f;  ///< Of radii of wood.
-    float leaf = 1.0f;    ///< Of leaf clusters.
+    glm::vec3 axes{1.0f}; ///< On positions along x, y and z.
+    float radius = 1.0f;  ///< On radii of wood.
+    float leaf = 1.0f;    ///< On the size of leaf clusters.
 };
 
 } // namespace osgTreeWind

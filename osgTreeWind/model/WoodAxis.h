@@ -13,23 +13,23 @@ namespace osgTreeWind {
 /// A centre line with the arc length up to each of its points.
 struct WoodLine {
     std::vector<glm::dvec3> points;
-    std::vector<double> arc; ///< As many; the first is 0.
+    std::vector<double> arc; ///< Per point; the first is 0.
 
     void add(const glm::dvec3& point);
     double length() const { return arc.back(); }
-    glm::dvec3 at(double along) const; ///< The point at an arc length, those outside at an end.
+    glm::dvec3 at(double along) const; ///< The point at an arc length, which is clamped to the line.
 };
 
-/// The trunk, or a branch with all that carries it on.
+/// The trunk, or a branch with its continuation.
 struct WoodAxis {
     int parent = -1;           ///< Index of the axis it springs from, < own index; -1 for the trunk.
-    int order = 0;             ///< 0 the trunk, 1 a branch of it, ...
+    int order = 0;             ///< 0: the trunk, 1: a branch of it, ...
     double attach = 0.0;       ///< Arc length along its parent's line at which it springs.
-    WoodLine line;             ///< From its parent's centre line to its tip; the root's start is the origin.
-    std::vector<double> radii; ///< Of each stretch of the line; none is thicker than the one before.
+    WoodLine line;             ///< From its parent's centre line to its tip; the root starts at the origin.
+    std::vector<double> radii; ///< Per segment of the line, non-increasing.
     double volume = 0.0;       ///< Of its wood, m^3.
-    std::size_t pieces = 0;    ///< That it was measured or grown in: cylinders, metamers.
-    /// Arc lengths between which it bears leaves, where that is known; none if the second is not larger.
+    std::size_t pieces = 0;    ///< Number of cylinders or metamers it consists of.
+    /// Arc lengths between which it bears leaves, if known; none if the second is not larger.
     std::optional<std::pair<double, double>> leafy;
 };
 

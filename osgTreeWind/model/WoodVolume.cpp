@@ -11,7 +11,7 @@ namespace osgTreeWind {
 namespace {
 
 struct ShootMeasure {
-    double volume = 0.0, outline = 0.0, length = 0.0, upright = 0.0; // upright: length by squared sine
+    double volume = 0.0, outline = 0.0, length = 0.0, upright = 0.0; // upright: squared sine times length
 };
 
 ShootMeasure measure(const Skeleton& skeleton, const Shoot& shoot) {

@@ -7,22 +7,22 @@
 
 namespace osgTreeWind {
 
-/// Of a cone that is cut off, m^3. @param a, b its radii, metres.
+/// Volume of a truncated cone, m^3. @param a, b its radii, metres.
 double frustumVolume(double length, double a, double b);
 
-/// Volume of the wood of a skeleton along its centre lines, shoots among it, m^3.
+/// Volume of a skeleton's wood along its centre lines, including shoots, m^3.
 double woodVolume(const Skeleton& skeleton);
 
-/// The wood of the shoots that a unit bears.
+/// Total of the shoots that a unit bears.
 struct ShootWood {
-    float volume = 0.0f;  ///< m^3.
-    float outline = 0.0f; ///< Diameter times length, m^2: what the wind meets across them.
-    float upright = 0.0f; ///< Mean square of the sine of their elevation, by length.
+    float volume = 0.0f;  ///< m^3
+    float outline = 0.0f; ///< Diameter times length, m^2; the area exposed to the wind.
+    float upright = 0.0f; ///< Mean square of the sine of their elevation, weighted by length.
 
-    ShootWood scaled(const glm::vec3& axes, float radius) const; ///< In a tree that is stretched so.
+    ShootWood scaled(const glm::vec3& axes, float radius) const; ///< In a tree at that TreeScale.
 };
 
-/// Of each unit; empty where the skeleton has no shoots.
+/// Totals per unit; empty if the skeleton has no shoots.
 std::vector<ShootWood> shootWoodOf(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

@@ -6,12 +6,12 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/motion/ForestMemory.h>
-#include <osgTreeWind/motion/WindAmongTrees.h>
+#include <osgTreeWind/motion/CanopyWind.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
-#include <osgTreeWind/wind/GivenWind.h>
+#include <osgTreeWind/wind/HostWind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,68 +22,69 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t baredAtOnce = 16;  // trees
-constexpr std::size_t largeForest = 256; // trees; below it threads cost more than they give
+constexpr std::size_t shedUpdatesPerStep = 16; // trees
+constexpr std::size_t largeForest = 256;       // trees; below it, threads cost more than they save
 
-std::unique_ptr<PlacedForest> placed(ForestDescription&& description, const SimulationOptions& options) {
-    const bool last = description.law == MotionLaw::Modal; // laws of a branch have work to do on each tree
-    return std::make_unique<PlacedForest>(std::move(description),
-                                          last ? options.placed : std::function<void()>(), options.executor);
+std::unique_ptr<PlacedForest> placeTrees(ForestDescription&& description, const SimulationOptions& options) {
+    // Branchwise laws report progress themselves, after their own work on each tree.
+    const bool reports = description.law == MotionLaw::Modal;
+    return std::make_unique<PlacedForest>(
+        std::move(description), reports ? options.onTreePlaced : std::function<void()>(), options.executor);
 }
 
 Executor executorFor(const Executor& given, std::size_t trees) {
     return !given && trees >= largeForest ? ThreadPool::executor() : given;
 }
 
-std::unique_ptr<Motion> motionOf(const PlacedForest& forest, const SimulationOptions& options) {
+std::unique_ptr<Motion> makeMotion(const PlacedForest& forest, const SimulationOptions& options) {
     if (forest.description().law != MotionLaw::Modal)
-        return std::make_unique<BranchwiseMotion>(forest, options.leaves, options.placed);
+        return std::make_unique<BranchwiseMotion>(forest, options.leaves, options.onTreePlaced);
     const ModalLevel level = options.distant ? ModalLevel::Far : ModalLevel::Near;
     return std::make_unique<ModalForest>(forest, level, options.leaves,
                                          executorFor(options.executor, forest.trees.size()));
 }
 
-std::unique_ptr<WindDamage> damageOf(const ForestDescription& description) {
-    const bool some = description.damage && description.law == MotionLaw::Modal;
-    return some ? std::make_unique<WindDamage>() : nullptr;
+std::unique_ptr<WindDamage> makeDamage(const ForestDescription& description) {
+    const bool isOn = description.damage && description.law == MotionLaw::Modal;
+    return isOn ? std::make_unique<WindDamage>() : nullptr;
 }
 
-Diagnostics noSuchTree() {
-    return {keyProblem("tree", "no tree has this id, or it is gone")};
+Diagnostics unknownTree() {
+    return {keyProblem("tree", "no tree has this id; it may have been removed")};
 }
 
-/// An empty one, and a warning, where it is refused.
-ForestDescription accepted(ForestDescription&& description) {
+/// The description; empty, with a message to stderr, if it is invalid.
+ForestDescription emptyIfInvalid(ForestDescription&& description) {
     const Diagnostics problems = check(description);
     if (problems.empty())
         return std::move(description);
-    std::cerr << "osgTreeWind: the forest is left empty: " + linesOf(problems) + '\n';
+    std::cerr << "osgTreeWind: the forest is left empty: " + toString(problems) + '\n';
     return {};
 }
 
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : ForestSimulation(accepted(std::move(description)), options, nullptr) {}
+    : ForestSimulation(emptyIfInvalid(std::move(description)), options, nullptr) {}
 
-/// @param wind null: a place of its own, with the description's.
+/// @param wind null: a new one with the description's wind.
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options,
-                                   std::shared_ptr<GivenWind> wind)
-    : _forest(placed(std::move(description), options)), _lent(options.executor),
-      _motion(motionOf(*_forest, options)),
-      _wind(wind ? std::move(wind) : std::make_shared<GivenWind>(this->description().wind)),
-      _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(this->description())) {}
+                                   std::shared_ptr<HostWind> wind)
+    : _forest(placeTrees(std::move(description), options)), _hostExecutor(options.executor),
+      _motion(makeMotion(*_forest, options)),
+      _wind(wind ? std::move(wind) : std::make_shared<HostWind>(this->description().wind)),
+      _canopyWind(std::make_unique<CanopyWind>()), _damage(makeDamage(this->description())) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
-    : _forest(std::make_unique<PlacedForest>(*other._forest)), _lent(other._lent),
-      _motion(other._motion->restarted(*_forest)), _wind(std::make_shared<GivenWind>(*other._wind->get())),
-      _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(description())) {
-    regrow();
+    : _forest(std::make_unique<PlacedForest>(*other._forest)), _hostExecutor(other._hostExecutor),
+      _motion(other._motion->cloneAtRest(*_forest)), _wind(std::make_shared<HostWind>(*other._wind->get())),
+      _canopyWind(std::make_unique<CanopyWind>()), _damage(makeDamage(description())) {
+    restoreLeaves();
 }
 
 ForestSimulation::~ForestSimulation() = default;
 
-std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
+std::shared_ptr<ForestSimulation> ForestSimulation::cloneAtRest() const {
     return std::shared_ptr<ForestSimulation>(new ForestSimulation(*this));
 }
 
@@ -134,7 +135,7 @@ float ForestSimulation::season() const {
 }
 
 Result<std::size_t> ForestSimulation::addSpecies(Species species) {
-    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+    if (Diagnostics problems = _motion->editProblems(); !problems.empty())
         return problems;
     if (Diagnostics problems = check(species); !problems.empty())
         return problems;
@@ -143,20 +144,20 @@ Result<std::size_t> ForestSimulation::addSpecies(Species species) {
             return keyProblem("name", "the name " + inQuotes(species.name) + " is taken already");
     ForestDescription alone;
     alone.species = {species};
-    const ForestMemory memory = forestMemory(alone);
+    const MemoryEstimate memory = estimateMemory(alone);
     if (const std::string problem =
             problemOfMemory("the shapes of this species", memory.simulation + memory.nodes);
         !problem.empty())
         return keyProblem({}, problem);
-    return _forest->addSpecies(std::move(species), _lent);
+    return _forest->addSpecies(std::move(species), _hostExecutor);
 }
 
 Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
-    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+    if (Diagnostics problems = _motion->editProblems(); !problems.empty())
         return problems;
     if (Diagnostics problems = check(placement, description()); !problems.empty())
         return problems;
-    const PlacedTree tree = _forest->fitted(placement);
+    const PlacedTree tree = _forest->makePlacedTree(placement);
     const std::size_t slot = _motion->add(tree);
     _forest->put(slot, tree, placement.name);
     treeChanged(slot);
@@ -165,14 +166,14 @@ Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
 
 Diagnostics ForestSimulation::removeTree(TreeId tree) {
     if (holds(tree))
-        _forest->strike(slotOf(tree));
-    return unloadTree(tree);
+        _forest->removePermanently(slotOf(tree));
+    return unloadTiledTree(tree);
 }
 
-Diagnostics ForestSimulation::unloadTree(TreeId tree) {
+Diagnostics ForestSimulation::unloadTiledTree(TreeId tree) {
     if (!holds(tree))
-        return noSuchTree();
-    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+        return unknownTree();
+    if (Diagnostics problems = _motion->editProblems(); !problems.empty())
         return problems;
     _motion->remove(slotOf(tree));
     _forest->remove(slotOf(tree));
@@ -181,48 +182,48 @@ Diagnostics ForestSimulation::unloadTree(TreeId tree) {
 }
 
 Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+    if (Diagnostics problems = _motion->editProblems(); !problems.empty())
         return problems;
     if (!holds(tree))
-        return noSuchTree();
+        return unknownTree();
     if (Diagnostics problems = check(placement, description()); !problems.empty())
         return problems;
     const std::size_t slot = slotOf(tree);
-    PlacedTree other = _forest->fitted(placement, &_forest->trees[slot]);
+    PlacedTree other = _forest->makePlacedTree(placement, &_forest->trees[slot]);
     _motion->replace(slot, other);
-    _forest->strike(slot);
+    _forest->removePermanently(slot);
     other.tiled = false;
     _forest->put(slot, other, placement.name);
     treeChanged(slot);
     return {};
 }
 
-void ForestSimulation::runUp(const std::vector<TreeId>& trees) {
+void ForestSimulation::spinUp(const std::vector<TreeId>& trees) {
     if (!_time || trees.empty())
         return;
     std::vector<std::size_t> slots;
     for (const TreeId tree : trees)
         if (holds(tree))
             slots.push_back(slotOf(tree));
-    _motion->runUp(slots, windHere().get(), *_time, runUpTime);
+    _motion->spinUp(slots, updateWind().get(), *_time, spinUpTime);
 }
 
-/// Another tree is there, or none, which has not come down.
+/// Drops what is known of the tree that was in a slot.
 void ForestSimulation::treeChanged(std::size_t slot) {
-    _amongTrees->treeChanged(slot);
+    _canopyWind->treeChanged(slot);
     if (!_damage)
         return;
-    _damage->forget(slot);
-    _motion->putUpright(slot);
+    _damage->clearSlot(slot);
+    _motion->clearFall(slot);
 }
 
-/// The leaves that the wind has shed.
-void ForestSimulation::regrow() {
+/// Restores the leaves that the wind has shed.
+void ForestSimulation::restoreLeaves() {
     if (!_damage)
         return;
     _damage->reset();
     _forest->setSeason(season());
-    _motion->followSeason();
+    _motion->updateAllLeaves();
 }
 
 Diagnostics ForestSimulation::setSeason(float season) {
@@ -230,9 +231,9 @@ Diagnostics ForestSimulation::setSeason(float season) {
         return {keyProblem("season", "expected a finite number")};
     _forest->setSeason(season);
     if (_damage)
-        _damage->shedAgain(*_forest);
-    _motion->followSeason();
-    _amongTrees->allTreesChanged();
+        _damage->reapplyShedding(*_forest);
+    _motion->updateAllLeaves();
+    _canopyWind->allTreesChanged();
     return {};
 }
 
@@ -254,24 +255,24 @@ Wind ForestSimulation::wind() const {
 }
 
 void ForestSimulation::setExecutor(Executor executor) {
-    _lent = std::move(executor);
-    _motion->setExecutor(executorFor(_lent, slotCount()));
+    _hostExecutor = std::move(executor);
+    _motion->setExecutor(executorFor(_hostExecutor, slotCount()));
 }
 
 Executor ForestSimulation::executor() const {
-    return _lent ? _lent : ThreadPool::executor();
+    return _hostExecutor ? _hostExecutor : ThreadPool::executor();
 }
 
 void ForestSimulation::reset() {
     _motion->reset();
-    _amongTrees->reset();
-    regrow();
+    _canopyWind->reset();
+    restoreLeaves();
     _time.reset();
 }
 
-/// Seconds from the last time to this one, which becomes the last; none or less: the state is to be kept.
-/// Nothing where it is no other time.
-std::optional<float> ForestSimulation::elapsedAt(double time) {
+/// Sets the time. @return seconds since the last time; zero or less if the state must not change; empty if
+/// the time is the same or not finite.
+std::optional<float> ForestSimulation::advanceTime(double time) {
     if (!std::isfinite(time) || time == _time)
         return {};
     const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
@@ -279,37 +280,37 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
     return static_cast<float>(elapsed);
 }
 
-WindFieldPtr ForestSimulation::windHere() {
-    WindFieldPtr wind = _amongTrees->from(*_wind, *_forest, *_time);
-    if (_amongTrees->company() && _amongTrees->company() != _stand) {
-        _stand = _amongTrees->company();
-        _motion->standIn(*_stand);
+WindFieldPtr ForestSimulation::updateWind() {
+    WindFieldPtr wind = _canopyWind->update(*_wind, *_forest, *_time);
+    if (_canopyWind->flow() && _canopyWind->flow() != _canopyFlow) {
+        _canopyFlow = _canopyWind->flow();
+        _motion->setCanopyFlow(*_canopyFlow);
     }
     return wind;
 }
 
 bool ForestSimulation::beginStep(double time) {
-    const std::optional<float> elapsed = elapsedAt(time);
+    const std::optional<float> elapsed = advanceTime(time);
     if (elapsed)
-        _motion->meet(windHere().get(), time);
+        _motion->sampleWind(updateWind().get(), time);
     return elapsed.value_or(0.0f) > 0.0f;
 }
 
 bool ForestSimulation::advance(double time) {
     if (_damage)
-        _damage->pause();
-    const std::optional<float> elapsed = elapsedAt(time);
+        _damage->skipStep();
+    const std::optional<float> elapsed = advanceTime(time);
     if (!elapsed)
         return false;
-    const WindFieldPtr wind = windHere();
+    const WindFieldPtr wind = updateWind();
     if (!(*elapsed > 0.0f)) {
-        _motion->meet(wind.get(), time); // for the next step to start from
+        _motion->sampleWind(wind.get(), time); // start of the next step
         return false;
     }
     _motion->step(wind.get(), time, *elapsed);
     if (_damage) {
-        _damage->follow(*_forest, *_motion->modal(), *elapsed, executorFor(_lent, slotCount()));
-        _motion->followLeaves(_damage->bared(*_forest, baredAtOnce));
+        _damage->update(*_forest, *_motion->modal(), *elapsed, executorFor(_hostExecutor, slotCount()));
+        _motion->updateLeaves(_damage->takeBaredTrees(*_forest, shedUpdatesPerStep));
     }
     return true;
 }
@@ -319,7 +320,7 @@ const std::vector<TreeDamage>& ForestSimulation::damage() const {
     return _damage ? _damage->broken() : none;
 }
 
-bool ForestSimulation::stands(TreeId tree) const {
+bool ForestSimulation::isStanding(TreeId tree) const {
     const TreeFall* fall = holds(tree) ? _motion->fall(slotOf(tree)) : nullptr;
     return holds(tree) && !(fall && fall->isDown);
 }

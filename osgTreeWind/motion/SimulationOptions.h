@@ -7,16 +7,17 @@
 
 namespace osgTreeWind {
 
-/// How a ForestSimulation works.
+/// Options of a ForestSimulation.
 struct SimulationOptions {
     bool leaves = true; ///< Whether leaves flutter.
-    /// Under `modal`: trees are far from any viewer. They sway in up to 4 modes, with a step each fifth of a
-    /// second, and take less memory.
+    /// Under `modal`: for trees far from any viewer. They take less memory, with up to 4 modes and 5 steps a
+    /// second.
     bool distant = false;
-    /// A host's threads, for copies (restarted()) too, which other threads may advance; none: those of the
-    /// process for a large forest, the calling thread for a small one.
+    /// Threads of the host, also for copies (cloneAtRest()), which other threads may advance. Null: the
+    /// process's thread pool for a large forest, the calling thread for a small one.
     Executor executor;
-    std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
+    /// Called after each tree is placed, to report progress; may be empty.
+    std::function<void()> onTreePlaced;
 };
 
 } // namespace osgTreeWind

@@ -16,22 +16,21 @@ namespace {
 
 osg::ApplicationUsageProxy
     threadsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_THREADS <number>",
-                 "Threads that step a large osgTreeWind forest under the law modal; else one for each "
-                 "processor. Numbers do not depend on it.");
+                 "Threads for osgTreeWind forests under the law modal. Default: one per processor. Results "
+                 "do not depend on it.");
 osg::ApplicationUsageProxy
     instructionsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE,
                       "OSGTREEWIND_INSTRUCTIONS <baseline|avx2|avx512>",
-                      "The widest instructions that osgTreeWind forests under the law modal may use; else "
-                      "what the processor has. Numbers do not depend on it.");
+                      "The widest SIMD instructions for osgTreeWind forests under the law modal. Default: "
+                      "the widest of the processor. Results do not depend on it.");
 osg::ApplicationUsageProxy memoryUsage(
     osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_MAX_MEMORY <bytes>",
-    "Memory that an osgTreeWind forest, its ground, its wind data or a picture may need, with k, M, G or T "
-    "for larger units. Default: what the machine has available.");
-
+    "Memory limit for an osgTreeWind forest, its ground, its wind data or a picture; k, M, G or T for larger "
+    "units. Default: the available memory of the machine.");
 osg::ApplicationUsageProxy stepUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE,
                                      "OSGTREEWIND_STEP <seconds>",
-                                     "How long a frame lasts for osgTreeWind forests, whatever time the host "
-                                     "gives; else as their files say, or the host.");
+                                     "Fixed duration of a frame for osgTreeWind forests. Default: the step "
+                                     "of the file, or else the frame time of the host.");
 
 } // namespace
 
@@ -42,11 +41,11 @@ double frameStepOf(const ForestDescription& description) {
     const std::optional<double> step = parseNumber(text);
     if (step && frameSteps.contains(*step))
         return *step;
-    static std::once_flag said;
-    std::call_once(said, [&] {
+    static std::once_flag warned;
+    std::call_once(warned, [&] {
         OSG_WARN << "osgTreeWind: OSGTREEWIND_STEP: "
-                 << expectedFound("seconds, a finite number " + frameSteps.text(), text) << "; it is not used"
-                 << std::endl;
+                 << expectedFound("seconds, a finite number " + frameSteps.text(), text)
+                 << "; the variable is ignored" << std::endl;
     });
     return description.step;
 }

@@ -5,8 +5,9 @@ namespace osgTreeWind {
 
 struct ForestDescription;
 
-/// How long a frame of a forest lasts, seconds: as the environment variable OSGTREEWIND_STEP says, else the
-/// description; 0: as its stamp says. What else the variable says is warned of once in a process.
+/// The fixed duration of a frame, seconds: the environment variable OSGTREEWIND_STEP if set, else
+/// ForestDescription::step. 0: frames use the time of their stamp. An invalid variable is ignored, with one
+/// OSG_WARN in the process.
 double frameStepOf(const ForestDescription& description);
 
 } // namespace osgTreeWind

@@ -3,22 +3,22 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/branchwise/TextureRoom.h>
+#include <osgTreeWind/drawing/branchwise/TextureCapacity.h>
 #include <osgTreeWind/drawing/ground/GroundTile.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
-#include <osgTreeWind/nodes/Patience.h>
+#include <osgTreeWind/nodes/ProgressNotice.h>
 #include <osgTreeWind/nodes/ScenePlace.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
-#include <osgTreeWind/wind/GivenWind.h>
+#include <osgTreeWind/wind/HostWind.h>
 
 #include <osg/NodeVisitor>
 #include <osg/Notify>
@@ -32,28 +32,27 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t fewTrees = 500; // trees; so few are followed closely from the start
+constexpr std::size_t maxNearTrees = 500; // up to here, all trees start with the full motion of near ones
 
-/// What keeps a forest from being as described.
-Diagnostics problemsOf(const ForestDescription& description) {
+Diagnostics findProblems(const ForestDescription& description) {
     if (Diagnostics problems = check(description); !problems.empty())
         return problems;
-    std::string problem = problemOfTextures(description);
+    std::string problem = textureCapacityProblem(description);
     if (problem.empty())
         problem = problemOfMemory(description, true);
     return problem.empty() ? Diagnostics() : Diagnostics{keyProblem({}, problem)};
 }
 
 std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
-    const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
     UnitValues values;
     const TreeMotion motion = simulation.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     std::vector<TreeUnit> units;
-    for (const BranchUnit& rest : SimulationParts::forest(simulation).modelOf(tree).skeleton.units) {
+    for (const BranchUnit& rest : SimulationAccess::forest(simulation).modelOf(tree).skeleton.units) {
         const UnitPose& pose = motion.poses[units.size()];
         const auto now = [&](const glm::vec3& point) {
-            return toOsg(turnHeading(pose.apply(point), sine, cosine) + tree.position);
+            return toOsg(rotateAboutZ(pose.apply(point), sine, cosine) + tree.position);
         };
         const glm::vec3 base = tree.scale.axes * rest.base, tip = tree.scale.axes * rest.tip;
         units.push_back({rest.parent, rest.level, tree.scale.radius * rest.baseRadius,
@@ -62,7 +61,7 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
     return units;
 }
 
-osg::ref_ptr<ForestTechnique> usualTechnique(const std::shared_ptr<ForestSimulation>& simulation) {
+osg::ref_ptr<ForestTechnique> makeDefaultTechnique(const std::shared_ptr<ForestSimulation>& simulation) {
     if (simulation->description().law == MotionLaw::Modal)
         return new InstancedForest(simulation);
     return new BranchwiseForest(simulation);
@@ -73,11 +72,11 @@ osg::ref_ptr<ForestTechnique> usualTechnique(const std::shared_ptr<ForestSimulat
 Forest::Forest() : Forest(ForestDescription()) {}
 
 Forest::Forest(ForestDescription description)
-    : _wind(std::make_shared<GivenWind>()), _place(std::make_unique<ScenePlace>()) {
+    : _wind(std::make_shared<HostWind>()), _place(std::make_unique<ScenePlace>()) {
     setNumChildrenRequiringUpdateTraversal(1);
     if (const Diagnostics problems = setDescription(std::move(description)); !problems.empty()) {
-        OSG_WARN << "osgTreeWind: the forest is left empty: " << linesOf(problems) << std::endl;
-        grow(ForestDescription());
+        OSG_WARN << "osgTreeWind: the forest is left empty: " << toString(problems) << std::endl;
+        rebuild(ForestDescription());
     }
 }
 
@@ -88,12 +87,12 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
     _technique = static_cast<ForestTechnique*>(other._technique->clone(copyop));
-    _isHosts = other._isHosts;
-    show(other._simulation->restarted());
-    _wind = SimulationParts::wind(*_simulation);
+    _isHostTechnique = other._isHostTechnique;
+    setSimulation(other._simulation->cloneAtRest());
+    _wind = SimulationAccess::wind(*_simulation);
     for (const TreeId tree : getTrees())
-        if (SimulationParts::trees(*_simulation)[_simulation->slotOf(tree)].tiled)
-            unload(tree); // its own tiles bring it again
+        if (SimulationAccess::trees(*_simulation)[_simulation->slotOf(tree)].tiled)
+            unloadTree(tree); // the pager of the copy loads it again
 }
 
 Forest::~Forest() = default;
@@ -133,34 +132,34 @@ const ForestDescription& Forest::getDescription() const {
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
     return guardedResult([&]() -> Result<osg::ref_ptr<Forest>> {
-        if (Diagnostics problems = problemsOf(description); !problems.empty())
+        if (Diagnostics problems = findProblems(description); !problems.empty())
             return problems;
         const osg::ref_ptr<Forest> forest = new Forest;
         forest->setExecutor(std::move(executor));
-        forest->grow(std::move(description));
+        forest->rebuild(std::move(description));
         return forest;
     });
 }
 
 Diagnostics Forest::setDescription(ForestDescription description) {
     return guardedResult([&]() -> Diagnostics {
-        Diagnostics problems = problemsOf(description);
+        Diagnostics problems = findProblems(description);
         if (problems.empty())
-            grow(std::move(description));
+            rebuild(std::move(description));
         return problems;
     });
 }
 
-void Forest::grow(ForestDescription description) {
+void Forest::rebuild(ForestDescription description) {
     Wind wind = description.wind.isCalm() ? getWind() : description.wind;
     wind.canopy = description.wind.canopy.value_or(WindCanopy());
     _wind->set(std::move(wind));
     SimulationOptions options;
-    options.placed = Patience(description.trees.size());
+    options.onTreePlaced = ProgressNotice(description.trees.size());
     options.executor = _executor;
-    if (description.drawing.tiers && (description.tiles || description.trees.size() > fewTrees))
-        options.distant = true; // until someone sees them
-    show(SimulationParts::make(std::move(description), options, _wind));
+    if (description.drawing.tiers && (description.tiles || description.trees.size() > maxNearTrees))
+        options.distant = true; // until they are visible
+    setSimulation(SimulationAccess::make(std::move(description), options, _wind));
 }
 
 Diagnostics Forest::setTechnique(ForestTechnique* technique) {
@@ -168,35 +167,35 @@ Diagnostics Forest::setTechnique(ForestTechnique* technique) {
         if (technique && technique != _technique) {
             const osg::ref_ptr<ForestTechnique> given = technique;
             given->setSimulation(_simulation);
-            showTechnique(given);
-        } else if (!technique && _isHosts) {
-            showTechnique(usualTechnique(_simulation));
+            replaceTechnique(given);
+        } else if (!technique && _isHostTechnique) {
+            replaceTechnique(makeDefaultTechnique(_simulation));
         }
-        _isHosts = technique != nullptr;
+        _isHostTechnique = technique != nullptr;
         return {};
     });
 }
 
-void Forest::showTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
+void Forest::replaceTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
     removeChild(_technique);
     _technique = technique;
     insertChild(0, _technique);
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation) {
+void Forest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
     osg::ref_ptr<ForestTechnique> technique = _technique;
     const bool isModal = simulation->description().law == MotionLaw::Modal;
-    if (technique && (_isHosts || isModal == (getInstanced() != nullptr)))
+    if (technique && (_isHostTechnique || isModal == (getInstanced() != nullptr)))
         technique->setSimulation(simulation);
     else
-        technique = usualTechnique(simulation);
+        technique = makeDefaultTechnique(simulation);
     removeChild(_tiles);
     _tiles = nullptr;
-    _stopped = false;
+    _hasFailed = false;
     _frameStep = frameStepOf(simulation->description());
-    _guard = std::make_unique<EntryGuard>();
+    _guard = std::make_unique<ExceptionGuard>();
     _simulation = std::move(simulation);
-    showTechnique(technique);
+    replaceTechnique(technique);
     if (getDescription().tiles) {
         _tiles = new TilePager(_simulation, [this](const TreePlacement& tree) {
             const Result<TreeId> id = addTree(tree);
@@ -237,8 +236,8 @@ Diagnostics Forest::removeTree(TreeId tree) {
     return problems;
 }
 
-void Forest::unload(TreeId tree) {
-    if (!SimulationParts::unloadTree(*_simulation, tree).empty())
+void Forest::unloadTree(TreeId tree) {
+    if (!SimulationAccess::unloadTiledTree(*_simulation, tree).empty())
         return;
     --_treeCount;
     _technique->treeChanged(_simulation->slotOf(tree));
@@ -255,15 +254,15 @@ Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
 
 TreeId Forest::findTree(const std::string& name) {
     if (_tiles && !_simulation->findTree(name))
-        _tiles->bring(name);
+        _tiles->loadTree(name);
     return _simulation->findTree(name).value_or(noTree);
 }
 
 std::vector<TreeId> Forest::getTrees() const {
     std::vector<TreeId> ids;
     ids.reserve(_treeCount);
-    for (std::size_t slot = 0; slot < SimulationParts::trees(*_simulation).size(); ++slot)
-        if (SimulationParts::trees(*_simulation)[slot].alive)
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(*_simulation).size(); ++slot)
+        if (SimulationAccess::trees(*_simulation)[slot].alive)
             ids.push_back(_simulation->idOf(slot));
     return ids;
 }
@@ -285,10 +284,10 @@ void Forest::setDamageCallback(DamageCallback callback) {
 }
 
 Result<BranchTransform*> Forest::branch(TreeId tree, unsigned unit) {
-    if (BranchTransform* transform = _technique->follow(tree, unit))
+    if (BranchTransform* transform = _technique->followBranch(tree, unit))
         return transform;
     if (!_simulation->holds(tree))
-        return keyProblem("tree", "no tree has this id, or it is gone");
+        return keyProblem("tree", "no tree has this id; it may have been removed");
     const std::size_t units = getUnits(tree).size();
     if (unit < units)
         return keyProblem("technique", "the forest's technique has no transforms that follow branches");
@@ -296,8 +295,8 @@ Result<BranchTransform*> Forest::branch(TreeId tree, unsigned unit) {
                                   std::to_string(units) + ", from 0 on");
 }
 
-bool Forest::unfollow(TreeId tree, unsigned unit) {
-    return _technique->unfollow(tree, unit);
+bool Forest::releaseBranch(TreeId tree, unsigned unit) {
+    return _technique->releaseBranch(tree, unit);
 }
 
 InstancedForest* Forest::getInstanced() const {
@@ -320,41 +319,43 @@ osg::Vec3d Forest::getOrigin() const {
 void Forest::traverse(osg::NodeVisitor& visitor) {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
     const osg::ElapsedTime clock;
-    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp && !_stopped)
-        _stopped = !_guard->run("a forest stands still until its next description", [&] { update(visitor); });
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp && !_hasFailed)
+        _hasFailed = !_guard->run("the forest stands still until setDescription()", [&] { update(visitor); });
     const bool isCull = visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp;
     if (isCull)
-        _place->culled(stamp->getFrameNumber());
+        _place->setCulledFrame(stamp->getFrameNumber());
     osg::Group::traverse(visitor);
     if (isCull)
-        _guard->run("statistics of a forest are missing", [&] { report(visitor, clock.elapsedTime()); });
+        _guard->run("the statistics of the forest are missing",
+                    [&] { report(visitor, clock.elapsedTime()); });
 }
 
 void Forest::report(osg::NodeVisitor& cullVisitor, double cullTime) const {
-    osg::Stats* const stats = statisticsOf(cullVisitor);
+    osg::Stats* const stats = viewStatistics(cullVisitor);
     if (!stats)
         return;
-    ForestStatistics now{_stepTime, cullTime, _treeCount, {}, {}};
+    ForestStatistics statistics{_updateDuration, cullTime, _treeCount, {}, {}};
     if (_tiles)
-        now.tiles = _tiles->countThere();
+        statistics.tiles = _tiles->loadedTileCount();
     if (const InstancedForest* instanced = getInstanced())
-        now.drawn = DrawnTrees(InstancedParts::trees(*instanced)->listedTrees());
-    now.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
+        statistics.drawn = DrawnTrees(InstancedParts::trees(*instanced)->treesByTier());
+    statistics.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
 }
 
 osg::BoundingSphere Forest::computeBound() const {
-    return getNumChildren() == 1 && !_tiles ? _technique->getBound()
-                                            : osg::Group::computeBound(); // no box about a sphere
+    return getNumChildren() == 1 && !_tiles
+               ? _technique->getBound()
+               : osg::Group::computeBound(); // larger: a sphere of a sphere's box
 }
 
-/// Tells the wind where the forest is.
-void Forest::tellPlace(const osg::NodePath& path) {
+/// Updates the position at which the forest samples the wind.
+void Forest::updatePlace(const osg::NodePath& path) {
     _place->update(path);
     osg::Matrix toScene = _place->toScene();
     const osg::Vec3d zero = toScene.getTrans();
     if ((zero - getOrigin()).length2() < zero.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
-    _wind->setPlace(glm::make_mat4(toScene.ptr()));
+    _wind->setForestToScene(glm::make_mat4(toScene.ptr()));
 }
 
 void Forest::update(osg::NodeVisitor& visitor) {
@@ -363,30 +364,32 @@ void Forest::update(osg::NodeVisitor& visitor) {
     if (_place->isHidden(path, stamp.getFrameNumber()))
         return;
     if (stamp.getFrameNumber() == _lastFrame) {
-        if (getNumParents() > 0 && _place->isSecond(path))
+        if (getNumParents() > 0 && _place->isNewSecondPlace(path))
             OSG_WARN << "osgTreeWind: forest \"" << getName()
                      << "\" stands in two places of the scene; both show it "
-                     << "in the wind of the first. A copy (osg::clone) would have its own" << std::endl;
+                     << "in the wind of the first place. Copy it with osg::clone() for the second"
+                     << std::endl;
         return;
     }
     _lastFrame = stamp.getFrameNumber();
     const osg::ElapsedTime clock;
-    tellPlace(path);
+    updatePlace(path);
     if (_tiles) {
         const TilePager::Changes changes = _tiles->update(stamp);
-        std::for_each(changes.leaving.begin(), changes.leaving.end(), [&](TreeId tree) { unload(tree); });
-        _simulation->runUp(changes.near);
+        std::for_each(changes.toUnload.begin(), changes.toUnload.end(),
+                      [&](TreeId tree) { unloadTree(tree); });
+        _simulation->spinUp(changes.addedNearEye);
     }
-    const osg::ref_ptr<osg::FrameStamp> own = new osg::FrameStamp(stamp);
+    const osg::ref_ptr<osg::FrameStamp> forestStamp = new osg::FrameStamp(stamp);
     if (_frameStep > 0.0)
-        own->setSimulationTime(_frameStep * stamp.getFrameNumber());
-    _technique->update(*own);
-    const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
-    for (const TreeDamage& damage : down)
+        forestStamp->setSimulationTime(_frameStep * stamp.getFrameNumber());
+    _technique->update(*forestStamp);
+    const std::vector<TreeDamage> damageEvents = _simulation->damage(); // a copy: callbacks may change trees
+    for (const TreeDamage& damage : damageEvents)
         _technique->treeChanged(_simulation->slotOf(damage.tree));
     if (_damageCallback)
-        std::for_each(down.begin(), down.end(), _damageCallback);
-    _stepTime = clock.elapsedTime();
+        std::for_each(damageEvents.begin(), damageEvents.end(), _damageCallback);
+    _updateDuration = clock.elapsedTime();
 }
 
 } // namespace osgTreeWind

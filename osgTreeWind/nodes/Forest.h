@@ -19,10 +19,10 @@ namespace osgTreeWind {
 
 class BranchTransform;
 class BranchwiseForest;
-class EntryGuard;
+class ExceptionGuard;
 class ForestSimulation;
 class ForestTechnique;
-class GivenWind;
+class HostWind;
 class InstancedForest;
 class ScenePlace;
 class TilePager;
@@ -31,120 +31,120 @@ struct Species;
 struct TreePlacement;
 struct TreeUnit;
 
-/// A forest moving in a given wind.
+/// A scene graph node that holds a forest, moves its trees in a given wind, and draws them.
 ///
-///     scene->addChild(forest = new Forest(description));
-///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)));
+///     osg::ref_ptr<Forest> forest = new Forest(description); // from code, or readForestFile()
+///     scene->addChild(forest);
+///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f))); // m/s, toward +x
+///     if (const auto branch = forest->branch(forest->findTree("oak 7"), 2))
+///         branch.value()->addChild(nest); // moves with the branch
 ///
-/// The update traversal moves it on, once per frame number, to the frame stamp's time or by a fixed step
-/// (ForestDescription::step). It rests below a Switch that is off, and meets the wind of where it really is
-/// (docs/coordinates.md). Its boxes are of trees at rest, its sphere holds them as they sway.
+/// - Time: the update traversal advances the trees once per frame number, to the simulation time of the frame
+///   stamp or by the fixed ForestDescription::step. They pause below a Switch that is off.
+/// - Frames: metres, z up. World coordinates are those of TreePlacement. Geometry is relative to getOrigin().
+///   Below transforms, the forest samples the wind at its place in the scene (docs/coordinates.md).
+/// - Bounds: bounding boxes enclose the trees at rest; the bounding sphere also encloses their sway.
+/// - Threads: any thread may call setWind() and getWind() at any time. Call everything else in the update
+///   traversal or between frames, setDescription() only between frames. Every threading model works.
+/// - Errors: a call that returns problems has changed nothing; no problems mean success. If an update runs
+///   out of memory or a callback throws, OSG_WARN says so, and the trees stand still until setDescription().
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
-    Forest();
-    /// As setDescription(). What that refuses leaves the forest empty, and a warning says why.
+    Forest(); ///< A forest without trees.
+    /// Calls setDescription(). If that fails, the forest is empty, and OSG_WARN gives the problems.
     explicit Forest(ForestDescription description);
-    /// The same with the problems as an answer.
-    /// @param description as of setDescription(). @param executor as of setExecutor().
+    /// As the constructor, but returns the problems. @param description @param executor see their setters.
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
-    /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
-    /// children go by `copyop`; branches that are followed are not copied.
+    /// Copies the trees as they are now, at rest, with wind, season and technique; shares immutable data.
+    /// Copies the host's children by `copyop`, but neither the transforms of branch() nor the callback.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
-        /// Replaces all trees, and the wind by that of the description if it has one. Not during a traversal.
-        /// @return the problems, and nothing is changed: what check() finds, no memory, no room in textures.
-        [[nodiscard]] Diagnostics setDescription(ForestDescription description);
-    /// As given, but without its trees, with the species that were added, and with its first wind and season.
+
+    /// Replaces all trees, and the wind if the description has one. Only between frames.
+    /// @return what check() finds, or lack of memory or of texture size.
+    [[nodiscard]] Diagnostics setDescription(ForestDescription description);
+    /// The description as given, without its trees, but with the species of addSpecies().
     const ForestDescription& getDescription() const;
 
-    /// The wind from the next frame on; a field by itself is one, null is a calm. One without a canopy keeps
-    /// that of the wind before. Any thread, any time. @return what check() finds; then the wind stays.
+    /// Sets the wind from the next frame on. A WindField converts to a Wind; null is a calm. A wind without a
+    /// canopy keeps the canopy of the previous wind. Any thread. @return what check() finds.
     Diagnostics setWind(Wind wind);
-    Wind getWind() const; ///< As set, with its canopy.
-
-    /// A host's threads (SimulationOptions::executor); null: the process's own. In update or between frames.
+    Wind getWind() const; ///< As set, with its canopy. Any thread.
+    /// Runs the work of the forest on threads of the host; null: on the threads of the process.
     void setExecutor(Executor executor);
-
-    /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
-    /// @return a problem for what is not finite.
+    /// Sets the season (Season.h): the leaves, and how the trees sway. @return a problem if it is not finite.
     Diagnostics setSeason(float season);
-    float getSeason() const; ///< Of the year.
-
-    osg::Vec3d getOrigin() const; ///< Its own zero in the world's frame: geometry is relative to it.
-    /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
+    float getSeason() const;      ///< The season, as in Season.h.
+    osg::Vec3d getOrigin() const; ///< World position of the node's own origin, metres.
+    /// The surface of the ground, for the host to add to its scene; null: no ground. New in each description.
     osg::Node* getGround() const { return _ground.get(); }
 
-    // In update or between frames, at the same cost in any forest, under the law `modal` alone. What is
-    // done to trees of tiles lasts. A call that returns problems changes nothing.
+    // Changes of trees need the law `modal`. Their cost does not depend on the number of trees. Trees of
+    // tiles stay changed when their tile is unloaded and loaded again.
 
-    /// Makes the shapes of a species, for trees to come. The reference that getDescription() gave before is
-    /// no longer valid. @return its index, or what check() finds, a name that is taken, no memory.
+    /// Adds a species for new trees. Invalidates references from getDescription().
+    /// @return its index, or what check() finds, or a problem if the name is in use.
     Result<std::size_t> addSpecies(Species species);
-    /// @param placement in the world's frame. @return an id that lasts, or what check() finds.
+    /// @param placement in world coordinates. @return an id that is never used again, or what check() finds.
     Result<TreeId> addTree(const TreePlacement& placement);
-    Diagnostics removeTree(TreeId tree); ///< @return the problems; empty when it is done.
-    /// Moves it, or makes it one of another size or species, in full sway. @return the problems.
+    Diagnostics removeTree(TreeId tree); ///< @return a problem if there is no such tree.
+    /// Moves a tree, or gives it another size or species, while it goes on swaying. @return as addTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
-    /// By the name it has; noTree for none. One whose tile is not there is read from it, in milliseconds.
+    /// The tree with a name, or noTree. If its tile is not loaded, this loads it, in milliseconds.
     TreeId findTree(const std::string& name);
-    std::size_t getNumTrees() const { return _treeCount; } ///< Those of tiles that are there, too.
-    /// Their ids, those of the description first and in its order as long as none was removed.
-    std::vector<TreeId> getTrees() const;
-    /// What would put it up again, with all of its sizes; nothing for a tree that is not there.
+    std::size_t getNumTrees() const { return _treeCount; } ///< Includes the trees of loaded tiles.
+    std::vector<TreeId> getTrees() const; ///< The ids: at first in the order of the description.
+    /// The placement of a tree now, with estimates for the missing sizes; empty if there is no such tree.
     std::optional<TreePlacement> getPlacement(TreeId tree) const;
-    /// Its branch units by the numbers that branch() takes, and where they are now; none for no tree.
-    /// nearestUnit() finds one by its place. In update or between frames.
+    /// The branch units of a tree now, by the index that branch() takes. Empty if there is no such tree.
     std::vector<TreeUnit> getUnits(TreeId tree) const;
-
-    /// Called in update for each tree or bough that the wind brings down, with `damage` in the description.
-    /// It may add, change and remove trees. Null: nobody is told. Not copied.
+    /// Sets a function that the update traversal calls for each tree or bough that the wind breaks, if the
+    /// description enables `damage`. It may add, change and remove trees. Null: no callback.
     void setDamageCallback(DamageCallback callback);
 
-    /// A transform that goes where a branch goes, in the same video frame, and always the same one; below it
-    /// is the frame of its tree at rest, in metres. changeTree() moves it to the branch of that number of the
-    /// other tree; it stays where it was when that is gone. In update or between frames.
+    /// A transform that moves with a branch unit, without delay; the same one for each call. Its children are
+    /// in the coordinates of the tree at rest, metres. After changeTree() it moves with the same unit of the
+    /// changed tree. It keeps its last position if the tree or the unit is gone.
     [[nodiscard]] Result<BranchTransform*> branch(TreeId tree, unsigned unit);
-    bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
-    bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
+    /// Removes the transform of a branch and its children. @return false if there is none.
+    bool releaseBranch(TreeId tree, unsigned unit);
+    bool isOwnChild(const osg::Node* child) const; ///< Whether the forest, not the host, added this child.
 
-    /// Draws its trees, and no other's; null: instances under `modal`, else branch by branch. As setSeason().
+    /// @param technique draws this forest only; null: instances under `modal`, else branch by branch.
     Diagnostics setTechnique(ForestTechnique* technique);
     ForestTechnique* getTechnique() const { return _technique.get(); } ///< Never null.
-    InstancedForest* getInstanced() const;   ///< The technique, if it draws instances; else null.
-    BranchwiseForest* getBranchwise() const; ///< The technique, if it draws branch by branch; else null.
-
-    /// Wind, angles and poses behind the picture. Read it between frames.
-    const ForestSimulation& getSimulation() const { return *_simulation; }
-
-    void traverse(osg::NodeVisitor& visitor) override; ///< osg::Node.
-    osg::BoundingSphere computeBound() const override; ///< osg::Node.
+    InstancedForest* getInstanced() const;   ///< The technique if it draws instances; else null.
+    BranchwiseForest* getBranchwise() const; ///< The technique if it draws branch by branch; else null.
+    const ForestSimulation& getSimulation() const { return *_simulation; } ///< The motion, without drawing.
+    void traverse(osg::NodeVisitor& visitor) override;                     ///< osg::Node.
+    osg::BoundingSphere computeBound() const override;                     ///< osg::Node.
 
 protected:
     ~Forest() override;
 
 private:
-    void grow(ForestDescription description);
-    void show(std::shared_ptr<ForestSimulation> simulation);
-    void showTechnique(const osg::ref_ptr<ForestTechnique>& technique);
+    void rebuild(ForestDescription description);
+    void setSimulation(std::shared_ptr<ForestSimulation> simulation);
+    void replaceTechnique(const osg::ref_ptr<ForestTechnique>& technique);
     void update(osg::NodeVisitor& visitor);
-    void unload(TreeId tree);
+    void unloadTree(TreeId tree);
     void report(osg::NodeVisitor& cullVisitor, double cullTime) const;
-    void tellPlace(const osg::NodePath& path);
+    void updatePlace(const osg::NodePath& path);
 
-    std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
+    std::shared_ptr<HostWind> _wind; ///< Shared with `_simulation`.
     Executor _executor;
     DamageCallback _damageCallback;
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<ForestTechnique> _technique;
     osg::ref_ptr<osg::Node> _ground;
-    osg::ref_ptr<TilePager> _tiles; ///< Null: all trees are there.
+    osg::ref_ptr<TilePager> _tiles; ///< Null for a forest without tiles.
     std::size_t _treeCount = 0;
-    std::unique_ptr<EntryGuard> _guard; ///< Of its traversals.
+    std::unique_ptr<ExceptionGuard> _guard;
     unsigned _lastFrame = ~0u;
     std::unique_ptr<ScenePlace> _place;
-    double _frameStep = 0.0;                 ///< How long a frame lasts, seconds; 0: as its stamp says.
-    double _stepTime = 0.0;                  ///< Of the last update, seconds.
-    bool _isHosts = false, _stopped = false; ///< A host has set the technique; an update has failed.
+    double _frameStep = 0.0;                           ///< Seconds; 0: the frame stamp's time counts.
+    double _updateDuration = 0.0;                      ///< Of the last update, seconds.
+    bool _isHostTechnique = false, _hasFailed = false; ///< The host set the technique; an update failed.
 };
 
 } // namespace osgTreeWind

@@ -16,7 +16,7 @@ double residentBytes() {
     return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-osg::Stats* statisticsOf(osg::NodeVisitor& cullVisitor) {
+osg::Stats* viewStatistics(osg::NodeVisitor& cullVisitor) {
     osgUtil::CullVisitor* visitor = cullVisitor.asCullVisitor();
     osg::Camera* camera = visitor ? visitor->getCurrentCamera() : nullptr;
     osg::Stats* stats = camera && camera->getView() ? camera->getView()->getStats() : nullptr;

@@ -10,22 +10,21 @@
 
 namespace osgTreeWind {
 
-/// What a forest costs and draws.
+/// Timings and counts of a forest, for osgViewer::StatsHandler.
 struct ForestStatistics {
-    double step = 0.0, cull = 0.0; ///< Seconds that the last update and this cull traversal took.
+    double step = 0.0, cull = 0.0; ///< Duration of the last update and of this cull traversal, seconds.
     std::size_t trees = 0;
-    std::optional<std::size_t> tiles; ///< Nothing: the forest has no tiles.
-    std::optional<DrawnTrees> drawn;  ///< Of instances.
+    std::optional<std::size_t> tiles; ///< Loaded tiles; empty for a forest without tiles.
+    std::optional<DrawnTrees> drawn;  ///< Empty if the trees are not drawn as instances.
 
-    /// For those who look at a view's statistics (osgViewer::StatsHandler): adds them to the osg::Stats of
-    /// the view whose cull traversal this is, by the names that docs/view.md lists.
+    /// Sets the attributes of a frame, by the names in docs/view.md.
     void report(osg::Stats& stats, unsigned frame) const;
 };
 
-/// That the process has in memory.
+/// Resident memory of the process.
 double residentBytes();
 
-/// The statistics of the view whose cull traversal this is; null where nobody collects "update".
-osg::Stats* statisticsOf(osg::NodeVisitor& cullVisitor);
+/// The statistics of the view that a cull traversal belongs to; null if it does not collect "update".
+osg::Stats* viewStatistics(osg::NodeVisitor& cullVisitor);
 
 } // namespace osgTreeWind

@@ -10,12 +10,13 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr unsigned framesUnseen = 2; // below a LOD: until it counts as hidden
+constexpr unsigned maxUnseenFrames = 2; // below a LOD
 
 } // namespace
 
-bool ScenePlace::isSecond(const osg::NodePath& path) {
-    return !_twoPlaces && osg::computeLocalToWorld(path) != _toScene && !std::exchange(_twoPlaces, true);
+bool ScenePlace::isNewSecondPlace(const osg::NodePath& path) {
+    return !_hasSecondPlace && osg::computeLocalToWorld(path) != _toScene &&
+           !std::exchange(_hasSecondPlace, true);
 }
 
 bool ScenePlace::isHidden(const osg::NodePath& path, unsigned frame) const {
@@ -23,7 +24,7 @@ bool ScenePlace::isHidden(const osg::NodePath& path, unsigned frame) const {
         if (auto* choice = dynamic_cast<osg::Switch*>(path[i]))
             if (!choice->getChildValue(path[i + 1]))
                 return true;
-        if (dynamic_cast<osg::LOD*>(path[i]) && _culledFrame != ~0u && frame > _culledFrame + framesUnseen)
+        if (dynamic_cast<osg::LOD*>(path[i]) && _culledFrame != ~0u && frame > _culledFrame + maxUnseenFrames)
             return true;
     }
     return false;

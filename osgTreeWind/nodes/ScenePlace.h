@@ -7,25 +7,25 @@
 
 namespace osgTreeWind {
 
-/// Where a node is in its scene, and whether anybody can see it there.
+/// The transform of a node in its scene, and whether a Switch or LOD hides it. Paths begin at the root.
 class ScenePlace {
 public:
-    /// Takes over the place of an update traversal: `path` from the root to the node.
     void update(const osg::NodePath& path) { _toScene = osg::computeLocalToWorld(path); }
-    /// From the node to the scene's root.
+    /// From the node's coordinates to those of the scene's root.
     const osg::Matrix& toScene() const { return _toScene; }
-    /// Whether the node is elsewhere on this path. @return true once.
-    bool isSecond(const osg::NodePath& path);
+    /// Whether a path has another transform than the path of update(). Returns true only the first time.
+    bool isNewSecondPlace(const osg::NodePath& path);
 
-    /// A cull traversal has reached the node. Any thread.
-    void culled(unsigned frame) { _culledFrame = frame; }
-    /// Whether a Switch or LOD above hides the node, which update visitors enter nevertheless.
+    /// Records that a cull traversal reached the node. Any thread.
+    void setCulledFrame(unsigned frame) { _culledFrame = frame; }
+    /// Whether a Switch above the node is off, or a LOD above it has not shown it for two frames. Update
+    /// visitors reach the node in both cases.
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
 
 private:
     osg::Matrix _toScene;
     std::atomic<unsigned> _culledFrame{~0u};
-    bool _twoPlaces = false;
+    bool _hasSecondPlace = false;
 };
 
 } // namespace osgTreeWind

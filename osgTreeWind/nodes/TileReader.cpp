@@ -15,7 +15,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Not a plugin: a host that made its forest in code, without any, reads them too.
+/// Part of the library and not a plugin, so that forests made in code need no plugin.
 class TileReader : public osgDB::ReaderWriter {
 public:
     TileReader() {
@@ -27,7 +27,7 @@ public:
 
     ReadResult readNode(const std::string& file, const Options*) const override {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)) || osgDB::containsServerAddress(file))
-            return ReadResult::FILE_NOT_HANDLED; // OSG brings a server's as a stream
+            return ReadResult::FILE_NOT_HANDLED; // OSG reads files of servers as streams
         Result<std::ifstream> input = openInput(file);
         if (input)
             return read(input.value(), file);
@@ -36,14 +36,14 @@ public:
     }
     ReadResult readNode(std::istream& input, const Options* options) const override {
         const std::string file = options ? options->getPluginStringData("STREAM_FILENAME") : std::string();
-        return sizeOf(input) > mostBytes ? ReadResult(file + ": expected at most 256 MiB")
-                                         : read(input, file);
+        return remainingBytes(input) > maxBytes ? ReadResult(file + ": expected at most 256 MiB")
+                                                : read(input, file);
     }
 
 private:
-    static constexpr std::streamoff mostBytes = 1 << 28; // of what a server sends
+    static constexpr std::streamoff maxBytes = 1 << 28; // of a file from a server
 
-    static std::streamoff sizeOf(std::istream& input) {
+    static std::streamoff remainingBytes(std::istream& input) {
         const std::streampos here = input.tellg();
         const std::streampos end = input.seekg(0, std::ios::end).tellg();
         input.seekg(here);
@@ -52,19 +52,19 @@ private:
     static ReadResult read(std::istream& input, const std::string& file) {
         const std::string extension = osgDB::getLowerCaseFileExtension(file);
         if (extension == "crowns")
-            return resultOf(readCrownSheet, input, file);
+            return readFileNode(readCrownSummary, input, file);
         if (extension == "ids")
-            return resultOf(readTileIds, input, file);
-        return resultOf(readTileTrees, input, file);
+            return readFileNode(readTileIds, input, file);
+        return readFileNode(readTileTrees, input, file);
     }
     template <typename Content>
-    static ReadResult resultOf(Result<Content> (*reader)(std::istream&, const std::string&),
-                               std::istream& input, const std::string& file) {
+    static ReadResult readFileNode(Result<Content> (*reader)(std::istream&, const std::string&),
+                                   std::istream& input, const std::string& file) {
         ReadResult result(ReadResult::ERROR_IN_READING_FILE);
         const std::string problem = runGuarded([&] {
             Result<Content> content = reader(input, file);
             if (content)
-                result = ReadResult(new FileOfTiles<Content>(std::move(content.value())));
+                result = ReadResult(new TileFileNode<Content>(std::move(content.value())));
             else
                 result = ReadResult(content.problems().front().text());
         });

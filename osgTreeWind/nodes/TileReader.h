@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/io/CrownSheet.h>
+#include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 
@@ -11,20 +11,20 @@
 
 namespace osgTreeWind {
 
-/// What OSG's pager brings to a Forest from one file of a world. Draws nothing.
+/// A node that carries the content of one file of a tiled forest through OSG's pager. It draws nothing.
 template <typename Content>
-class FileOfTiles : public osg::Node {
+class TileFileNode : public osg::Node {
 public:
-    explicit FileOfTiles(Content given) : content(std::move(given)) {}
+    explicit TileFileNode(Content given) : content(std::move(given)) {}
     Content content;
 };
 
-using TreeTile = FileOfTiles<TileTrees>;
-using CrownFile = FileOfTiles<CrownSheet>;
-using IdFile = FileOfTiles<TileIds>;
+using TreeTile = TileFileNode<TileTrees>;
+using CrownFile = TileFileNode<CrownSummary>;
+using IdFile = TileFileNode<TileIds>;
 
-/// Has osgDB read files of a world, from folders and servers: `.trees` as a TreeTile, `.crowns` as a
-/// CrownFile, `.ids` as an IdFile. Thread-safe; once is enough.
+/// Registers an osgDB reader for the files of tiled forests, in folders and on servers: `.trees` as TreeTile,
+/// `.crowns` as CrownFile, `.ids` as IdFile. Thread-safe; further calls have no effect.
 void registerTileReader();
 
 } // namespace osgTreeWind

@@ -8,7 +8,7 @@
 namespace osgTreeWind {
 namespace {
 
-float distance2(const TreeUnit& unit, const osg::Vec3& point) {
+float squaredDistance(const TreeUnit& unit, const osg::Vec3& point) {
     const osg::Vec3 along = unit.tip - unit.base, way = point - unit.base;
     const float length2 = along.length2();
     const float part = length2 > 0.0f ? osg::clampBetween(way * along / length2, 0.0f, 1.0f) : 0.0f;
@@ -20,7 +20,7 @@ float distance2(const TreeUnit& unit, const osg::Vec3& point) {
 std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point) {
     const auto nearest =
         std::min_element(units.begin(), units.end(), [&](const TreeUnit& a, const TreeUnit& b) {
-            return distance2(a, point) < distance2(b, point);
+            return squaredDistance(a, point) < squaredDistance(b, point);
         });
     if (nearest == units.end())
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #define EGL_NO_X11
 #include <osgTreeWind/offscreen/OffscreenContext.h>
-#include <osgTreeWind/offscreen/PixelContext.h>
+#include <osgTreeWind/offscreen/OffscreenContextBase.h>
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -12,25 +12,25 @@
 namespace osgTreeWind {
 namespace {
 
-class EGLGraphicsContext : public PixelContext {
+class EGLGraphicsContext : public OffscreenContextBase {
 public:
     EGLGraphicsContext(int width, int height, EGLDisplay display, EGLContext context, EGLSurface surface)
-        : PixelContext(width, height), _display(display), _context(context), _surface(surface) {}
+        : OffscreenContextBase(width, height), _display(display), _context(context), _surface(surface) {}
 
     const char* className() const override { return "EGLGraphicsContext"; }
     bool valid() const override { return _context != EGL_NO_CONTEXT; }
     bool makeCurrentImplementation() override {
-        const auto held = turn();
-        // The bound API is a thread's own, starts as OpenGL ES, and decides what a release releases.
+        const auto lock = lockSoftwareRenderer();
+        // The bound API is per thread, OpenGL ES by default, and determines what a release acts on.
         return valid() && eglBindAPI(EGL_OPENGL_API) &&
                eglMakeCurrent(_display, _surface, _surface, _context);
     }
     bool releaseContextImplementation() override {
-        const auto held = turn();
+        const auto lock = lockSoftwareRenderer();
         return eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
     void closeImplementation() override {
-        const auto held = turn();
+        const auto lock = lockSoftwareRenderer();
         if (_context != EGL_NO_CONTEXT)
             eglDestroyContext(_display, _context);
         if (_surface != EGL_NO_SURFACE)
@@ -60,42 +60,42 @@ Diagnostic problem(const std::string& message) {
     return diagnostic;
 }
 
-/// Where contexts are made: shared by all of them, and so never terminated.
-struct Target {
+/// Display and configuration, shared by all contexts and never terminated.
+struct DisplayConfig {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLConfig config = nullptr;
     explicit operator bool() const { return display != EGL_NO_DISPLAY; }
 };
 
-/// The display with a configuration for OpenGL pbuffers; an empty target when it has none.
-Target targetOf(EGLDisplay display) {
-    const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                             EGL_PBUFFER_BIT,
-                             EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_BIT,
-                             EGL_RED_SIZE,
-                             8,
-                             EGL_GREEN_SIZE,
-                             8,
-                             EGL_BLUE_SIZE,
-                             8,
-                             EGL_ALPHA_SIZE,
-                             8,
-                             EGL_DEPTH_SIZE,
-                             24,
-                             EGL_STENCIL_SIZE,
-                             8,
-                             EGL_NONE};
-    Target target;
+/// Selects a configuration for OpenGL pbuffers; empty if the display has none.
+DisplayConfig chooseConfig(EGLDisplay display) {
+    const EGLint attributes[] = {EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_RED_SIZE,
+                                 8,
+                                 EGL_GREEN_SIZE,
+                                 8,
+                                 EGL_BLUE_SIZE,
+                                 8,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_DEPTH_SIZE,
+                                 24,
+                                 EGL_STENCIL_SIZE,
+                                 8,
+                                 EGL_NONE};
+    DisplayConfig chosen;
     EGLint found = 0;
     if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) &&
-        eglChooseConfig(display, wanted, &target.config, 1, &found) && found == 1)
-        target.display = display;
-    return target;
+        eglChooseConfig(display, attributes, &chosen.config, 1, &found) && found == 1)
+        chosen.display = display;
+    return chosen;
 }
 
-/// The first GPU that can draw, else Mesa without a surface (a GPU of its choice, or software).
-Target findTarget() {
+/// The first usable GPU, else Mesa's surfaceless platform (a GPU of its choice, or software).
+DisplayConfig findDisplayConfig() {
     const auto queryDevices =
         reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     const auto queryDeviceString =
@@ -108,10 +108,11 @@ Target findTarget() {
         const char* const extensions = queryDeviceString(devices[i], EGL_EXTENSIONS);
         if (extensions && std::strstr(extensions, "EGL_MESA_device_software"))
             continue;
-        if (const Target gpu = targetOf(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)))
+        if (const DisplayConfig gpu =
+                chooseConfig(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)))
             return gpu;
     }
-    return targetOf(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    return chooseConfig(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
 }
 
 } // namespace
@@ -121,32 +122,32 @@ const char* offscreenBackendName() {
 }
 
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height) {
-    if (const auto wrongSize = PixelContext::sizeProblem(width, height))
-        return *wrongSize;
+    if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
+        return *sizeError;
 
-    static const Target target = findTarget();
-    if (!target)
-        return problem("no EGL display draws OpenGL without a screen; expected a GPU driver with "
+    static const DisplayConfig chosen = findDisplayConfig();
+    if (!chosen)
+        return problem("no EGL display supports OpenGL without a screen; expected a GPU driver with "
                        "EGL_EXT_platform_device, or Mesa with EGL_MESA_platform_surfaceless");
     if (!eglBindAPI(EGL_OPENGL_API))
         return problem("EGL offers no OpenGL, only OpenGL ES");
 
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    const EGLSurface surface = eglCreatePbufferSurface(target.display, target.config, size);
+    const EGLSurface surface = eglCreatePbufferSurface(chosen.display, chosen.config, size);
     if (surface == EGL_NO_SURFACE)
         return problem("EGL made no pbuffer of " + std::to_string(width) + "x" + std::to_string(height) +
                        " pixels");
 
     const EGLint profile[] = {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                               EGL_NONE};
-    const EGLContext context = eglCreateContext(target.display, target.config, EGL_NO_CONTEXT, profile);
+    const EGLContext context = eglCreateContext(chosen.display, chosen.config, EGL_NO_CONTEXT, profile);
     if (context == EGL_NO_CONTEXT) {
         Diagnostic missing = problem("EGL made no context with the OpenGL compatibility profile");
-        eglDestroySurface(target.display, surface);
+        eglDestroySurface(chosen.display, surface);
         return missing;
     }
     return osg::ref_ptr<osg::GraphicsContext>(
-        new EGLGraphicsContext(width, height, target.display, context, surface));
+        new EGLGraphicsContext(width, height, chosen.display, context, surface));
 }
 
 } // namespace osgTreeWind

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Lets a stock OSG program, osgviewer for one, run without a display:
+// Lets OSG programs such as osgviewer run without a display:
 //   LD_PRELOAD=libosgTreeWindHeadless.so:libOSMesa.so.8 OSG_RUN_FRAME_COUNT=10 osgviewer scene.osgt
-// The windows it asks for become offscreen contexts that nobody sees. They send no events but one: to quit,
-// after OSG_RUN_FRAME_COUNT frames, to programs with a frame loop of their own, where OSG does not look at
-// it.
-#include <osgTreeWind/gpu/EntryGuard.h>
+// Their windows become offscreen contexts. The only event is the request to quit after OSG_RUN_FRAME_COUNT
+// frames, for programs with their own frame loop, which does not use this variable.
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/Notify>
@@ -14,14 +13,14 @@
 namespace osgTreeWind {
 namespace {
 
-/// The window that osgViewer insists on, around a realized offscreen context whose state it takes over.
+/// An osgViewer::GraphicsWindow around a realized offscreen context. It takes over the context's osg::State.
 class HeadlessWindow : public osgViewer::GraphicsWindow {
 public:
-    explicit HeadlessWindow(osg::GraphicsContext* pixels) : _pixels(pixels) {
-        _traits = new Traits(*pixels->getTraits());
-        setState(pixels->getState());
+    explicit HeadlessWindow(osg::GraphicsContext* offscreen) : _context(offscreen) {
+        _traits = new Traits(*offscreen->getTraits());
+        setState(offscreen->getState());
         getState()->setGraphicsContext(this);
-        pixels->setState(nullptr);
+        offscreen->setState(nullptr);
         osg::getEnvVar("OSG_RUN_FRAME_COUNT", _lastFrame);
     }
     bool checkEvents() override {
@@ -29,12 +28,12 @@ public:
             getEventQueue()->quitApplication();
         return _frame > _lastFrame;
     }
-    bool valid() const override { return _pixels->valid(); }
-    bool realizeImplementation() override { return _pixels->isRealized(); }
-    bool isRealizedImplementation() const override { return _pixels->isRealized(); }
-    bool makeCurrentImplementation() override { return _pixels->makeCurrentImplementation(); }
-    bool releaseContextImplementation() override { return _pixels->releaseContextImplementation(); }
-    void closeImplementation() override { _pixels->close(); }
+    bool valid() const override { return _context->valid(); }
+    bool realizeImplementation() override { return _context->isRealized(); }
+    bool isRealizedImplementation() const override { return _context->isRealized(); }
+    bool makeCurrentImplementation() override { return _context->makeCurrentImplementation(); }
+    bool releaseContextImplementation() override { return _context->releaseContextImplementation(); }
+    void closeImplementation() override { _context->close(); }
     void swapBuffersImplementation() override {}
     void grabFocus() override {}
     void grabFocusIfPointerInWindow() override {}
@@ -43,7 +42,7 @@ protected:
     ~HeadlessWindow() override { close(); }
 
 private:
-    osg::ref_ptr<osg::GraphicsContext> _pixels;
+    osg::ref_ptr<osg::GraphicsContext> _context;
     unsigned _frame = 0, _lastFrame = ~0u;
 };
 
@@ -63,7 +62,7 @@ public:
     }
     osg::GraphicsContext* createGraphicsContext(osg::GraphicsContext::Traits* traits) override {
         osg::GraphicsContext* context = nullptr;
-        EntryGuard().run("there is no window", [&] { context = make(traits); });
+        ExceptionGuard().run("there is no window", [&] { context = make(traits); });
         return context;
     }
 
@@ -77,13 +76,13 @@ private:
         }
         if (!made.value()->realize())
             return nullptr;
-        traits->doubleBuffer = false; // OSG picks the camera's draw buffer by what it asked for
+        traits->doubleBuffer = false; // OSG selects the camera's draw buffer by its own traits
         return new HeadlessWindow(made.value());
     }
 };
 
 [[maybe_unused]] const bool inserted = [] {
-    // In front of X11, and there even when the library with X11 is initialized later.
+    // First in the list, before X11, even if the library with X11 is initialized later.
     auto& systems = osg::GraphicsContext::getWindowingSystemInterfaces()->getInterfaces();
     systems.insert(systems.begin(), new HeadlessWindowingSystem);
     return true;

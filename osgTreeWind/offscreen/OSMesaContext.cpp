@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
-#include <osgTreeWind/offscreen/PixelContext.h>
+#include <osgTreeWind/offscreen/OffscreenContextBase.h>
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>
@@ -13,25 +13,25 @@
 namespace osgTreeWind {
 namespace {
 
-class OSMesaGraphicsContext : public PixelContext {
+class OSMesaGraphicsContext : public OffscreenContextBase {
 public:
     OSMesaGraphicsContext(int width, int height, OSMesaContext context,
                           std::unique_ptr<std::uint32_t[]> pixels)
-        : PixelContext(width, height), _context(context), _pixels(std::move(pixels)) {}
+        : OffscreenContextBase(width, height), _context(context), _pixels(std::move(pixels)) {}
 
     const char* className() const override { return "OSMesaGraphicsContext"; }
     bool valid() const override { return _context != nullptr; }
     bool makeCurrentImplementation() override {
-        const auto held = turn();
+        const auto lock = lockSoftwareRenderer();
         return valid() &&
                OSMesaMakeCurrent(_context, _pixels.get(), GL_UNSIGNED_BYTE, _traits->width, _traits->height);
     }
     bool releaseContextImplementation() override {
-        const auto held = turn();
+        const auto lock = lockSoftwareRenderer();
         return OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
     }
     void closeImplementation() override {
-        const auto held = turn();
+        const auto lock = lockSoftwareRenderer();
         if (_context)
             OSMesaDestroyContext(_context);
         _context = nullptr;
@@ -44,11 +44,11 @@ protected:
 
 private:
     OSMesaContext _context;
-    std::unique_ptr<std::uint32_t[]> _pixels; ///< Mesa's colour buffer, width x height RGBA8.
+    std::unique_ptr<std::uint32_t[]> _pixels; ///< Colour buffer of Mesa, RGBA8.
 };
 
-/// The path of the library that defines a global symbol; empty if none does.
-std::string libraryOf(const char* symbol) {
+/// Path of the library that defines a global symbol; empty if there is none.
+std::string findDefiningLibrary(const char* symbol) {
     Dl_info info{};
     void* const address = dlsym(RTLD_DEFAULT, symbol);
     return address && dladdr(address, &info) ? info.dli_fname : std::string();
@@ -61,12 +61,12 @@ const char* offscreenBackendName() {
 }
 
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height) {
-    if (const auto wrongSize = PixelContext::sizeProblem(width, height))
-        return *wrongSize;
+    if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
+        return *sizeError;
 
-    // OSG finds OpenGL by global symbols. If libGL comes before libOSMesa there, the first call crashes.
-    const std::string library = libraryOf("glGetString");
-    if (library != libraryOf("OSMesaMakeCurrent"))
+    // OSG finds OpenGL by global symbols. If libGL comes before libOSMesa, the first call crashes.
+    const std::string library = findDefiningLibrary("glGetString");
+    if (library != findDefiningLibrary("OSMesaMakeCurrent"))
         return fileProblem(
             {}, "OpenGL comes from " + library +
                     " and not from libOSMesa; expected a program that links osgTreeWind::OSMesa directly and "
@@ -74,7 +74,7 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
 
     std::unique_ptr<std::uint32_t[]> pixels(new (std::nothrow) std::uint32_t[std::size_t(width) * height]);
     if (!pixels)
-        return fileProblem({}, "not enough memory for the pixels of an offscreen context");
+        return fileProblem({}, "out of memory for the pixels of an offscreen context");
 
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,

@@ -7,24 +7,25 @@
 
 namespace osgTreeWind {
 
-/// Largest width and height of an offscreen context, in pixels.
+/// Maximum width and height of an offscreen context, pixels.
 constexpr int maxOffscreenSize = 16384;
 
-/// Makes an OpenGL context that needs no display: compatibility profile, RGBA8 colour, 24 bit depth, 8 bit
-/// stencil, single buffered, with an osg::State and a context id of its own.
+/// Creates an OpenGL context that needs no display: compatibility profile, RGBA8 colour, 24 bit depth, 8 bit
+/// stencil, single buffered, with its own osg::State and context id.
 ///
-/// Give it to a camera with setGraphicsContext and a viewport; osgViewer::Viewer and CompositeViewer use it
-/// like any other context, in every threading model. It closes, and deletes its OpenGL objects, with its last
-/// reference. Those of Mesa's software renderer draw one after the other, whatever threads they are drawn by.
+/// Assign it to a camera with setGraphicsContext(), and set the viewport, or use attachFrameImage().
+/// osgViewer::Viewer and CompositeViewer accept it like any other context, in every threading model. The last
+/// reference closes it and deletes its OpenGL objects. Contexts of Mesa's software renderer draw one after
+/// another, even in different threads.
 ///
-/// The backend is decided when a program is linked: osgTreeWind::OSMesa (Mesa's software renderer) or
-/// osgTreeWind::EGL (a GPU where there is one, else Mesa's software renderer). Link exactly one of them.
-/// @param width, height pixels, 1 to maxOffscreenSize.
-/// @return a context that is valid() and not yet realized, or one problem that says what was missing.
-/// May be called from any thread; no context is left current on it.
+/// The program selects the backend when it is linked, with exactly one of osgTreeWind::OSMesa (Mesa's
+/// software renderer) and osgTreeWind::EGL (a GPU if there is one, else Mesa's software renderer).
+/// @param width, height in pixels, 1 to maxOffscreenSize.
+/// @return a context that is valid() and not yet realized, or one problem. Any thread; leaves no context
+/// current.
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height);
 
-/// "osmesa" or "egl": the backend this program was linked with.
+/// The backend of this program: "osmesa" or "egl".
 const char* offscreenBackendName();
 
 } // namespace osgTreeWind

@@ -20,9 +20,9 @@ Result<Crs> Crs::utmOf(const glm::dvec2& longitudeLatitude) {
     return parse("EPSG:" + std::to_string((longitudeLatitude.y < 0.0 ? 32700 : 32600) + zone));
 }
 
-Crs Crs::degrees() {
+Crs Crs::wgs84() {
     return Crs({"EPSG:4326", "WGS 84",
-                "expected a projected system in metres, found WGS 84, which is on degrees", true});
+                "expected a projected system in metres, found WGS 84, which uses degrees", true});
 }
 
 } // namespace osgTreeWind

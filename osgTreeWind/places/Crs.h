@@ -11,37 +11,36 @@
 
 namespace osgTreeWind {
 
-/// A coordinate reference system: what the numbers of a place on the Earth mean. Its places are x east and
-/// y north, or longitude and latitude in degrees, whatever order its authority has. A value.
+/// A coordinate reference system (CRS). Its axes are always x east and y north, or longitude and latitude in
+/// degrees, regardless of the order that its authority defines. A value type.
 class Crs {
 public:
-    /// What is known of one.
     struct Facts {
-        std::string text; ///< What parse() reads back: "EPSG:32610", or WKT where no authority has it.
-        std::string name; ///< As people call it: "WGS 84 / UTM zone 10N".
-        std::string problemOfMap; ///< As below.
+        std::string text;         ///< Input for parse(): "EPSG:32610", or WKT if it has no code.
+        std::string name;         ///< For users: "WGS 84 / UTM zone 10N".
+        std::string problemOfMap; ///< See below.
         bool isDegrees = false;
 
         auto parts() { return std::tie(text, name, problemOfMap, isDegrees); } ///< For Wire.
     };
 
-    /// @param text any that PROJ knows: "EPSG:25832", "+proj=utm +zone=32", WKT.
+    /// @param text in any form that PROJ accepts: "EPSG:25832", "+proj=utm +zone=32", WKT.
     static Result<Crs> parse(const std::string& text);
-    /// The same, for a scene: a map in metres.
+    /// Parses a CRS for a scene. It is an error if problemOfMap() is not empty.
     static Result<Crs> parseMap(const std::string& text);
-    /// The UTM zone of a place.
+    /// The UTM zone that contains a place.
     static Result<Crs> utmOf(const glm::dvec2& longitudeLatitude);
-    /// Longitude and latitude (WGS 84).
-    static Crs degrees();
+    /// Longitude and latitude on WGS 84 (EPSG:4326).
+    static Crs wgs84();
 
     Crs() = default;
     explicit Crs(Facts facts) : _facts(std::move(facts)) {}
 
-    /// Whether places of both mean the same.
+    /// Whether both systems give the same coordinates to every place.
     bool isSame(const Crs& other) const;
-    /// Longitude and latitude, not a map.
+    /// Whether it is geographic: longitude and latitude in degrees.
     bool isDegrees() const { return _facts.isDegrees; }
-    /// What keeps it from being a scene's, a map in metres with x east and y north; empty: nothing.
+    /// Why it cannot be the CRS of a scene (projected, in metres, x east and y north); empty if it can.
     const std::string& problemOfMap() const { return _facts.problemOfMap; }
     const std::string& name() const { return _facts.name; }
     const std::string& text() const { return _facts.text; }

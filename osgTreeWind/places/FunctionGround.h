@@ -7,17 +7,17 @@
 
 namespace osgTreeWind {
 
-/// Any callable as a ground: a formula, or a door into a host's own terrain.
+/// A ground from a function of x and y, such as a query of a host's terrain.
 ///
 ///     description.ground = std::make_shared<FunctionGround>([](double x, double) { return 0.1 * x; });
 class OSGTREEWIND_EXPORT FunctionGround final : public Ground {
 public:
-    /// Metres at x and y of the world's frame, NaN where there is no ground. Called from any thread, several
-    /// at once. Where it throws there is no forest (Forest::create()), or no ground is drawn.
+    /// Height in metres at world coordinates x and y; NaN if there is no ground. Called from several threads
+    /// at once. If it throws, Forest::create() fails, or the ground is not drawn.
     using Function = std::function<double(double x, double y)>;
 
-    /// @param function an empty one is a ground that is nowhere. @param area where it is asked; its `cell` is
-    /// how far apart the places are between which the ground may be drawn straight.
+    /// @param function empty: there is no ground anywhere. @param area in which the function is called. Its
+    /// `cell` is the spacing at which the ground may be sampled for drawing.
     explicit FunctionGround(Function function, const GroundArea& area = {});
 
     std::optional<double> height(const glm::dvec2& place) const override;

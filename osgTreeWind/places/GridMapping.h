@@ -9,12 +9,12 @@
 
 namespace osgTreeWind {
 
-/// A map in the words of the CF conventions (1.8, appendix F): the attributes of a grid_mapping.
+/// A CRS as attributes of a grid_mapping variable (CF conventions 1.8, appendix F).
 struct GridMapping {
-    std::string name; ///< grid_mapping_name; empty for a projection whose words are not known here.
+    std::string name; ///< grid_mapping_name; empty for a projection that is not supported here.
     using Numbers = std::pair<std::string, std::vector<double>>;
     std::vector<Numbers> numbers;
-    std::string wkt; ///< crs_wkt, which always holds.
+    std::string wkt; ///< crs_wkt; always valid.
 
     auto parts() { return std::tie(name, numbers, wkt); } ///< For Wire.
 };

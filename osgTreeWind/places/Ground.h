@@ -10,14 +10,14 @@
 
 namespace osgTreeWind {
 
-/// Where a ground is known, in the world's frame, metres.
+/// Extent of a ground in world coordinates, metres.
 struct GroundArea {
-    glm::dvec2 low{-1e8}; ///< Its least x and y,
-    glm::dvec2 high{1e8}; ///< and its greatest.
-    double cell = 1.0;    ///< Distance between places whose height was measured.
+    glm::dvec2 low{-1e8}; ///< Minimum x and y.
+    glm::dvec2 high{1e8}; ///< Maximum x and y.
+    double cell = 1.0;    ///< Spacing of the height samples.
 };
 
-/// The ground that a forest stands on. Immutable once shared: any number of threads may ask one.
+/// The terrain that a forest stands on. It must not change, because several threads call it at once.
 ///
 ///     class Hill : public Ground {
 ///     public:
@@ -31,19 +31,19 @@ class OSGTREEWIND_EXPORT Ground {
 public:
     virtual ~Ground();
 
-    /// Metres, at x and y of the world's frame. None over a hole and beyond the edge.
+    /// Height in metres at world coordinates x and y; empty in a hole and outside the ground.
     virtual std::optional<double> height(const glm::dvec2& place) const = 0;
-    /// What holds all places that have a height.
+    /// Bounds of all places that have a height.
     virtual GroundArea area() const = 0;
 };
 
 using GroundPtr = std::shared_ptr<const Ground>;
 
-/// What a ground says of a place; none also where that is not a finite number within 1e8 m.
+/// Height of the ground at a place; empty also if it is not a finite number within 1e8 m.
 OSGTREEWIND_EXPORT std::optional<double> heightOf(const Ground& ground, const glm::dvec2& place);
 
-/// Height of the foot of a trunk that grows upright on it: the lowest of the trunk's circle. None where there
-/// is no ground in its middle. @param radius metres.
+/// Height of the foot of an upright trunk: the lowest ground within its circle. Empty if there is no ground
+/// at its centre. @param radius metres.
 OSGTREEWIND_EXPORT std::optional<double> footHeight(const Ground& ground, const glm::dvec2& place,
                                                     double radius);
 

@@ -11,19 +11,19 @@
 
 namespace osgTreeWind {
 
-/// Numbers in square cells of a map, as speeds or directions of a wind.
+/// A single-band raster with square cells, such as wind speeds or directions.
 struct MapCells {
-    glm::ivec2 cells{0};
-    glm::dvec2 south{0.0}; ///< Centre of the south-western cell.
+    glm::ivec2 cells{0};       ///< Number of columns and rows.
+    glm::dvec2 southWest{0.0}; ///< Centre of the south-western cell.
     double cellSize = 1.0;
-    std::vector<float> values; ///< South row first; NaN where there are no data.
-    std::string crs;           ///< As Crs::text(); empty: not known.
-    std::string unit;          ///< As the file says it; empty: it does not.
+    std::vector<float> values; ///< South row first; NaN: no data.
+    std::string crs;           ///< Crs::text(); empty if unknown.
+    std::string unit;          ///< As stated by the file; may be empty.
 
-    auto parts() { return std::tie(cells, south, cellSize, values, crs, unit); } ///< For Wire.
+    auto parts() { return std::tie(cells, southWest, cellSize, values, crs, unit); } ///< For Wire.
 };
 
-/// Reads a GeoTIFF of one band, north up.
+/// Reads a north-up GeoTIFF with one band.
 Result<MapCells> readGeoTiffCells(const std::string& path);
 
 } // namespace osgTreeWind

@@ -12,26 +12,25 @@
 #include <array>
 #include <cstdint>
 
-/// What passes between the library and osgtreewind-map, which are of the same build. Not part of the
-/// interface. parts() are what Wire passes.
+/// Messages between the library and osgtreewind-map of the same build. Wire transfers parts().
 namespace osgTreeWind {
 
-/// One question; each has one answer, but for a raster, whose rows follow its head.
-struct MapQuestion {
+/// A request. Each has one answer, except that the rows of a raster follow its header.
+struct MapRequest {
     enum class Task : unsigned char {
-        ParseCrs,       ///< A text: Crs::Facts.
-        CompareCrs,     ///< Two texts: whether places of both mean the same.
-        FindWay,        ///< From a text to another: whether there is anything to do.
-        BringPlaces,    ///< From one system to another: the places there, NaN where there is none.
-        DescribeMap,    ///< A text: GridMapping.
-        ReadRaster,     ///< A file, and the name or number of a band: RasterHead, then rows.
-        ReadCells,      ///< A GeoTIFF: MapCells.
-        KnowFeatures,   ///< A file: whether it has features.
-        OpenFeatures,   ///< A file: FeatureFileHead. The tasks below are about it.
-        ChooseLayer,    ///< A name: FeatureLayer.
-        RewindFeatures, ///< Places from a text to another, and which columns: all where none is named.
-        NextFeatures,   ///< FeatureBatch.
-        WriteTable      ///< A file; the PointTable follows.
+        ParseCrs,            ///< Text of a CRS -> Crs::Facts.
+        CompareCrs,          ///< Texts of two CRSs -> whether they are the same.
+        FindTransform,       ///< Texts of two CRSs -> false if the transform is the identity.
+        TransformPoints,     ///< Texts of two CRSs, and places -> transformed places, NaN for failures.
+        DescribeGridMapping, ///< Text of a CRS -> GridMapping.
+        ReadRaster,          ///< File, and name or number of a band -> RasterHeader, then rows.
+        ReadCells,           ///< GeoTIFF file -> MapCells.
+        DetectFeatures,      ///< File -> whether it has features.
+        OpenFeatures,        ///< File -> FeatureFileHeader. The tasks below refer to this file.
+        ChooseLayer,         ///< Name -> FeatureLayer.
+        RewindFeatures,      ///< Texts of two CRSs, and columns (empty: all) -> MapAcknowledgement.
+        NextFeatures,        ///< -> FeatureBatch.
+        WriteTable           ///< File, followed by a PointTable -> MapAcknowledgement.
     };
     Task task = Task::ParseCrs;
     std::vector<std::string> texts{};
@@ -41,18 +40,18 @@ struct MapQuestion {
     auto parts() { return std::tie(task, texts, places, columns); }
 };
 
-/// A task that has nothing to say but that it is done.
-struct MapDone {};
+/// The answer to a task without a result.
+struct MapAcknowledgement {};
 
-struct RasterHead {
+struct RasterHeader {
     std::optional<Crs::Facts> crs;
     int columns = 0, rows = 0;
-    std::array<double, 6> toPlace{}, toCell{}; ///< GDAL's geotransform, and its inverse.
+    std::array<double, 6> geotransform{}, inverseGeotransform{}; ///< As defined by GDAL.
 
-    auto parts() { return std::tie(crs, columns, rows, toPlace, toCell); }
+    auto parts() { return std::tie(crs, columns, rows, geotransform, inverseGeotransform); }
 };
 
-struct FeatureFileHead {
+struct FeatureFileHeader {
     std::string format;
     std::vector<std::string> layers, warnings;
 
@@ -60,34 +59,34 @@ struct FeatureFileHead {
 };
 
 struct FeatureLayer {
-    std::string where; ///< As messages begin; empty where there is only one.
+    std::string messagePrefix; ///< Empty if the file has only one layer.
     std::vector<std::string> columns;
     std::optional<Crs::Facts> crs;
     bool hasGeometry = false;
 
-    auto parts() { return std::tie(where, columns, crs, hasGeometry); }
+    auto parts() { return std::tie(messagePrefix, columns, crs, hasGeometry); }
 };
 
-/// Where a feature is.
+/// Position of a feature, and width of an outline.
 struct VectorPlace {
-    glm::dvec3 position{0.0};      ///< Of a point, z as it has it; of an outline its centroid, z 0.
-    bool hasHeight = false;        ///< Whether z is its own.
-    std::optional<double> width{}; ///< Of an outline: mean of its extents along x and y.
+    glm::dvec3 position{0.0};      ///< The point, or an outline's centroid with z = 0.
+    bool hasHeight = false;        ///< Whether the file has z.
+    std::optional<double> width{}; ///< Mean of an outline's extents along x and y.
 };
 
-/// Features one after another; of each the columns that were asked for.
+/// Consecutive features with the requested columns.
 struct FeatureBatch {
     enum : unsigned char { Missing, Text, Number };
     struct Column {
         std::vector<unsigned char> kinds;
         std::vector<double> numbers;
-        std::string texts;                 ///< One behind the other,
-        std::vector<std::uint32_t> ends{}; ///< and where each ends.
+        std::string texts;                 ///< Concatenated.
+        std::vector<std::uint32_t> ends{}; ///< End offset of each text.
 
         auto parts() { return std::tie(kinds, numbers, texts, ends); }
     };
-    /// Why the feature of this index has no place.
-    struct Placeless {
+    /// Why a feature has no place.
+    struct PlaceProblem {
         std::size_t index = 0;
         std::string message;
 
@@ -95,12 +94,12 @@ struct FeatureBatch {
     };
     std::vector<std::int64_t> ids;
     std::vector<VectorPlace> places;
-    std::vector<Placeless> placeless; ///< In order.
+    std::vector<PlaceProblem> placeProblems; ///< By ascending index.
     std::vector<Column> columns;
-    std::string problem; ///< What comes after them; empty: more features, or nothing.
+    std::string problem; ///< An error after these features; may be empty.
     bool isLast = false;
 
-    auto parts() { return std::tie(ids, places, placeless, columns, problem, isLast); }
+    auto parts() { return std::tie(ids, places, placeProblems, columns, problem, isLast); }
 };
 
 } // namespace osgTreeWind

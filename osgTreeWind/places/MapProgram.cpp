@@ -25,25 +25,25 @@ std::shared_ptr<MapProgram> MapProgram::shared() {
 
 MapProgram::MapProgram(std::vector<std::string> files) : _files(std::move(files)) {}
 
-void MapProgram::send(MapQuestion question) {
+void MapProgram::send(MapRequest message) {
     const std::lock_guard lock(_mutex);
-    put(question);
+    sendRequest(message);
 }
 
-bool MapProgram::put(MapQuestion& question) {
+bool MapProgram::sendRequest(MapRequest& message) {
     const bool hasEnded = _process && _process->descriptor() < 0;
     if (!_process || (hasEnded && _files.empty()))
         _process.emplace(mapReader, _files);
-    _asked = _files.empty() ? std::string() : _files.front();
+    _requestedFile = _files.empty() ? std::string() : _files.front();
     for (const std::string& file : _files)
-        if (!question.texts.empty() && file == question.texts.front())
-            _asked = file;
-    return _process->descriptor() >= 0 && Wire::sender(_process->descriptor()).pass(question);
+        if (!message.texts.empty() && file == message.texts.front())
+            _requestedFile = file;
+    return _process->descriptor() >= 0 && Wire::sender(_process->descriptor()).transfer(message);
 }
 
 Diagnostic MapProgram::problem() {
     const std::string reason = (_process->started() ? "cannot be read: " : "") + _process->problem();
-    return _asked.empty() ? keyProblem("crs", reason) : fileProblem(_asked, reason);
+    return _requestedFile.empty() ? keyProblem("crs", reason) : fileProblem(_requestedFile, reason);
 }
 
 } // namespace osgTreeWind

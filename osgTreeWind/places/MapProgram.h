@@ -13,53 +13,54 @@
 
 namespace osgTreeWind {
 
-/// The program osgtreewind-map, which reads rasters, map features and coordinate systems through GDAL and
-/// PROJ. It runs in a process of its own, so that the library needs neither, and a damaged file ends that
-/// process only. The process begins with the first question and ends with this object. Any thread may ask;
-/// one question is answered at a time.
+/// Client of the program osgtreewind-map, which reads rasters, vector features and coordinate reference
+/// systems with GDAL and PROJ. It runs in a separate process so that the library does not link them and a
+/// damaged file cannot crash the host. The process starts at the first request and ends with this object.
+/// Thread-safe; requests are answered one at a time.
 class MapProgram {
 public:
-    /// The one for coordinate systems. Hold it over several questions, so that they are asked of one process.
+    /// The instance for coordinate reference systems. Hold it to use one process for several requests.
     static std::shared_ptr<MapProgram> shared();
 
-    /// @param files that it is to read or write; their sizes limit its memory and time. Empty: none.
+    /// @param files that it may read or write; their sizes limit its memory and time.
     explicit MapProgram(std::vector<std::string> files = {});
 
-    /// Sends a question and waits for its answer.
+    /// Sends a request and waits for its answer.
     template <typename Answer>
-    Result<Answer> ask(MapQuestion question) {
+    Result<Answer> request(MapRequest message) {
         const std::lock_guard lock(_mutex);
-        return put(question) ? take<Answer>() : Result<Answer>(problem());
+        return sendRequest(message) ? receive<Answer>() : Result<Answer>(problem());
     }
-    /// The same of a question that a value follows.
+    /// Sends a request followed by a value, and waits for the answer.
     template <typename Answer, typename Value>
-    Result<Answer> ask(MapQuestion question, Value& value) {
+    Result<Answer> request(MapRequest message, Value& value) {
         const std::lock_guard lock(_mutex);
-        return put(question) && Wire::sender(_process->descriptor()).pass(value) ? take<Answer>()
-                                                                                 : Result<Answer>(problem());
+        return sendRequest(message) && Wire::sender(_process->descriptor()).transfer(value)
+                   ? receive<Answer>()
+                   : Result<Answer>(problem());
     }
-    /// Sends a question whose answer get() takes later. For a program that one object holds.
-    void send(MapQuestion question);
-    /// Waits for the answer to what was sent, or for the next part of an answer.
+    /// Sends a request without waiting for its answer (receiveNext()). Only for an unshared program.
+    void send(MapRequest message);
+    /// Waits for the answer to send(), or for the next part of an answer.
     template <typename Answer>
-    Result<Answer> get() {
+    Result<Answer> receiveNext() {
         const std::lock_guard lock(_mutex);
-        return take<Answer>();
+        return receive<Answer>();
     }
 
 private:
-    bool put(MapQuestion& question);
+    bool sendRequest(MapRequest& message);
     template <typename Answer>
-    Result<Answer> take() {
+    Result<Answer> receive() {
         auto answer = _process ? Wire::receive<Answer>(_process->descriptor()) : std::nullopt;
         return answer ? std::move(*answer) : Result<Answer>(problem());
     }
-    /// Why there is no answer. Ends the process.
+    /// Why there was no answer. Ends the process.
     Diagnostic problem();
 
     std::mutex _mutex;
     const std::vector<std::string> _files;
-    std::string _asked; ///< The file of the last question; empty: none.
+    std::string _requestedFile; ///< File of the last request; may be empty.
     std::optional<ReaderProcess> _process;
 };
 

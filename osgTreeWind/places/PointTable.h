@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-/// Points and what is known of each: a layer of a map.
+/// Points with attributes: one layer of vector features.
 struct PointTable {
     struct Row {
         glm::dvec3 position{0.0};
@@ -22,15 +22,15 @@ struct PointTable {
         auto parts() { return std::tie(position, texts, numbers); } ///< For Wire.
     };
 
-    std::string name;                        ///< Of the layer.
-    std::string crs;                         ///< As Crs::parse() reads; empty: not known.
-    std::vector<std::string> texts, numbers; ///< Names of the columns.
-    std::vector<Row> rows;                   ///< Each with as many of both.
+    std::string name;                        ///< Name of the layer.
+    std::string crs;                         ///< Input for Crs::parse(); empty if unknown.
+    std::vector<std::string> texts, numbers; ///< Names of the text and number columns.
+    std::vector<Row> rows;                   ///< Each with a value per column.
 
     auto parts() { return std::tie(name, crs, texts, numbers, rows); } ///< For Wire.
 };
 
-/// Writes it as a GeoPackage, where nothing is yet. @return what is wrong; empty: nothing.
+/// Writes a new GeoPackage. @param path must not exist yet.
 Diagnostics writeGeoPackage(PointTable table, const std::string& path);
 
 } // namespace osgTreeWind

@@ -18,12 +18,12 @@ Result<std::shared_ptr<const RasterGround>> RasterGround::open(const Source& sou
     ground->_map = std::move(map);
     ground->_area = {glm::dvec2(1e300), glm::dvec2(-1e300), 1e300};
     if (!source.crs.empty()) {
-        auto given = Crs::parse(source.crs);
-        if (!given)
-            return given.problems();
-        ground->_given = given.value();
+        auto crs = Crs::parse(source.crs);
+        if (!crs)
+            return crs.problems();
+        ground->_sourceCrs = crs.value();
     }
-    const auto systems = MapProgram::shared();
+    const auto keepAlive = MapProgram::shared();
     MapProgram program(source.files);
     for (const std::string& file : source.files)
         if (Diagnostics problems = ground->add(file, program); !problems.empty())
@@ -35,18 +35,18 @@ Diagnostics RasterGround::add(const std::string& file, MapProgram& program) {
     auto raster = Raster::open(file, program, _source.band);
     if (!raster)
         return raster.problems();
-    const std::optional<Crs> crs = _given ? _given : raster.value().crs();
+    const std::optional<Crs> crs = _sourceCrs ? _sourceCrs : raster.value().crs();
     const auto problem = [&](const std::string& message) { return Diagnostics{fileProblem(file, message)}; };
     if (!crs && _map)
-        return problem("it has no coordinate reference system; expected ground.crs to say of what it is");
+        return problem("it has no coordinate reference system; expected ground.crs to state it");
     if (crs && !_map) {
         if (!_tiles.empty())
-            return problem("expected no coordinate reference system, as the file before it has none");
+            return problem("expected no coordinate reference system, since the files before it have none");
         if (Diagnostics problems = chooseMap(raster.value(), *crs); !problems.empty())
             return problems;
     }
     _tiles.push_back({std::move(raster.value()), crs && crs->isDegrees()});
-    return lay(_tiles.back(), crs);
+    return placeTile(_tiles.back(), crs);
 }
 
 Diagnostics RasterGround::chooseMap(const Raster& raster, const Crs& crs) {
@@ -62,13 +62,12 @@ Diagnostics RasterGround::chooseMap(const Raster& raster, const Crs& crs) {
     return {};
 }
 
-/// Finds where a tile lies on the map, and grows the area over it: over points along its outline, as a map
-/// bends them.
-Diagnostics RasterGround::lay(Tile& tile, const std::optional<Crs>& crs) {
+/// Finds the transform of a tile, and extends the area by its outline, which the projection may bend.
+Diagnostics RasterGround::placeTile(Tile& tile, const std::optional<Crs>& crs) {
     const auto problem = [&](const std::string& message) {
         return Diagnostics{fileProblem(tile.raster.path(), message)};
     };
-    const auto toMap = crs ? CrsWay::between(*crs, *_map) : CrsWay();
+    const auto toMap = crs ? CrsTransform::between(*crs, *_map) : CrsTransform();
     if (!toMap)
         return problem(toMap.problems().front().message);
     constexpr int steps = 32;
@@ -83,7 +82,7 @@ Diagnostics RasterGround::lay(Tile& tile, const std::optional<Crs>& crs) {
             places.push_back(tile.raster.placeOf(
                 size * (side & 2 ? glm::dvec2(along, across) : glm::dvec2(across, along))));
         }
-    toMap.value().go(places);
+    toMap.value().apply(places);
     GroundArea area{glm::dvec2(1e300), glm::dvec2(-1e300), 1e300};
     for (std::size_t i = outline; i < places.size(); ++i)
         if (!std::isnan(places[i].x)) {
@@ -99,22 +98,22 @@ Diagnostics RasterGround::lay(Tile& tile, const std::optional<Crs>& crs) {
     _area.low = glm::min(_area.low, area.low);
     _area.high = glm::max(_area.high, area.high);
     _area.cell = std::min(_area.cell, area.cell);
-    if (toMap.value().staysHere())
+    if (toMap.value().isIdentity())
         return {};
-    auto way = CrsMesh::smooth(*_map, *crs, area.low, area.high);
-    if (!way)
-        return problem(way.problems().front().message);
-    tile.way = std::move(way.value());
+    auto fromMap = CrsMesh::makeCubic(*_map, *crs, area.low, area.high);
+    if (!fromMap)
+        return problem(fromMap.problems().front().message);
+    tile.fromMap = std::move(fromMap.value());
     return {};
 }
 
 std::optional<double> RasterGround::height(const glm::dvec2& place) const {
     for (const Tile& tile : _tiles) {
-        if (tile.way && !tile.way->covers(place))
+        if (tile.fromMap && !tile.fromMap->covers(place))
             continue;
-        const glm::dvec2 there = tile.way ? tile.way->there(place) : place;
-        for (const double turn : {0.0, 360.0, -360.0}) { // longitudes from -180 or from 0
-            if (const auto height = tile.raster.height(there + glm::dvec2(turn, 0.0)))
+        const glm::dvec2 tilePlace = tile.fromMap ? tile.fromMap->transformed(place) : place;
+        for (const double turn : {0.0, 360.0, -360.0}) { // longitudes may start at -180 or at 0
+            if (const auto height = tile.raster.height(tilePlace + glm::dvec2(turn, 0.0)))
                 return height;
             if (!tile.isDegrees)
                 break;

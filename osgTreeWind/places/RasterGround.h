@@ -7,22 +7,22 @@
 
 namespace osgTreeWind {
 
-/// Rasters of heights as the ground of a forest on any map. Several are tiles of one: the first that has a
-/// place counts.
+/// A ground from one or more height rasters, reprojected to the forest's CRS. Where rasters overlap, the
+/// first one that has a height counts.
 class RasterGround final : public Ground {
 public:
-    /// What a file says of it.
+    /// The ground's section of a .treewind file.
     struct Source {
         std::vector<std::string> files;
-        std::string crs;    ///< Of all of them, whatever they say; empty: what they say.
-        std::string band{}; ///< Name or number of that of the heights; empty: the only one, or by its name.
+        std::string crs;    ///< Overrides the CRSs of the files, if not empty.
+        std::string band{}; ///< As in Raster::open().
     };
-    /// @param map of the world; none: that of the first file, or for what is no map in metres the UTM zone of
-    /// its middle, or none where no file says any.
+    /// @param map CRS of the world. If empty, it is that of the first file, or the UTM zone of the file's
+    /// centre if that CRS is not projected in metres, or none if no file has a CRS.
     static Result<std::shared_ptr<const RasterGround>> open(const Source& source, std::optional<Crs> map);
 
     const Source& source() const { return _source; }
-    /// Of the world.
+    /// CRS of the world.
     const std::optional<Crs>& map() const { return _map; }
 
     std::optional<double> height(const glm::dvec2& place) const override;
@@ -32,14 +32,14 @@ private:
     struct Tile {
         Raster raster;
         bool isDegrees = false;
-        std::optional<CrsMesh> way{}; ///< From the map; nothing: it lies on the map.
+        std::optional<CrsMesh> fromMap{}; ///< Empty for the identity.
     };
     Diagnostics add(const std::string& file, MapProgram& program);
     Diagnostics chooseMap(const Raster& raster, const Crs& crs);
-    Diagnostics lay(Tile& tile, const std::optional<Crs>& crs);
+    Diagnostics placeTile(Tile& tile, const std::optional<Crs>& crs);
 
     Source _source;
-    std::optional<Crs> _map, _given;
+    std::optional<Crs> _map, _sourceCrs;
     std::vector<Tile> _tiles;
     GroundArea _area;
 };

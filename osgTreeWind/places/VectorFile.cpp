@@ -10,18 +10,18 @@
 
 namespace osgTreeWind {
 
-using Task = MapQuestion::Task;
+using Task = MapRequest::Task;
 
-/// The program reads on while the features before are used.
-void VectorFile::ask() {
+/// The program reads ahead while the caller uses the current batch.
+void VectorFile::requestBatch() {
     _program->send({Task::NextFeatures});
-    _isAsked = true;
+    _isBatchPending = true;
 }
 
-/// Takes the batch that was asked for. False where it does not come.
-bool VectorFile::take() {
-    auto received = _program->get<FeatureBatch>();
-    _isAsked = false;
+/// Receives the requested batch. @return false on an error.
+bool VectorFile::receiveBatch() {
+    auto received = _program->receiveNext<FeatureBatch>();
+    _isBatchPending = false;
     _index = 0;
     _batch = received ? std::move(received.value()) : FeatureBatch();
     if (!received)
@@ -29,22 +29,22 @@ bool VectorFile::take() {
     return received.ok();
 }
 
-/// Takes what is on its way, so that the program hears the next question.
-void VectorFile::stop() {
-    if (_isAsked)
-        take();
+/// Receives a pending batch so that the program can receive the next request.
+void VectorFile::discardPendingBatch() {
+    if (_isBatchPending)
+        receiveBatch();
 }
 
-/// Null for one that was not asked for.
+/// Null for a column that was not requested.
 const FeatureBatch::Column* VectorFile::column(std::size_t column) const {
-    return _slots[column] < _batch.columns.size() ? &_batch.columns[_slots[column]] : nullptr;
+    return _batchColumns[column] < _batch.columns.size() ? &_batch.columns[_batchColumns[column]] : nullptr;
 }
 
-bool VectorFile::knows(const std::string& path) {
+bool VectorFile::isSupported(const std::string& path) {
     if (lower(std::filesystem::path(path).extension().string()) == ".csv")
         return false;
-    const auto known = MapProgram({path}).ask<bool>({Task::KnowFeatures, {path}});
-    return known && known.value();
+    const auto isSupported = MapProgram({path}).request<bool>({Task::DetectFeatures, {path}});
+    return isSupported && isSupported.value();
 }
 
 Result<VectorFile> VectorFile::open(const std::string& path) {
@@ -53,16 +53,16 @@ Result<VectorFile> VectorFile::open(const std::string& path) {
     VectorFile file;
     file._path = path;
     file._program = std::make_unique<MapProgram>(std::vector<std::string>{path});
-    auto head = file._program->ask<FeatureFileHead>({Task::OpenFeatures, {path}});
-    if (!head)
-        return head.problems();
-    file._head = std::move(head.value());
+    auto header = file._program->request<FeatureFileHeader>({Task::OpenFeatures, {path}});
+    if (!header)
+        return header.problems();
+    file._header = std::move(header.value());
     return Result<VectorFile>(std::move(file));
 }
 
 Diagnostics VectorFile::chooseLayer(const std::string& layer) {
-    stop();
-    auto chosen = _program->ask<FeatureLayer>({Task::ChooseLayer, {layer}});
+    discardPendingBatch();
+    auto chosen = _program->request<FeatureLayer>({Task::ChooseLayer, {layer}});
     if (!chosen)
         return chosen.problems();
     _layer = std::move(chosen.value());
@@ -73,21 +73,21 @@ Diagnostics VectorFile::chooseLayer(const std::string& layer) {
     return {};
 }
 
-void VectorFile::rewind(const CrsWay& way, std::vector<std::size_t> columns) {
-    stop();
-    _way = way;
+void VectorFile::rewind(const CrsTransform& transform, std::vector<std::size_t> columns) {
+    discardPendingBatch();
+    _transform = transform;
     _columns = std::move(columns);
-    _slots.resize(_layer.columns.size());
-    for (std::size_t i = 0; i < _slots.size(); ++i) {
+    _batchColumns.resize(_layer.columns.size());
+    for (std::size_t i = 0; i < _batchColumns.size(); ++i) {
         const auto found = std::find(_columns.begin(), _columns.end(), i);
-        _slots[i] = _columns.empty() ? i : static_cast<std::size_t>(found - _columns.begin());
+        _batchColumns[i] = _columns.empty() ? i : static_cast<std::size_t>(found - _columns.begin());
     }
     _batch = {};
     _index = 0;
-    const auto done =
-        _program->ask<MapDone>({Task::RewindFeatures, {_way.from().text(), _way.to().text()}, {}, _columns});
+    const auto done = _program->request<MapAcknowledgement>(
+        {Task::RewindFeatures, {_transform.from().text(), _transform.to().text()}, {}, _columns});
     if (done)
-        ask();
+        requestBatch();
     else
         _problems = done.problems();
 }
@@ -98,17 +98,17 @@ Result<bool> VectorFile::next() {
             return _problems;
         if (!_batch.problem.empty())
             return fileProblem(_path, _batch.problem);
-        if (!_isAsked)
+        if (!_isBatchPending)
             return false;
-        if (take() && !_batch.isLast)
-            ask();
+        if (receiveBatch() && !_batch.isLast)
+            requestBatch();
     }
     ++_index;
     return true;
 }
 
 std::string VectorFile::feature() const {
-    const std::string& layer = _layer.where;
+    const std::string& layer = _layer.messagePrefix;
     return layer + (layer.empty() ? "" : ", ") + "feature " + std::to_string(_batch.ids[_index - 1]);
 }
 
@@ -134,11 +134,11 @@ std::optional<double> VectorFile::number(std::size_t column) const {
 
 Result<VectorPlace> VectorFile::place() const {
     const std::size_t index = _index - 1;
-    const auto& placeless = _batch.placeless;
+    const auto& placeProblems = _batch.placeProblems;
     const auto found = std::lower_bound(
-        placeless.begin(), placeless.end(), index,
-        [](const FeatureBatch::Placeless& one, std::size_t other) { return one.index < other; });
-    if (found != placeless.end() && found->index == index)
+        placeProblems.begin(), placeProblems.end(), index,
+        [](const FeatureBatch::PlaceProblem& problem, std::size_t i) { return problem.index < i; });
+    if (found != placeProblems.end() && found->index == index)
         return keyProblem("", found->message);
     return _batch.places[index];
 }

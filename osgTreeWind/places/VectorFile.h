@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/places/MapProgram.h>
 
 #include <cstddef>
@@ -12,64 +12,64 @@
 
 namespace osgTreeWind {
 
-/// The features of one layer of a file, one after the other, through GDAL: GeoJSON, GeoPackage, FlatGeobuf,
-/// shapefiles, GML, KML, MapInfo, OpenStreetMap, spreadsheets, and CityJSON. Used by one thread at a time. A
-/// program of its own reads the file while this lives.
+/// Reads the features of a vector file one by one through GDAL: GeoJSON, GeoPackage, FlatGeobuf, shapefiles,
+/// GML, KML, MapInfo, OpenStreetMap, spreadsheets, and CityJSON. A separate process reads the file while this
+/// object exists. Only one thread at a time may use it.
 class VectorFile {
 public:
-    /// Whether a file is one of these, by its content or extension.
-    static bool knows(const std::string& path);
+    /// Whether a file has a supported format, by its content or extension.
+    static bool isSupported(const std::string& path);
     static Result<VectorFile> open(const std::string& path);
 
     const std::string& path() const { return _path; }
-    /// What GDAL calls its format; "CityJSON".
-    const std::string& format() const { return _head.format; }
-    const std::vector<std::string>& layers() const { return _head.layers; }
-    /// Chooses what next() gives. @param layer empty: the only one. @return what is wrong; empty: nothing.
+    /// GDAL's name of the format, or "CityJSON".
+    const std::string& format() const { return _header.format; }
+    const std::vector<std::string>& layers() const { return _header.layers; }
+    /// Selects the layer to read. @param layer empty: the only one.
     Diagnostics chooseLayer(const std::string& layer);
 
-    // Of the layer:
+    // The selected layer:
     const std::vector<std::string>& columns() const { return _layer.columns; }
     const std::optional<Crs>& crs() const { return _crs; }
     bool hasGeometry() const { return _layer.hasGeometry; }
-    /// What GDAL found odd.
-    const std::vector<std::string>& warnings() const { return _head.warnings; }
+    /// Warnings of GDAL.
+    const std::vector<std::string>& warnings() const { return _header.warnings; }
 
-    /// Makes the first feature the next one.
-    /// @param way that its places go. @param columns to read, all if it is empty; the others have no values.
-    void rewind(const CrsWay& way = {}, std::vector<std::size_t> columns = {});
-    /// Goes on to the next feature; false: there is none.
+    /// Restarts before the first feature.
+    /// @param transform for the places. @param columns to read; empty: all. Other columns have no values.
+    void rewind(const CrsTransform& transform = {}, std::vector<std::size_t> columns = {});
+    /// Advances to the next feature. @return false at the end.
     Result<bool> next();
 
-    // Of the feature:
-    /// As it is called in messages: "feature 17".
+    // The current feature:
+    /// Its name in messages: "feature 17".
     std::string feature() const;
     bool has(std::size_t column) const;
-    /// Empty where it has none.
+    /// Empty if it has no value.
     std::string text(std::size_t column) const;
-    /// A number that is one in the file, too.
+    /// The value, if the file stores it as a number.
     std::optional<double> number(std::size_t column) const;
-    /// Where the way brings it.
+    /// Its transformed place.
     Result<VectorPlace> place() const;
 
 private:
-    void ask();
-    bool take();
-    void stop();
+    void requestBatch();
+    bool receiveBatch();
+    void discardPendingBatch();
     const FeatureBatch::Column* column(std::size_t column) const;
 
     std::string _path;
     std::unique_ptr<MapProgram> _program;
-    FeatureFileHead _head;
+    FeatureFileHeader _header;
     FeatureLayer _layer;
     std::optional<Crs> _crs;
-    CrsWay _way;
-    std::vector<std::size_t> _columns; ///< That are asked for,
-    std::vector<std::size_t> _slots;   ///< and where each column of the layer is among them.
+    CrsTransform _transform;
+    std::vector<std::size_t> _columns;      ///< Requested columns.
+    std::vector<std::size_t> _batchColumns; ///< Index in the batch of each column of the layer.
     FeatureBatch _batch;
-    std::size_t _index = 0;  ///< One past the feature, in the batch.
-    bool _isAsked = false;   ///< Whether the next batch is on its way.
-    Diagnostics _problems{}; ///< Of the program: none can be read any more.
+    std::size_t _index = 0;       ///< One past the current feature in the batch.
+    bool _isBatchPending = false; ///< The next batch is requested but not received.
+    Diagnostics _problems{};      ///< Errors of the program, after which it cannot be read.
 };
 
 } // namespace osgTreeWind

@@ -19,32 +19,32 @@ namespace osgTreeWind {
 
 namespace {
 
-bool has(const std::string& text, const char* part) {
+bool contains(const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Whether these are the names of TreeQSM's columns, all and in its order.
-bool isOrderOfTreeQsm(const std::vector<std::string_view>& names) {
+/// Whether these are the columns of TreeQSM in their order.
+bool isTreeQsmHeader(const std::vector<std::string_view>& names) {
     constexpr const char* order[] = {"radius", "length", "start", "start", "start",
                                      "axis",   "axis",   "axis",  "parent"};
     for (std::size_t i = 0; i < std::size(order); ++i)
-        if (i >= names.size() || !has(lower(std::string(names[i])), order[i]))
+        if (i >= names.size() || !contains(lower(std::string(names[i])), order[i]))
             return false;
     return names.size() == 15 || names.size() == 17;
 }
 
 using Reader = Result<ScanFile> (*)(std::string_view, const std::string&);
 
-/// The reader of the format that the first line is in; null for none.
-Reader readerOf(const ScanRows& rows) {
+/// The reader for the format of the first line; null if it is unknown.
+Reader findReader(const ScanRows& rows) {
     std::string line; // its words
     for (const std::string_view word : rows.words())
         line += lower(std::string(word)) + ' ';
-    if (ScanColumns::knows(line) && !isOrderOfTreeQsm(rows.words()))
+    if (ScanColumns::matches(line) && !isTreeQsmHeader(rows.words()))
         return readScanTable;
-    if (has(line, "x y z radius "))
+    if (contains(line, "x y z radius "))
         return readRayCloudTree;
-    if (has(line, "radius") && has(line, "axis") && has(line, "parent"))
+    if (contains(line, "radius") && contains(line, "axis") && contains(line, "parent"))
         return readTreeQsm;
     if (!parseNumber(rows.words().front()))
         return nullptr;
@@ -52,7 +52,7 @@ Reader readerOf(const ScanRows& rows) {
 }
 
 /// The first bytes of a file.
-std::string headOf(const std::string& path) {
+std::string readHead(const std::string& path) {
     std::string head(128, '\0');
     std::ifstream input(path, std::ios::binary);
     input.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -62,7 +62,7 @@ std::string headOf(const std::string& path) {
 
 } // namespace
 
-std::optional<Diagnostic> settleTrees(ScanFile& scan) {
+std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan) {
     for (ScanCylinders& tree : scan.trees) {
         const Result<std::size_t> joined = joinOrphans(tree);
         auto problem = joined ? problemOfScan(tree) : joined.problems().front();
@@ -80,15 +80,15 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
     ScanRows rows(text, file);
     if (!rows.next())
         return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
-    const Reader reader = readerOf(rows);
-    if (!reader) // of what it is instead nothing is told
+    const Reader reader = findReader(rows);
+    if (!reader)
         return fileProblem(
             file, "expected a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
                   "aRchi or rTwig, a tree file of RayCloudTools, or SWC");
     Result<ScanFile> scan = reader(text, file);
     if (!scan)
         return scan;
-    if (auto problem = settleTrees(scan.value())) {
+    if (auto problem = joinAndCheckTrees(scan.value())) {
         problem->file = file;
         return std::move(*problem);
     }
@@ -101,7 +101,7 @@ Result<ScanFile> readScanFile(const std::string& path) {
     std::error_code error;
     if (std::filesystem::file_size(path, error) > maxScanBytes && !error)
         return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
-    if (isMatlab(headOf(path)))
+    if (isMatlab(readHead(path)))
         return readMatlab(path);
     const Result<std::string> text = readTextFile(path);
     if (!text)

@@ -9,34 +9,35 @@
 
 namespace osgTreeWind {
 
-void countFromOne(std::vector<ScanName>& names) {
+void makeOneBased(std::vector<ScanLink>& links) {
     const bool isFromZero =
-        std::any_of(names.begin(), names.end(), [](const ScanName& name) { return name.parent == -1; });
-    for (ScanName& name : names)
-        name.parent += isFromZero;
+        std::any_of(links.begin(), links.end(), [](const ScanLink& link) { return link.parent == -1; });
+    for (ScanLink& link : links)
+        link.parent += isFromZero;
 }
 
-Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root, const std::string& file) {
+Result<std::vector<int>> resolveParents(const std::vector<ScanLink>& links, int root,
+                                        const std::string& file) {
     std::unordered_map<int, int> indices;
-    for (const ScanName& name : names)
-        if (!indices.emplace(name.id, static_cast<int>(indices.size())).second)
-            return fileProblem(file, "expected each id once, found " + std::to_string(name.id) + " again",
-                               name.line);
+    for (const ScanLink& link : links)
+        if (!indices.emplace(link.id, static_cast<int>(indices.size())).second)
+            return fileProblem(file, "expected unique ids, found " + std::to_string(link.id) + " again",
+                               link.line);
     std::vector<int> parents;
-    parents.reserve(names.size());
-    for (const ScanName& name : names) {
-        const auto found = indices.find(name.parent);
-        if (name.parent != root && found == indices.end())
+    parents.reserve(links.size());
+    for (const ScanLink& link : links) {
+        const auto found = indices.find(link.parent);
+        if (link.parent != root && found == indices.end())
             return fileProblem(
-                file, "expected a parent of the same tree, found " + std::to_string(name.parent), name.line);
-        parents.push_back(name.parent == root ? -1 : found->second);
+                file, "expected a parent of the same tree, found " + std::to_string(link.parent), link.line);
+        parents.push_back(link.parent == root ? -1 : found->second);
     }
     return parents;
 }
 
-std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vector<ScanName>& names,
-                                        int root, const std::string& file) {
-    const Result<std::vector<int>> parents = parentsOf(names, root, file);
+std::optional<Diagnostic> setParents(ScanCylinders& cylinders, const std::vector<ScanLink>& links, int root,
+                                     const std::string& file) {
+    const Result<std::vector<int>> parents = resolveParents(links, root, file);
     if (!parents)
         return parents.problems().front();
     for (std::size_t i = 0; i < cylinders.size(); ++i)
@@ -44,19 +45,19 @@ std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vec
     return {};
 }
 
-Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const std::string& file) {
-    std::vector<ScanName> names;
+Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, const std::string& file) {
+    std::vector<ScanLink> links;
     for (const ScanPoint& point : points)
-        names.push_back(point.name);
-    const Result<std::vector<int>> parents = parentsOf(names, -1, file);
+        links.push_back(point.link);
+    const Result<std::vector<int>> parents = resolveParents(links, -1, file);
     if (!parents)
         return parents.problems();
-    std::vector<int> cylinderOf(points.size(), -1); // that ends in the point
+    std::vector<int> cylinderOf(points.size(), -1); // the cylinder that ends at the point
     for (std::size_t i = 0, count = 0; i < points.size(); ++i)
         if (parents.value()[i] >= 0)
             cylinderOf[i] = static_cast<int>(count++);
     ScanCylinders cylinders;
-    std::vector<std::pair<std::size_t, int>> stems; // root points, and the cylinders that spring from them
+    std::vector<std::pair<std::size_t, int>> stems; // root points and the cylinders that start there
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (parents.value()[i] < 0)
             continue;
@@ -64,7 +65,7 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
         if (cylinderOf[parent] < 0)
             stems.emplace_back(parent, cylinderOf[i]);
         cylinders.push_back(
-            {points[parent].place, points[i].place, points[i].radius, cylinderOf[parent], names[i].line});
+            {points[parent].place, points[i].place, points[i].radius, cylinderOf[parent], links[i].line});
     }
     const auto radiusOf = [&](int cylinder) { return cylinders[static_cast<std::size_t>(cylinder)].radius; };
     std::unordered_map<std::size_t, int> trunks; // the thickest stem of each root point
@@ -75,7 +76,7 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
         if (stem != trunks[root])
             cylinders[static_cast<std::size_t>(stem)].parent = trunks[root];
     if (cylinders.empty())
-        return fileProblem(file, "expected more than one point", names.empty() ? 0 : names.front().line);
+        return fileProblem(file, "expected more than one point", links.empty() ? 0 : links.front().line);
     return cylinders;
 }
 

@@ -7,36 +7,38 @@
 #include <string>
 #include <vector>
 
-/// How the readers of scans find parents. Not part of the interface.
+/// Parents of the cylinders of scans. Not part of the interface.
 namespace osgTreeWind {
 
-/// What a file calls a piece and the piece it springs from.
-struct ScanName {
+/// Id of a cylinder or point in a file, and the id of its parent.
+struct ScanLink {
     int id = 0;
     int parent = 0;
     int line = 0; ///< 1-based.
 };
 
-/// Where parents count from 0, with -1 for that of the root, as PyTLidar writes them, makes them count
-/// from 1.
-void countFromOne(std::vector<ScanName>& names);
+/// Makes parent numbers one-based, with 0 for the root, if they are zero-based, with -1 for the root (as
+/// written by PyTLidar).
+void makeOneBased(std::vector<ScanLink>& links);
 
-/// Index of the parent of each; -1 for those with `root` as parent. Problems: an id twice, no such parent.
-Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root, const std::string& file);
-/// Gives those parents to cylinders of these names. @return the problem, if there is one.
-std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vector<ScanName>& names,
-                                        int root, const std::string& file);
+/// Indices of the parents; -1 where the parent is `root`. Fails if an id is not unique or a parent is
+/// missing.
+Result<std::vector<int>> resolveParents(const std::vector<ScanLink>& links, int root,
+                                        const std::string& file);
+/// Sets the parents of the cylinders with these links. @return the error of resolveParents(), if any.
+std::optional<Diagnostic> setParents(ScanCylinders& cylinders, const std::vector<ScanLink>& links, int root,
+                                     const std::string& file);
 
-/// A point of a tree that a file has as points.
+/// A point of a tree that a file describes by points.
 struct ScanPoint {
     glm::dvec3 place{0.0};
     double radius = 0.0;
-    ScanName name; ///< The root's parent is -1.
+    ScanLink link; ///< The root's parent is -1.
 };
 
-/// A cylinder from each point's parent to itself, of its radius. Where several spring from the root, the
-/// thickest is the first of the trunk and bears the others. Branches from a second root have no parent.
-/// Besides those of parentsOf(), a root on its own is a problem.
-Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const std::string& file);
+/// Makes a cylinder from each point's parent to the point, with the radius of the point. If several start at
+/// the root, the thickest becomes the trunk and the parent of the others. Branches from a second root have no
+/// parent. Fails like resolveParents(), and if there is no cylinder.
+Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, const std::string& file);
 
 } // namespace osgTreeWind

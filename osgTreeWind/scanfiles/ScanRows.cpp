@@ -7,13 +7,8 @@
 
 namespace osgTreeWind {
 
-namespace {
-
-constexpr std::string_view separators = " \t\r\f,";
-
-} // namespace
-
 bool ScanRows::next() {
+    constexpr std::string_view separators = " \t\r\f,";
     _words.clear();
     while (_words.empty() && !_text.empty()) {
         ++_line;
@@ -31,18 +26,18 @@ bool ScanRows::next() {
     return !_words.empty();
 }
 
-double ScanRows::number(std::size_t word, const ScanMeasure& measure) {
+double ScanRows::number(std::size_t word, const ScanQuantity& quantity) {
     const auto value = parseNumber(_words[word]);
-    if (value && measure.range.contains(*value))
+    if (value && quantity.range.contains(*value))
         return *value;
-    fail(word, expectedFound(measure.what, _words[word]));
+    fail(word, expectedFound(quantity.description, _words[word]));
     return 0.0;
 }
 
-int ScanRows::whole(std::size_t word, const char* what, int low, int high) {
-    const double value = number(word, {what, within(low, high)});
+int ScanRows::integer(std::size_t word, const char* description, int low, int high) {
+    const double value = number(word, {description, within(low, high)});
     if (value != static_cast<int>(value))
-        fail(word, expectedFound(what, _words[word]));
+        fail(word, expectedFound(description, _words[word]));
     return static_cast<int>(value);
 }
 

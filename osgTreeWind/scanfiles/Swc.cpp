@@ -19,17 +19,17 @@ Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
         if (!rows.good())
             break;
         ScanPoint point;
-        point.name.id = rows.whole(0, "a whole number from 0 on", 0, most);
+        point.link.id = rows.integer(0, "a whole number from 0 on", 0, most);
         for (int i = 0; i < 3; ++i)
             point.place[i] = rows.number(2 + static_cast<std::size_t>(i), scanMetres);
         point.radius = rows.number(5, scanRadius);
-        point.name.parent = rows.whole(6, "the id of a point, or -1", -1, most);
-        point.name.line = rows.line();
+        point.link.parent = rows.integer(6, "the id of a point, or -1", -1, most);
+        point.link.line = rows.line();
         points.push_back(point);
     }
     if (!rows.good())
         return rows.problem();
-    Result<ScanCylinders> tree = cylindersOf(points, file);
+    Result<ScanCylinders> tree = makeCylinders(points, file);
     if (!tree)
         return tree.problems();
     return ScanFile{"SWC", {std::move(tree.value())}};

@@ -8,9 +8,9 @@
 
 namespace osgTreeWind {
 
-/// What the sprays on a leaf texture are made of, by genus.
+/// Shape of the leaves that sprays on a leaf texture are painted with, and typical genera.
 enum class LeafForm {
-    Blade,    ///< Plain pointed blades: any broadleaf.
+    Blade,    ///< Plain pointed blades: broadleaves in general.
     Lobed,    ///< Oak.
     Ovate,    ///< Beech, hornbeam, elm.
     Rhombic,  ///< Birch.
@@ -18,23 +18,23 @@ enum class LeafForm {
     Pinnate,  ///< Ash, honey locust: leaflets along a stalk.
     Heart,    ///< Lime.
     Round,    ///< Aspen, poplar.
-    Fingered, ///< Horse chestnut: leaflets like fingers.
+    Fingered, ///< Horse chestnut: palmate leaflets.
     Fan,      ///< Ginkgo.
-    Needles,  ///< Spruce, fir: combs.
+    Needles,  ///< Spruce, fir: combs of needles.
     Bundles,  ///< Pine.
     Tufts,    ///< Larch.
     Frond,    ///< Palm.
-    Pointed,  ///< Red oak: lobes with teeth.
+    Pointed,  ///< Red oak: pointed lobes.
 };
-constexpr int leafForms = 15;
+constexpr int leafFormCount = 15;
 
 constexpr bool isNeedles(LeafForm form) {
     return form >= LeafForm::Needles && form <= LeafForm::Tufts;
 }
 
-/// What the surface of bark is like.
+/// Surface of bark.
 enum class BarkForm {
-    Furrowed, ///< Ridges along the stem: oak, ash, any tree.
+    Furrowed, ///< Ridges along the stem: oak, ash, trees in general.
     Plated,   ///< Long plates that flake: pine.
     Smooth,   ///< Beech.
     Banded,   ///< Birch: white, with dark bands across.
@@ -43,28 +43,30 @@ enum class BarkForm {
     Scaly,    ///< Small thin scales: spruce.
 };
 
-/// How a kind of tree looks. Linear RGB colours, each in [0, 1].
+/// Appearance of a species. Colours are linear RGB, each component in [0, 1].
 struct Appearance {
-    glm::vec3 bark{0.18f, 0.15f, 0.12f};         ///< Of the stem.
-    glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< In summer.
-    glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< As they unfold,
-    glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< and before they fall.
-    float underside =
-        1.15f; ///< Luminance of the underside of leaves over the upper one's; what is more is grey.
-    std::optional<bool> evergreen;          ///< Not given: as the form of its leaves says.
-    LeafForm leafForm = LeafForm::Blade;    ///< Of leaves.
-    BarkForm barkForm = BarkForm::Furrowed; ///< Of the stem.
-    std::string leafImage; ///< A picture file to take instead of what we paint: drawing/looks/TreePicture.h.
-    std::string barkImage; ///< Likewise, of bark.
+    glm::vec3 bark{0.18f, 0.15f, 0.12f};         ///< Bark of the stem.
+    glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< Leaves in summer.
+    glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< Unfolding leaves.
+    glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< Leaves before they fall.
+    float underside = 1.15f;       ///< Luminance of a leaf's underside / upper side; the excess is grey.
+    std::optional<bool> evergreen; ///< By default it follows from `leafForm`; see isEvergreen().
+    LeafForm leafForm = LeafForm::Blade;    ///< Form of the leaves.
+    BarkForm barkForm = BarkForm::Furrowed; ///< Pattern of the bark.
+    std::string leafImage; ///< Image file instead of painted leaves; see drawing/looks/TreePicture.h.
+    std::string barkImage; ///< The same for bark.
 
-    /// Of twigs: darker than the bark of the stem, and never white.
-    glm::vec3 twigs() const {
+    /// Colour of twigs: darker than the bark of the stem, and never white.
+    glm::vec3 twigColor() const {
         return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
     }
-    bool needles() const { return isNeedles(leafForm); } ///< Rather than blades.
-    /// Green in winter.
+    /// Whether the leaves are needles rather than blades or fronds.
+    bool hasNeedles() const { return isNeedles(leafForm); }
+    /// Whether it keeps its leaves in winter: `evergreen`, or by default whether it has fronds, or needles
+    /// other than tufts.
     bool isEvergreen() const {
-        return evergreen.value_or((needles() && leafForm != LeafForm::Tufts) || leafForm == LeafForm::Frond);
+        return evergreen.value_or((hasNeedles() && leafForm != LeafForm::Tufts) ||
+                                  leafForm == LeafForm::Frond);
     }
 };
 

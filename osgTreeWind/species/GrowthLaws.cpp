@@ -10,14 +10,14 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Of the crown of a tree of that height in a forest, over its height; 0 is not known.
-float forestBase(const CrownAllometry& law, float height) {
+/// Crown base / height of a tree in a forest; 0 if unknown.
+float crownBaseRatio(const CrownAllometry& law, float height) {
     const float depth = law.depth + law.depthPerHeight * height;
     return depth > 0.0f ? std::max(1.0f - depth / height, 0.0f) : 0.0f;
 }
 
-/// Of a tree in a closed wood that is as high as one in the open.
-GrowthGoal forestSize(const Species& species) {
+/// Size of a tree in a closed forest that is as high as one in the open.
+GrowthGoal forestGrownSize(const Species& species) {
     GrowthGoal size = species.tree.growth->size;
     const HeightAllometry& height = species.height;
     if (!(height.scale > 0.0f) || !(height.power > 0.0f))
@@ -29,39 +29,39 @@ GrowthGoal forestSize(const Species& species) {
     return size;
 }
 
-/// Of a smaller or larger tree, if the size of one is known.
-GrowthGoal ofHeight(float height, const GrowthGoal& known, const Species& species, bool openGrown) {
+/// Scales the known size of a tree to another height.
+GrowthGoal scaleToHeight(float height, const GrowthGoal& known, const Species& species, bool openGrown) {
     const float ratio = height / known.height;
     const float power = openGrown ? species.height.openPower : species.height.power;
     const float scale = openGrown ? species.height.openScale : species.height.scale;
-    const auto crownOf = [&](float diameter) {
+    const auto crownWidthOf = [&](float diameter) {
         return withCrown({0.0f, diameter, 0.0f}, species.crown, openGrown).crownWidth;
     };
     GrowthGoal goal{height, known.trunkDiameter * ratio, known.crownWidth * ratio};
     if (scale > 0.0f && power > 0.0f)
         goal.trunkDiameter = known.trunkDiameter * std::pow(ratio, 1.0f / power);
-    const float before = crownOf(known.trunkDiameter), after = crownOf(goal.trunkDiameter);
+    const float before = crownWidthOf(known.trunkDiameter), after = crownWidthOf(goal.trunkDiameter);
     if (before > 0.0f && after > 0.0f)
         goal.crownWidth = known.crownWidth * after / before;
     return goal;
 }
 
-// The modulus follows the slenderness where that was measured; clear wood is cut from usual trees.
-constexpr double stoutest = 50.0, usual = 80.0, slenderest = 110.0;
+// The modulus depends on the slenderness within its measured range; clear wood is cut from typical trees.
+constexpr double modulusMinSlenderness = 50.0, typicalSlenderness = 80.0, modulusMaxSlenderness = 110.0;
 
-// A root plate has turned by a quarter of a degree under 1/2.5 of the moment that overturns it.
-constexpr double earlyShare = 1.0 / 2.5, earlyTurn = 0.25 * glm::pi<double>() / 180.0;
-constexpr double stemForm = 0.45; // volume of a stem over that of a pole as thick at breast height
+// A root plate turns by a quarter of a degree under 1/2.5 of its overturning moment.
+constexpr double rootMomentShare = 1.0 / 2.5, rootRotation = 0.25 * glm::pi<double>() / 180.0;
+constexpr double stemForm = 0.45; // volume of a stem / of a cylinder with its diameter at breast height
 
-// Dry kg per m^2 of trunk section, of 769 conifers of BAAD: of one that is `usual` for its 20 cm, its power
-// of slenderness and that of diameter. Beyond the slenderness of those trees as at their ends.
-constexpr double coniferBranches = 488.0, bySlenderness = -0.91, byDiameter = 0.40;
-constexpr double leastMeasured = 33.0, mostMeasured = 150.0;
-constexpr double coniferDensity = 400.0; // of softwoods, dry kg per fresh m^3
+// Fit to 769 conifers of BAAD: dry mass per trunk cross-section of a tree of 20 cm and typical slenderness,
+// kg/m^2, exponents of slenderness and diameter, and the range of slenderness.
+constexpr double coniferBranchMass = 488.0, slendernessPower = -0.91, diameterPower = 0.40;
+constexpr double branchMinSlenderness = 33.0, branchMaxSlenderness = 150.0;
+constexpr double coniferDensity = 400.0; // softwoods, dry kg per fresh m^3
 
 // Jenkins et al. 2003: exp(a + b ln d), exp(a + b / d), d in cm, kg of dry mass and shares of it.
-constexpr double basicDensity = 580.0; // of hard maple, oak, hickory and beech, dry kg per fresh m^3
-constexpr double mostBranches = 3.0;   // over the drawn ones
+constexpr double basicDensity = 580.0;  // hard maple, oak, hickory and beech, dry kg per fresh m^3
+constexpr double maxBranchFactor = 3.0; // limit of branch wood / drawn branch wood
 
 double sectionOf(double diameter) {
     return 0.25 * glm::pi<double>() * diameter * diameter;
@@ -81,18 +81,18 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
     return size;
 }
 
-TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown) {
+TreeSize completeSize(TreeSize size, const Species& species, bool openGrown) {
     size = withCrown(size, species.crown, openGrown);
     const bool hasHeight = size.height > 0.0f, hasTrunk = size.trunkDiameter > 0.0f;
-    const bool isWhole = hasHeight && hasTrunk && size.crownWidth > 0.0f;
-    if (isWhole || !growsByLight(species) || !(hasHeight || hasTrunk))
+    const bool isComplete = hasHeight && hasTrunk && size.crownWidth > 0.0f;
+    if (isComplete || !growsByLight(species) || !(hasHeight || hasTrunk))
         return size;
-    const GrowthGoal known = openGrown ? species.tree.growth->size : forestSize(species);
+    const GrowthGoal known = openGrown ? species.tree.growth->size : forestGrownSize(species);
     const float power = openGrown ? species.height.openPower : species.height.power;
     if (!hasHeight)
         size.height =
             known.height * std::pow(size.trunkDiameter / known.trunkDiameter, power > 0.0f ? power : 1.0f);
-    const GrowthGoal usual = ofHeight(size.height, known, species, openGrown);
+    const GrowthGoal usual = scaleToHeight(size.height, known, species, openGrown);
     if (!hasTrunk)
         size.trunkDiameter = usual.trunkDiameter;
     if (!(size.crownWidth > 0.0f))
@@ -114,10 +114,11 @@ TreeParameters growthOf(const Species& species, bool openGrown) {
     if (openGrown || !growsByLight(species))
         return tree;
     GrowthParameters& growth = *tree.growth;
-    growth.size = forestSize(species);
+    growth.size = forestGrownSize(species);
     growth.site.shade = 1.0f;
     growth.site.distance = growth.size.crownWidth;
-    growth.habit.cleanStem = std::max(growth.habit.cleanStem, forestBase(species.crown, growth.size.height));
+    growth.habit.cleanStem =
+        std::max(growth.habit.cleanStem, crownBaseRatio(species.crown, growth.size.height));
     return tree;
 }
 
@@ -125,7 +126,7 @@ TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, flo
     TreeParameters tree = growthOf(species, openGrown);
     if (!tree.growth)
         return tree;
-    tree.growth->size = ofHeight(height, tree.growth->size, species, openGrown);
+    tree.growth->size = scaleToHeight(height, tree.growth->size, species, openGrown);
     if (!openGrown)
         tree.growth->site.distance = tree.growth->size.crownWidth;
     if (atEdge && !openGrown)
@@ -135,7 +136,9 @@ TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, flo
 
 double stemModulus(const WoodParameters& wood, double slenderness) {
     return wood.elasticModulus * wood.wholeStem *
-           std::pow(std::clamp(slenderness, stoutest, slenderest) / usual, wood.modulusPower);
+           std::pow(std::clamp(slenderness, modulusMinSlenderness, modulusMaxSlenderness) /
+                        typicalSlenderness,
+                    wood.modulusPower);
 }
 
 double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk,
@@ -143,15 +146,16 @@ double branchWoodMass(const WoodParameters& wood, double diameter, double height
     if (wood.branchWood == WoodAllometry::Conifer) {
         if (!(diameter > 0.0))
             return 0.0;
-        const double slenderness = std::clamp(height / diameter, leastMeasured, mostMeasured);
-        return coniferBranches * wood.density / coniferDensity * sectionOf(diameter) *
-               std::pow(slenderness / usual, bySlenderness) * std::pow(diameter / 0.2, byDiameter);
+        const double slenderness = std::clamp(height / diameter, branchMinSlenderness, branchMaxSlenderness);
+        return coniferBranchMass * wood.density / coniferDensity * sectionOf(diameter) *
+               std::pow(slenderness / typicalSlenderness, slendernessPower) *
+               std::pow(diameter / 0.2, diameterPower);
     }
     if (wood.branchWood == WoodAllometry::Broadleaf) {
         const double d = std::max(100.0 * diameter, 2.5);
         const double leaves = std::exp(-4.0813 + 5.8816 / d);
         const double dry = std::exp(-2.0127 + 2.4342 * std::log(d)) * (1.0 - leaves);
-        return std::clamp(dry * wood.density / basicDensity - trunk, drawn, mostBranches * drawn);
+        return std::clamp(dry * wood.density / basicDensity - trunk, drawn, maxBranchFactor * drawn);
     }
     return drawn;
 }
@@ -164,9 +168,9 @@ double breakingMoment(const WoodParameters& wood, double diameter) {
     return wood.knotFactor * wood.bendingStrength * glm::pi<double>() * diameter * diameter * diameter / 32.0;
 }
 
-double rootGive(const WoodParameters& wood, double diameter, double height) {
-    const double moment = earlyShare * wood.anchorage * stemMass(wood, diameter, height);
-    return moment > 0.0 ? earlyTurn / moment : 0.0;
+double rootCompliance(const WoodParameters& wood, double diameter, double height) {
+    const double moment = rootMomentShare * wood.anchorage * stemMass(wood, diameter, height);
+    return moment > 0.0 ? rootRotation / moment : 0.0;
 }
 
 } // namespace osgTreeWind

@@ -6,50 +6,49 @@
 
 namespace osgTreeWind {
 
-// What height and diameter tell of a tree that nobody looked into. Sources: docs/validation.md.
+// Allometry: properties of a tree from its height and diameter. docs/validation.md has the sources.
 
-/// The size with its crown's width where that is not given, but known from the diameter of the trunk.
+/// Adds a missing crown width, computed from the trunk diameter if that is given.
 TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 
-/// The size with all that is not given, of a species that grows by light: trunk and crown follow from the
-/// height, and the height from the trunk, by the laws of the species where it has them, else in proportion.
-/// Of other species, and where neither height nor trunk is given, as withCrown().
-TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown);
+/// Adds all missing sizes for a species that grows by light: trunk and crown from the height, and the height
+/// from the trunk, by the laws of the species if it has them, otherwise in proportion. For other species, and
+/// without height and trunk diameter, the same as withCrown().
+TreeSize completeSize(TreeSize size, const Species& species, bool openGrown);
 
-/// How trees of a species grow: with room on all sides as it says, in a forest with a crown of the depth that
-/// its law has for its own height, where that is shallower. What the crown holds keeps its place in it:
-/// boughs and leaves are as many, closer to each other; those below are gone.
+/// Parameters of a typical tree of a species. In the open they are those of the species. In a forest, a
+/// species that grows by light has a narrower crown, shading neighbours, and a longer clean stem if the
+/// species' law of the crown depth gives one.
 TreeParameters growthOf(const Species& species, bool openGrown);
-/// How trees of that height grow, of a species that grows by light: their trunks and crowns follow from
-/// the height by the laws of the species, where it has them, else in proportion.
-/// @param height metres. @param atEdge of a forest, which is open towards +x.
+/// The same for a tree of a given height, of a species that grows by light: trunk and crown follow from the
+/// height by the laws of the species if it has them, otherwise in proportion.
+/// @param height metres. @param atEdge whether the tree stands at the edge of the forest, open towards +x.
 TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, float height);
-/// Whether trees of the species grow by light (GrowthParameters) and are no scans.
+/// Whether the species has GrowthParameters and no scans.
 bool growsByLight(const Species& species);
 
-/// Height to which a species grows when no size of a tree is given, metres. 0: the species does not say.
+/// Height of a tree of the species without a given size, metres; 0 if unknown.
 float usualHeight(const Species& species);
 
-/// Modulus of a living trunk: that of clear wood, less what knots and young wood take, and less where it is
-/// stout for its height, Pa.
-/// @param slenderness height over diameter at breast height.
+/// Elastic modulus of a living trunk, Pa: that of clear wood, reduced by knots and juvenile wood, and lower
+/// for stout trunks. @param slenderness height / diameter at breast height.
 double stemModulus(const WoodParameters& wood, double slenderness);
 
-/// Mass of all branch wood with its bark, kg.
-/// @param diameter of the trunk at breast height, metres. @param height of the tree, metres. @param trunk its
-/// mass, kg. @param drawn mass of the branches of the model, kg.
+/// Mass of all branch wood with bark, kg.
+/// @param diameter at breast height, metres. @param height of the tree, metres. @param trunk mass of the
+/// trunk, kg. @param drawn mass of the branches of the model, kg.
 double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk, double drawn);
 
-/// Moment at the foot of a trunk that overturns the tree, in proportion to the mass of its stem, N m; 0: it
-/// stands on rock.
+/// Moment at the foot of a trunk that overturns the tree, N m: proportional to the mass of the stem. 0 if the
+/// ground is rigid.
 /// @param diameter at breast height, metres. @param height metres.
 double overturningMoment(const WoodParameters& wood, double diameter, double height);
 
-/// Moment that breaks a stem where it has that diameter, bark and all (metres), N m; 0: not known. Gardiner
-/// et al. 2000.
+/// Moment that breaks a stem, N m; 0 if unknown (Gardiner et al. 2000).
+/// @param diameter with bark at the place of the moment, metres.
 double breakingMoment(const WoodParameters& wood, double diameter);
 
-/// How far roots and soil let the foot of a trunk turn, rad/(N m).
-double rootGive(const WoodParameters& wood, double diameter, double height);
+/// Rotational compliance of roots and soil at the foot of a trunk, rad/(N m).
+double rootCompliance(const WoodParameters& wood, double diameter, double height);
 
 } // namespace osgTreeWind

@@ -7,10 +7,10 @@
 
 namespace osgTreeWind {
 
-/// Shares of a leaf card, which sprays are painted to.
+/// Shares of a leaf card that painted sprays cover.
 struct CardCoverage {
-    float leaves; ///< What leaves cover, twigs between them left out.
-    float twigs;  ///< What twigs cover when bare.
+    float leaves; ///< Share covered by leaves, without the twigs between them.
+    float twigs;  ///< Share covered by bare twigs.
 };
 
 /// In the order of LeafForm.
@@ -26,15 +26,14 @@ constexpr float twigCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].twigs;
 }
 
-/// Area of flat leaves that hides as much as leaves of this form whose area is 1. In the mean over all
-/// directions a flat leaf shows half of its area, and a needle, which is round, pi/4 of it.
+/// Factor from one-sided leaf area to the flat leaf area with the same mean projection: averaged over all
+/// directions, a flat leaf shows half of its area, a round needle pi/4.
 constexpr float flatLeafArea(LeafForm form) {
     return isNeedles(form) ? glm::half_pi<float>() : 1.0f;
 }
 
-/// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on
-/// them have WoodParameters::leafArea.
-inline float cardArea(const Species& species) {
+/// One-sided area of a tree's leaf cards / trunk cross-section that gives WoodParameters::leafArea.
+inline float cardAreaRatio(const Species& species) {
     const LeafForm form = species.appearance.leafForm;
     return species.wood.leafArea * flatLeafArea(form) / leafCoverage(form);
 }

@@ -11,21 +11,21 @@
 
 namespace osgTreeWind {
 
-float withinYear(float season) {
+float wrapSeason(float season) {
     const float rest = season - 4.0f * std::floor(0.25f * season);
-    return rest >= 0.0f && rest < 4.0f ? rest : midsummer; // not a number
+    return rest >= 0.0f && rest < 4.0f ? rest : midsummer; // NaN fails the comparisons
 }
 
 namespace {
 
-// When leaves unfold, turn and fall: mean dates of oak, beech, birch and horse chestnut in Central Europe, as
-// observers of the PEP725 network report them (Menzel et al. 2006: first leaves 15 April to 2 May, half of
-// them fallen about 1 November), and how long that takes in a crown, from PhenoCam's curves of greenness
-// (Richardson et al. 2018: five weeks in spring, six to eight in autumn).
-constexpr float budBurst = 0.75f, allOut = 1.15f;  // 12 April, 18 May
-constexpr float hardening = 1.0f, hardened = 1.5f; // 5 May, 20 June: leaves darken
-constexpr float turning = 2.45f, turned = 2.85f;   // 16 September, 23 October
-constexpr float falling = 2.7f, allFallen = 3.25f; // 9 October, 28 November
+// Dates when leaves unfold, turn and fall: means of oak, beech, birch and horse chestnut in Central Europe
+// from the PEP725 network (Menzel et al. 2006: first leaves 15 April to 2 May, half of them fallen about 1
+// November). Durations in a crown: PhenoCam's greenness curves (Richardson et al. 2018: five weeks in spring,
+// six to eight in autumn).
+constexpr float budBurst = 0.75f, fullyUnfolded = 1.15f; // 12 April, 18 May
+constexpr float hardening = 1.0f, hardened = 1.5f;       // 5 May, 20 June: leaves darken
+constexpr float turning = 2.45f, turned = 2.85f;         // 16 September, 23 October
+constexpr float falling = 2.7f, allFallen = 3.25f;       // 9 October, 28 November
 
 std::optional<float> seasonOfDate(const std::string& text) {
     int year = 0, month = 0, day = 0, end = 0;
@@ -38,7 +38,7 @@ std::optional<float> seasonOfDate(const std::string& text) {
     if (day > daysBefore[before + 1] - daysBefore[before] + leapDay)
         return {};
     constexpr float midwinterDay = 34.5f; // noon of 4 February
-    return withinYear(4.0f * (static_cast<float>(daysBefore[before] + day) - 0.5f - midwinterDay) / 365.25f);
+    return wrapSeason(4.0f * (static_cast<float>(daysBefore[before] + day) - 0.5f - midwinterDay) / 365.25f);
 }
 
 } // namespace
@@ -60,15 +60,15 @@ std::optional<float> parseSeason(const std::string& text) {
 float leafShare(const Appearance& appearance, float season) {
     if (appearance.isEvergreen())
         return 1.0f;
-    const float now = withinYear(season);
-    return now < midsummer ? glm::smoothstep(budBurst, allOut, now)
+    const float now = wrapSeason(season);
+    return now < midsummer ? glm::smoothstep(budBurst, fullyUnfolded, now)
                            : 1.0f - glm::smoothstep(falling, allFallen, now);
 }
 
 glm::vec3 leafColor(const Appearance& appearance, float season) {
     if (appearance.isEvergreen())
         return appearance.leaves;
-    const float now = withinYear(season);
+    const float now = wrapSeason(season);
     if (now < midsummer)
         return glm::mix(appearance.springLeaves, appearance.leaves,
                         glm::smoothstep(hardening, hardened, now));

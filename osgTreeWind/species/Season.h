@@ -9,23 +9,23 @@
 
 namespace osgTreeWind {
 
-// A season is a number: 0 the middle of winter (4 February), 1 of spring (5 May), 2 of summer (6 August), 3
-// of autumn (5 November) in the temperate north; 4 is 0 again. What lies between them is even in days.
+// A season is a number: 0 in midwinter (4 February), 1 in midspring (5 May), 2 in midsummer (6 August), 3 in
+// midautumn (5 November) of the temperate north, and linear in days. 4 is the same as 0.
 constexpr float midwinter = 0.0f, midspring = 1.0f, midsummer = 2.0f, midautumn = 3.0f;
 
-/// The same time of the year in [0, 4); midsummer for what is not finite.
-OSGTREEWIND_EXPORT float withinYear(float season);
+/// The same season in [0, 4); midsummer if it is not finite.
+OSGTREEWIND_EXPORT float wrapSeason(float season);
 
-/// What parseSeason() takes.
-constexpr const char* seasonForms =
+/// Texts that parseSeason() accepts, for messages.
+constexpr const char* seasonSyntax =
     "winter, spring, summer, autumn, a number from 0 to 4 or a date such as 2024-11-05";
-/// "winter", "spring", "summer" or "autumn", a number from 0 to 4, or a date such as "2024-11-05". Nothing
-/// for any other text.
+/// Parses a season: "winter", "spring", "summer", "autumn", a number from 0 to 4, or a date such as
+/// "2024-11-05". Nullopt for any other text.
 OSGTREEWIND_EXPORT std::optional<float> parseSeason(const std::string& text);
 
-/// Share of its leaves that a tree bears: all of them in summer, and an evergreen always.
+/// Share of its leaves that a tree bears, 0 to 1; always 1 for an evergreen.
 OSGTREEWIND_EXPORT float leafShare(const Appearance& appearance, float season);
-/// Of the leaves it bears, linear RGB: fresh in spring, as they are in summer, turned in autumn.
+/// Colour of the leaves in a season, linear RGB.
 OSGTREEWIND_EXPORT glm::vec3 leafColor(const Appearance& appearance, float season);
 
 } // namespace osgTreeWind

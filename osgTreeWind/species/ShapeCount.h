@@ -7,9 +7,9 @@
 
 namespace osgTreeWind {
 
-/// How many shapes trees of a species have, in range; a tree's seed modulo that is its own.
+/// Number of shapes of a species, clamped to its range. A tree has the shape of its seed modulo this number.
 inline std::uint32_t shapeCount(const Species& species) {
-    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, mostShapes));
+    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, maxShapes));
 }
 
 } // namespace osgTreeWind

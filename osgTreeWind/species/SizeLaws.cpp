@@ -12,16 +12,16 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double thin = 0.05; // below this crown and diameter are in proportion
-constexpr double least = 0.001, highest = 116.0, thickest = 20.0, widest = 50.0; // metres
+constexpr double proportionalDiameter = 0.05; // the crown is proportional to diameters below it, metres
+constexpr double minSize = 0.001, heightLimit = 116.0, diameterLimit = 20.0, crownWidthLimit = 50.0; // metres
 
-/// The diameter that counts in a law: laws were fitted to trees of 1 m at most, and trees that are thicker
-/// are hardly higher and little wider. Beyond 1 m it grows ever less, to 2 m.
-double fitted(double diameter) {
+/// Diameter to use in a law, metres. Laws are fitted to trees up to 1 m, and thicker trees are hardly higher
+/// or wider: beyond 1 m it approaches 2 m.
+double lawDiameter(double diameter) {
     return diameter <= 1.0 ? diameter : 2.0 - std::exp(1.0 - diameter);
 }
 
-float within(double size, double low, double high) {
+float clampSize(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));
 }
 
@@ -38,7 +38,7 @@ public:
         const bool hasCrown = size.crownWidth > 0.0f;
         if (_scale > 0.0) {
             if (!(size.height > 0.0f) && !(size.trunkDiameter > 0.0f) && hasCrown)
-                setDiameterOfCrown();
+                setDiameterFromCrown();
             if (size.trunkDiameter > 0.0f && !(size.height > 0.0f))
                 setHeight();
             else if (size.height > 0.0f && !(size.trunkDiameter > 0.0f))
@@ -61,28 +61,29 @@ private:
 
     void setHeight() {
         const double diameter = _tree.size.trunkDiameter;
-        const double height = _scale * std::pow(fitted(diameter), _power) * factor(_spread, "height");
-        const double limit = std::min(slenderestEstimate * diameter, highest);
-        _tree.size.height = within(height, std::min(stoutestEstimate * fitted(diameter), limit), limit);
+        const double height = _scale * std::pow(lawDiameter(diameter), _power) * factor(_spread, "height");
+        const double limit = std::min(maxSlenderness * diameter, heightLimit);
+        _tree.size.height = clampSize(height, std::min(minSlenderness * lawDiameter(diameter), limit), limit);
         _tree.estimated.height = true;
     }
-    /// That of which a tree that is off the law as this one has the height.
+    /// Inverts the height law with a random residual.
     void setDiameter() {
         const double height = _tree.size.height;
         const double diameter = std::pow(height / (_scale * factor(_spread, "trunk_diameter")), 1.0 / _power);
-        const double limit = std::min(height / stoutestEstimate, thickest);
-        _tree.size.trunkDiameter = within(diameter, height / slenderestEstimate, limit);
+        const double limit = std::min(height / minSlenderness, diameterLimit);
+        _tree.size.trunkDiameter = clampSize(diameter, height / maxSlenderness, limit);
         _tree.estimated.trunkDiameter = true;
     }
-    void setDiameterOfCrown() {
+    void setDiameterFromCrown() {
         const CrownAllometry& law = _species.crown;
         const double base = _openGrown ? law.openBase : law.base;
         const double perDiameter = _openGrown ? law.openPerDiameter : law.perDiameter;
         const double width = _tree.size.crownWidth / crownFactor();
         if (!(perDiameter > 0.0))
             return;
-        const double diameter = std::max((width - base) / perDiameter, width / (perDiameter + base / thin));
-        _tree.size.trunkDiameter = within(diameter, least, thickest);
+        const double diameter =
+            std::max((width - base) / perDiameter, width / (perDiameter + base / proportionalDiameter));
+        _tree.size.trunkDiameter = clampSize(diameter, minSize, diameterLimit);
         _tree.estimated.trunkDiameter = true;
     }
     void setTypicalHeight() {
@@ -90,16 +91,16 @@ private:
         if (!(usual > 0.0))
             return;
         const double height = usual * factor(_spread, "height");
-        _tree.size.height = within(height, least, highest);
+        _tree.size.height = clampSize(height, minSize, heightLimit);
         _tree.estimated.height = true;
     }
     void setCrown() {
         TreeSize size = _tree.size;
-        size.trunkDiameter = static_cast<float>(fitted(size.trunkDiameter));
+        size.trunkDiameter = static_cast<float>(lawDiameter(size.trunkDiameter));
         const double width = withCrown(size, _species.crown, _openGrown).crownWidth;
         if (!(width > 0.0))
             return;
-        _tree.size.crownWidth = within(width * crownFactor(), least, widest);
+        _tree.size.crownWidth = clampSize(width * crownFactor(), minSize, crownWidthLimit);
         _tree.estimated.crownWidth = true;
     }
 

@@ -8,26 +8,25 @@
 
 namespace osgTreeWind {
 
-/// A size, and what of it was estimated.
+/// A size, and flags for its estimated values.
 struct SizeEstimate {
     TreeSize size;
     EstimatedSizes estimated;
 };
 
-/// What was not measured of a tree, by the laws of its species with their spread. Height and diameter follow
-/// from each other; a crown from the diameter, and only where it alone is given the other way round. Where
-/// nothing is given a grown shape's own height is spread as heights are, and the rest stays in proportion.
-/// What no law tells stays 0.
-/// @param id what tells trees apart: one id draws the same residuals always, whatever stands beside it.
+/// Estimates the missing sizes of a tree from the laws of its species, with their random spread. Height and
+/// diameter follow from each other, the crown from the diameter, and the diameter from the crown if only that
+/// is given. Without any size, the height varies about usualHeight(). Sizes without a law stay 0.
+/// @param id of the tree; it determines the random residuals.
 SizeEstimate estimateSize(const TreeSize& given, const Species& species, bool openGrown,
                           const std::string& id);
 
-/// What a tree is off a law, in standard deviations: normal, but cut at two and by so much wider that they
-/// stay what they are.
+/// Random deviation of a tree from a law, in standard deviations: a normal distribution truncated at 2 and
+/// widened so that its standard deviation stays 1.
 double residual(const std::string& id, const std::string& quantity);
 
-/// Height over diameter of what is estimated. Trees whose sway was measured have 16 to 154 (Jackson et al.
-/// 2021), all but 1 % of those of the Urban Tree Database 11 to 118, and of BAAD 24 to 226.
-constexpr double stoutestEstimate = 15.0, slenderestEstimate = 150.0;
+/// Limits of height / diameter in estimates. Trees with measured sway have 16 to 154 (Jackson et al. 2021),
+/// 99 % of the Urban Tree Database 11 to 118, and of BAAD 24 to 226.
+constexpr double minSlenderness = 15.0, maxSlenderness = 150.0;
 
 } // namespace osgTreeWind

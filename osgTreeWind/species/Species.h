@@ -9,109 +9,108 @@
 
 namespace osgTreeWind {
 
-/// What tells the mass of branches; trees that were weighed (GrowthLaws.h).
+/// Source of the mass of branches; see branchWoodMass().
 enum class WoodAllometry {
-    Drawn,     ///< The branches of the model.
-    Conifer,   ///< A softwood's, by diameter and height.
-    Broadleaf, ///< A hardwood's total by diameter less its trunk; not less than drawn.
+    Drawn,     ///< Branches of the model.
+    Conifer,   ///< Weighed softwoods, by diameter and height.
+    Broadleaf, ///< Weighed hardwoods: total by diameter minus the trunk, at least that of the model.
 };
 
 /// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md; ranges:
 /// SpeciesFields.h.
 struct WoodParameters {
-    float elasticModulus = 9.0e9f; ///< Of green wood, Pa.
-    // The rest is for the laws in SI units.
-    float density = 900.0f;     ///< Of green wood with its bark, kg/m^3.
-    float underBark = 1.0f;     ///< Diameter of the wood that bends, over that with its bark.
-    float dampingRatio = 0.05f; ///< Of wood, without air.
-    float leafArea = 1800.0f;   ///< Of a tree with leaves, over its trunk's cross-section at breast height.
-    float leafMass = 0.2f;      ///< Fresh leaves over their area, kg/m^2.
+    float elasticModulus = 9.0e9f; ///< Elastic modulus of green wood, Pa.
+    // Only the law `modal` and the effect of trees on the wind use the rest.
+    float density = 900.0f;     ///< Density of green wood with bark, kg/m^3.
+    float underBark = 1.0f;     ///< Diameter of the wood without bark / with bark.
+    float dampingRatio = 0.05f; ///< Damping ratio of the wood, without air.
+    float leafArea = 1800.0f;   ///< Leaf area / trunk cross-section at breast height.
+    float leafMass = 0.2f;      ///< Mass of fresh leaves / leaf area, kg/m^2.
     float woodDrag = 1.0f;      ///< Drag coefficient of a bare branch.
-    float leafDrag = 0.25f;     ///< Of leaves by their area, where no crownDrag is known.
-    float stillDrag = 0.9f;     ///< Of leaves by their area that move through still air.
-    float crownDrag = 0.0f;     ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
-    float streamlining = 0.0f;  ///< n: drag falls with the wind speed from 10 m/s on,
-    float breezeStreamlining = 0.0f; ///< and with this power below, from 1.6 m/s on (law `modal`).
-    float streamlinedTo = 25.0f;     ///< The highest speed at which it was measured, m/s.
+    float leafDrag = 0.25f;    ///< Drag coefficient of leaves at 10 m/s, by leaf area; unused with crownDrag.
+    float stillDrag = 0.9f;    ///< Drag coefficient of leaves that swing in still air, by leaf area.
+    float crownDrag = 0.0f;    ///< C in the drag coefficient C u^-n of the crown's outline; 0 if unknown.
+    float streamlining = 0.0f; ///< Exponent n above 10 m/s.
+    float breezeStreamlining = 0.0f; ///< Exponent n from 1.6 to 10 m/s (law `modal`).
+    float streamlinedTo = 25.0f;     ///< Highest measured speed, m/s; C u^-n is constant above.
 
-    // How a living tree differs from clear wood on rock (GrowthLaws.h).
-    float wholeStem = 1.0f;     ///< Modulus of a living stem over elasticModulus.
-    float branchModulus = 1.0f; ///< Modulus of branches over that of the trunk.
-    float modulusPower = 0.0f;  ///< Power of the slenderness that the modulus follows.
-    float anchorage = 0.0f;     ///< Moment that overturns a tree over its stem, N m/kg; 0: rock.
-    WoodAllometry branchWood = WoodAllometry::Drawn; ///< How much wood is in branches.
+    // Differences between a living tree and clear wood on rigid ground (GrowthLaws.h).
+    float wholeStem = 1.0f;     ///< Modulus of a living stem / elasticModulus.
+    float branchModulus = 1.0f; ///< Modulus of branches / of the trunk.
+    float modulusPower = 0.0f;  ///< Exponent of the slenderness in the modulus.
+    float anchorage = 0.0f;     ///< Overturning moment / stem mass, N m/kg; 0 is rigid ground.
+    WoodAllometry branchWood = WoodAllometry::Drawn; ///< Source of the mass of branches.
 
-    // What a stem bears.
-    float bendingStrength = 0.0f; ///< Modulus of rupture of green clear wood, Pa; 0: not known.
-    float knotFactor = 1.0f;      ///< What knots leave of it.
+    // Strength of a stem.
+    float bendingStrength = 0.0f; ///< Modulus of rupture of clear green wood, Pa; 0 if unknown.
+    float knotFactor = 1.0f;      ///< Share of bendingStrength left by knots.
 };
 
-/// Height from the diameter of the trunk at breast height: scale * diameter^power, metres. A scale of 0: not
-/// known. The spreads of this and of the crown are standard deviations of logarithms.
+/// Height law: scale * diameter^power, metres, with the diameter at breast height. The law is unknown if the
+/// scale is 0. Spreads, here and of the crown, are standard deviations of logarithms.
 struct HeightAllometry {
     float scale = 0.0f;      ///< In a forest.
     float power = 0.6f;      ///< In a forest.
     float spread = 0.0f;     ///< In a forest.
-    float openScale = 0.0f;  ///< With room on all sides.
-    float openPower = 0.6f;  ///< With room on all sides.
-    float openSpread = 0.0f; ///< With room on all sides.
-    std::string source;      ///< Of its numbers, for people.
+    float openScale = 0.0f;  ///< In the open.
+    float openPower = 0.6f;  ///< In the open.
+    float openSpread = 0.0f; ///< In the open.
+    std::string source;      ///< Source of these numbers; informational.
 };
 
-/// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres;
-/// and its depth from the height of the tree. All 0: not known.
+/// Crown laws: width = base + perDiameter * diameter at breast height, depth = depth + depthPerHeight *
+/// height, metres. A law is unknown if both of its numbers are 0.
 struct CrownAllometry {
     float base = 0.0f;            ///< In a forest, metres.
     float perDiameter = 0.0f;     ///< In a forest.
-    float openBase = 0.0f;        ///< With room on all sides, metres.
-    float openPerDiameter = 0.0f; ///< With room on all sides.
+    float openBase = 0.0f;        ///< In the open, metres.
+    float openPerDiameter = 0.0f; ///< In the open.
     float spread = 0.0f;          ///< In a forest.
-    float openSpread = 0.0f;      ///< With room on all sides.
-    /// From the lowest green bough to the top, in a forest; with room on all sides it is as the species
-    /// grows.
-    float depth = 0.0f;
-    float depthPerHeight = 0.0f; ///< What is added to it for each metre of height.
+    float openSpread = 0.0f;      ///< In the open.
+    float depth = 0.0f; ///< In a forest, from the lowest green bough to the top; not used in the open.
+    float depthPerHeight = 0.0f; ///< In a forest.
 };
 
-/// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
+/// Motion of branches under the laws of the thesis (§3.1, appendix B); `modal` uses only maxAngle. Angles are
+/// in radians.
 struct BranchParameters {
-    float maxAngle = 0.5f;       ///< Largest angle about either axis.
-    float partialSteps = 24.0f;  ///< `NUMB`: a new angle is reached in this many partial steps.
+    float maxAngle = 0.5f;       ///< Largest rotation about either axis.
+    float partialSteps = 24.0f;  ///< `NUMB`: partial steps to reach a new angle.
     float levelFactor = 0.0f;    ///< `factor`: added to the load per branch level (§3.1.2), m/s.
-    float noiseFrequency = 0.7f; ///< Of the load noise, Hz.
+    float noiseFrequency = 0.7f; ///< Frequency of the load's noise, Hz.
 };
 
-/// How leaf clusters flutter (§3.2, appendix D) and turn out of the wind. Angles in radians.
+/// Flutter of leaf clusters (§3.2, appendix D) and their turn downwind. Angles are in radians.
 struct LeafMotion {
-    float maxAngleX = 0.35f;     ///< `maxMotionAngleX`, about the leaf's thesis Z axis.
+    float maxAngleX = 0.35f;     ///< `maxMotionAngleX`, about the normal of the leaf (thesis Z).
     float maxAngleZ = 0.35f;     ///< `maxMotionAngleZ`, about the leaf's X axis.
     float maxRotation = 0.6f;    ///< `maxRotationAngle`, about the petiole.
-    float partialSteps = 6.0f;   ///< `NUM`.
-    float factor = 1.0f;         ///< `fact`.
-    float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
-    float noiseFrequency = 1.3f; ///< Hz.
-    float size = 0.06f;          ///< Of a single leaf or leaflet across, m; law `modal`.
-    float tremble = 1.0f;        ///< Factor on how far single leaves move in a breeze; law `modal`.
-    float maxDownwind = 0.8f; ///< Turn downwind of a petiole across the wind, in the strongest; law `modal`.
-    float shootSway = 1.0f;   ///< Factor on how far the thin ends of boughs sway by themselves; law `modal`.
+    float partialSteps = 6.0f;   ///< `NUM`: partial steps to reach a new angle.
+    float factor = 1.0f;         ///< `fact`: factor on the largest angles.
+    float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation about the petiole / swing of maxAngleX.
+    float noiseFrequency = 1.3f; ///< Frequency of the flutter, Hz.
+    float size = 0.06f;          ///< Width of a leaf or leaflet, metres (law `modal`).
+    float tremble = 1.0f;        ///< Factor on the trembling of single leaves (law `modal`).
+    float maxDownwind = 0.8f;    ///< Largest downwind turn of a petiole across the wind (law `modal`).
+    float shootSway = 1.0f;      ///< Factor on the sway of thin bough ends (law `modal`).
 };
 
-/// The most distinct models of one species.
-constexpr int mostShapes = 64;
+/// Largest number of distinct models of a species.
+constexpr int maxShapes = 64;
 
-/// A kind of tree: how it grows, moves and looks.
+/// A species: growth, mechanical properties, motion and appearance of its trees.
 struct Species {
-    std::string name;                 ///< Common, as files have it.
-    std::vector<std::string> aliases; ///< Other names, common and scientific ones.
-    std::string source;               ///< Of its numbers, for people.
-    TreeParameters tree;              ///< How it grows.
-    int shapes = 4;                   ///< Distinct models shared by all trees of the species.
-    HeightAllometry height;           ///< From its diameter.
-    CrownAllometry crown;             ///< From its diameter and height.
-    WoodParameters wood;              ///< What it is made of.
-    BranchParameters branch;          ///< How the laws of the thesis turn it.
-    LeafMotion leaf;                  ///< How its leaves flutter.
-    Appearance appearance;            ///< How it looks.
+    std::string name;                 ///< Common name, as in files.
+    std::vector<std::string> aliases; ///< Other names, common and scientific.
+    std::string source;               ///< Source of the numbers; informational.
+    TreeParameters tree;              ///< Shape of the trees.
+    int shapes = 4;                   ///< Number of distinct models that all trees of the species share.
+    HeightAllometry height;           ///< Height from the stem diameter.
+    CrownAllometry crown;             ///< Crown width from stem diameter, depth from height.
+    WoodParameters wood;              ///< Mechanical properties.
+    BranchParameters branch;          ///< Motion of single branches.
+    LeafMotion leaf;                  ///< Flutter of the leaves.
+    Appearance appearance;            ///< Colours, leaves and bark.
 };
 
 } // namespace osgTreeWind

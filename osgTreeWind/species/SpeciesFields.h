@@ -18,7 +18,7 @@ template <>
 const Fields& fieldsOf<LeafMotion>();
 template <>
 const Fields& fieldsOf<Appearance>();
-/// But for its name and TreeParameters.
+/// All fields except the name and TreeParameters.
 template <>
 const Fields& fieldsOf<Species>();
 

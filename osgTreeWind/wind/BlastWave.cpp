@@ -11,14 +11,14 @@ namespace {
 
 constexpr double pressure = 101325.0, sound = 340.3; // Pa and m/s of air, standard atmosphere at sea level
 constexpr double hemisphere = 1.8;
-constexpr double nearestScaled = 0.05, farthestScaled = 500.0; // m/kg^(1/3), for which the laws are made
-constexpr double averaged = 0.2, fastest = 200.0;              // seconds, m/s
+constexpr double minScaled = 0.05, maxScaled = 500.0;  // scaled distance, m/kg^(1/3): the range of the fits
+constexpr double averagingTime = 0.2, maxWind = 200.0; // seconds, m/s
 
 double square(double x) {
     return x * x;
 }
 
-/// Over that of the air. @param z scaled distance.
+/// Over the ambient pressure. @param z scaled distance.
 double overpressureAt(double z) {
     return 808.0 * (1.0 + square(z / 4.5)) /
            std::sqrt((1.0 + square(z / 0.048)) * (1.0 + square(z / 0.32)) * (1.0 + square(z / 1.35)));
@@ -31,38 +31,36 @@ double durationAt(double z) {
             std::sqrt(1.0 + square(z / 6.9)));
 }
 
-/// Of the front over that of sound, where the overpressure is p times the air's.
+/// @param p overpressure over the ambient pressure.
 double machNumber(double p) {
     return std::sqrt(1.0 + 6.0 / 7.0 * p);
 }
 
-/// When the front is where, from the nearest to the farthest in even steps of the logarithm.
-class Arrivals {
+/// Table of arrival times of the front, in even steps of the logarithm of the scaled distance.
+class ArrivalTimes {
 public:
-    Arrivals() {
+    ArrivalTimes() {
         for (std::size_t i = 1; i < _seconds.size(); ++i) {
             const double from = distance(i - 1), to = distance(i), middle = 0.5 * (from + to);
             _seconds[i] = _seconds[i - 1] + (to - from) / (sound * machNumber(overpressureAt(middle)));
         }
     }
     double at(double z) const {
-        const double place = std::log(z / nearestScaled) / step();
-        const auto i = std::min(static_cast<std::size_t>(place), _seconds.size() - 2);
+        const double position = std::log(z / minScaled) / step();
+        const auto i = std::min(static_cast<std::size_t>(position), _seconds.size() - 2);
         const double share = (z - distance(i)) / (distance(i + 1) - distance(i));
         return _seconds[i] + share * (_seconds[i + 1] - _seconds[i]);
     }
 
 private:
     static constexpr std::size_t count = 256;
-    static double step() { return std::log(farthestScaled / nearestScaled) / (count - 1); }
-    static double distance(std::size_t i) {
-        return nearestScaled * std::exp(step() * static_cast<double>(i));
-    }
+    static double step() { return std::log(maxScaled / minScaled) / (count - 1); }
+    static double distance(std::size_t i) { return minScaled * std::exp(step() * static_cast<double>(i)); }
     std::array<double, count> _seconds{};
 };
 
 /// The integral from 0 to s of (1 - s) |1 - s| exp(-2 s).
-double pushed(double s) {
+double impulse(double s) {
     const auto integral = [](double x) { return -0.25 * std::exp(-2.0 * x) * (2.0 * x * x - 2.0 * x + 1.0); };
     if (s <= 0.0)
         return 0.0;
@@ -75,9 +73,8 @@ double pushed(double s) {
 BlastWave::BlastWave(double charge) : _scale(std::cbrt(hemisphere * charge)) {}
 
 BlastWave::Front BlastWave::front(double distance) const {
-    static const Arrivals arrivals;
-    const double z = std::clamp(distance / _scale, nearestScaled, farthestScaled),
-                 beyond = distance / _scale - z;
+    static const ArrivalTimes arrivals;
+    const double z = std::clamp(distance / _scale, minScaled, maxScaled), beyond = distance / _scale - z;
     const double p = overpressureAt(z) * (beyond > 0.0 ? z / (z + beyond) : 1.0);
     Front front;
     front.overpressure = pressure * p;
@@ -90,19 +87,19 @@ BlastWave::Front BlastWave::front(double distance) const {
 double BlastWave::reach(double wind) const {
     const auto isFaster = [&](double distance) {
         const Front at = front(distance);
-        return square(at.wind) * at.duration / averaged * pushed(1.0) > square(wind);
+        return square(at.wind) * at.duration / averagingTime * impulse(1.0) > square(wind);
     };
-    double far = _scale;
-    while (isFaster(far) && far < 1e7)
-        far *= 1.1;
-    return far;
+    double distance = _scale;
+    while (isFaster(distance) && distance < 1e7)
+        distance *= 1.1;
+    return distance;
 }
 
 double BlastWave::wind(double distance, double time) const {
     const Front at = front(distance);
-    const double now = (time - at.arrival) / at.duration, before = now - averaged / at.duration;
-    const double push = square(at.wind) * at.duration / averaged * (pushed(now) - pushed(before));
-    return std::clamp(std::copysign(std::sqrt(std::abs(push)), push), -fastest, fastest);
+    const double now = (time - at.arrival) / at.duration, before = now - averagingTime / at.duration;
+    const double push = square(at.wind) * at.duration / averagingTime * (impulse(now) - impulse(before));
+    return std::clamp(std::copysign(std::sqrt(std::abs(push)), push), -maxWind, maxWind);
 }
 
 } // namespace osgTreeWind

@@ -18,18 +18,18 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float fastestAbove = 1e4f; // m/s
+constexpr float maxSpeedAbove = 1e4f; // m/s
 
 } // namespace
 
-/// The horizontal part of a wind. NaN, and more than 10 km/s, count as calm; a calm points east.
-struct CanopyFlow::LevelWind {
+/// The horizontal part of a wind. NaN and more than 10 km/s count as calm; a calm points east.
+struct CanopyFlow::HorizontalWind {
     float speed = 0.0f;
     glm::vec3 along{1.0f, 0.0f, 0.0f};
 
-    LevelWind() = default;
-    explicit LevelWind(const glm::vec3& wind) : speed(std::sqrt(wind.x * wind.x + wind.y * wind.y)) {
-        if (!(speed <= fastestAbove))
+    HorizontalWind() = default;
+    explicit HorizontalWind(const glm::vec3& wind) : speed(std::sqrt(wind.x * wind.x + wind.y * wind.y)) {
+        if (!(speed <= maxSpeedAbove))
             speed = 0.0f;
         if (speed > 1e-6f)
             along = glm::vec3(wind.x / speed, wind.y / speed, 0.0f);
@@ -38,15 +38,13 @@ struct CanopyFlow::LevelWind {
 
 namespace {
 
-/// Gusts travel at 1.8 U(h) (Raupach, Finnigan and Brunet 1996). With an integral length of 1.8 h they pass a
-/// place in h / U(h).
+/// Gusts travel at 1.8 U(h) (Raupach, Finnigan and Brunet 1996); those 1.8 h long take h / U(h) to pass.
 constexpr float gustSpeedRatio = 1.8f;
-/// Integral length along the wind over that across it and upward, as of isotropic turbulence (Batchelor
-/// 1953).
-constexpr double slenderness = 2.0;
-/// Down to a seventeenth of the largest gusts: a quarter of the height of trees along the wind.
+/// Integral length along the wind over that across it and upward in isotropic turbulence (Batchelor 1953).
+constexpr double lengthRatio = 2.0;
+/// Down to 1/17 of the largest gusts: a quarter of the tree height along the wind.
 constexpr std::size_t octaves = 5;
-/// Correlation of the wind along and upward: -u*^2 over both deviations at the top.
+/// Correlation of the components along the wind and down: u*^2 over both deviations at the top.
 constexpr float uwCorrelation = 1.0f / (1.8f * 1.1f);
 
 WindPlace raisedTo(const WindPlace& place, float height) {
@@ -56,13 +54,13 @@ WindPlace raisedTo(const WindPlace& place, float height) {
     return raised;
 }
 
-/// The wind as it mostly is: over an hour.
-glm::vec3 usualWind(const WindField& wind, float reference) {
+/// Horizontal mean over an hour.
+glm::vec3 hourlyMean(const WindField& wind, float reference) {
     constexpr int samples = 60;
     glm::vec3 sum(0.0f);
     for (int i = 0; i < samples; ++i) {
         const glm::vec3 velocity = wind.velocity(WindPlace(0.0f, 0.0f, reference), 60.0 * i);
-        if (glm::length(glm::vec2(velocity)) <= fastestAbove)
+        if (glm::length(glm::vec2(velocity)) <= maxSpeedAbove)
             sum += glm::vec3(velocity.x, velocity.y, 0.0f);
     }
     return sum / static_cast<float>(samples);
@@ -70,15 +68,15 @@ glm::vec3 usualWind(const WindField& wind, float reference) {
 
 /// Stretches space across the wind and upward, where gusts are shorter.
 glm::dmat3 stretchAlong(const glm::dvec3& along) {
-    return glm::dmat3(slenderness) - (slenderness - 1.0) * glm::outerProduct(along, along);
+    return glm::dmat3(lengthRatio) - (lengthRatio - 1.0) * glm::outerProduct(along, along);
 }
 
-/// Mean, deviation and skewness of the speed over the mean wind, and swing, for heights below the top: a
-/// table by turbulence intensity, since a SwingingWind is what costs most of a sample.
-class WindsBelow {
+/// Table of SwingingWinds below the canopy top by turbulence intensity: mean, deviation and skewness of the
+/// speed over the mean wind, and swing. Computing them for each sample would dominate the cost.
+class SwingingWindTable {
 public:
-    WindsBelow() {
-        const CanopyProfile profile = CanopyProfile::over(1.0f, 1.0f);
+    SwingingWindTable() {
+        const CanopyProfile profile = CanopyProfile::ofStand(1.0f, 1.0f);
         const WindSpread top = profile.spread(1.0f);
         for (std::size_t i = 0; i < _winds.size(); ++i) {
             const float part = std::max(step * static_cast<float>(i), 0.01f) / top.along;
@@ -89,20 +87,20 @@ public:
     }
 
     glm::vec4 at(float intensity) const {
-        const float place = std::min(intensity / step, static_cast<float>(_winds.size()) - 1.01f);
-        const auto low = static_cast<std::size_t>(place);
-        return glm::mix(_winds[low], _winds[low + 1], place - static_cast<float>(low));
+        const float position = std::min(intensity / step, static_cast<float>(_winds.size()) - 1.01f);
+        const auto low = static_cast<std::size_t>(position);
+        return glm::mix(_winds[low], _winds[low + 1], position - static_cast<float>(low));
     }
 
 private:
     static constexpr float step = 1.0f / 32.0f;
-    std::array<glm::vec4, 320> _winds; ///< Up to 10: on the ground under the densest crowns.
+    std::array<glm::vec4, 320> _winds; ///< Up to intensity 10, at the ground under the densest crowns.
 };
 
-const WindsBelow windsBelow;
+const SwingingWindTable swingingWinds;
 
-/// Nearly Gaussian noise of mean 0 and variance 1 made skewed: that of a gamma distribution (Wilson and
-/// Hilferty 1931), with the same mean and variance.
+/// Skews nearly Gaussian noise of mean 0 and variance 1: to a gamma distribution (Wilson and Hilferty 1931)
+/// of the same mean and variance.
 float skewed(float noise, float skewness) {
     const float s = std::max(skewness, 0.01f), root = 1.0f - s * s / 36.0f + s / 6.0f * noise;
     return (root * root * root - 1.0f) * 2.0f / s;
@@ -111,30 +109,29 @@ float skewed(float noise, float skewness) {
 } // namespace
 
 CanopyFlow::CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed)
-    : _map(std::move(map)), _usual(usualWind(mean, _map->reference)),
-      _gustVelocity(_usual * (gustSpeedRatio * _map->usual.top)),
+    : _map(std::move(map)), _meanWind(hourlyMean(mean, _map->reference)),
+      _gustVelocity(_meanWind * (gustSpeedRatio * _map->usual.topSpeedRatio)),
       _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
-             stretchAlong(LevelWind(_gustVelocity).along), octaves) {}
+             stretchAlong(HorizontalWind(_gustVelocity).along), octaves) {}
 
-/// The stand that the air of a place comes from.
-CanopyAt CanopyFlow::standOf(const glm::vec3& place, const LevelWind& wind) const {
-    return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.top * wind.speed);
+CanopySample CanopyFlow::standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const {
+    return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.topSpeedRatio * wind.speed);
 }
 
-TreeCompany CanopyFlow::companyAt(const glm::vec2& place) const {
-    const CanopyAt stand = standOf(glm::vec3(place, 0.0f), LevelWind(_usual));
-    return {_map->crownsAt(place), 1.0f - stand.closure * (1.0f - stand.shelter)};
+NeighbourEffect CanopyFlow::neighbourEffectAt(const glm::vec2& place) const {
+    const CanopySample stand = standUpwindOf(glm::vec3(place, 0.0f), HorizontalWind(_meanWind));
+    return {_map->crownCoverAt(place), 1.0f - stand.closure * (1.0f - stand.shelter)};
 }
 
 /// @param given the wind at the reference.
-glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
-                            const NoisePoint& noise) const {
+glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace& place,
+                                     const HorizontalWind& given, const NoisePoint& noise) const {
     const CanopyProfile& profile = stand.profile;
     const float z = place.height, skewness = profile.skewness(z), mean = profile.mean(z);
     const WindSpread spread = profile.spread(z);
     glm::vec4 wind; // mean, deviation and skewness of the speed, and swing
     if (z <= profile.height) {
-        wind = windsBelow.at(spread.along / mean);
+        wind = swingingWinds.at(spread.along / mean);
         wind.x *= mean;
         wind.y *= mean;
     } else {
@@ -146,8 +143,8 @@ glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const
     const float down = skewed(uwCorrelation * noise.values[0] +
                                   std::sqrt(1.0f - uwCorrelation * uwCorrelation) * noise.values[2],
                               skewness);
-    float factor = given.speed * stand.top;
-    if (place.inCrown) { // to half a height above, where no crown shelters another
+    float factor = given.speed * stand.topSpeedRatio;
+    if (place.inCrown) { // shelter fades out to half a height above the canopy
         const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);
         factor *= stand.shelter + (1.0f - stand.shelter) * free;
     }
@@ -158,12 +155,12 @@ glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const
 
 void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, const WindPlace* places,
                         std::size_t count, double time, glm::vec3* out) const {
-    const GustNoise::At noise = _noise.at(glm::dvec3(_gustVelocity) * heldTime(time, 1e12));
-    constexpr std::size_t block = GustNoise::block;
+    const GustNoise::Advected noise = _noise.advected(glm::dvec3(_gustVelocity) * clampedTime(time, 1e12));
+    constexpr std::size_t block = GustNoise::blockSize;
     WindPlace raised[block];
     glm::vec3 given[block];
-    LevelWind level[block];
-    CanopyAt stands[block];
+    HorizontalWind level[block];
+    CanopySample stands[block];
     NoisePoint turbulence[block];
     for (std::size_t first = 0; first < count; first += block) {
         const std::size_t size = std::min(count - first, block);
@@ -172,8 +169,8 @@ void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, co
         meanWind.sample(raised, size, time, given);
         bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
-            level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : LevelWind(given[n]);
-            stands[n] = standOf(places[first + n].position, level[n]);
+            level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : HorizontalWind(given[n]);
+            stands[n] = standUpwindOf(places[first + n].position, level[n]);
             open |= stands[n].closure < 1.0f;
             closed |= stands[n].closure > 0.0f;
         }
@@ -184,7 +181,7 @@ void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, co
         for (std::size_t n = 0; n < size; ++n) {
             const float closure = stands[n].closure;
             if (closure > 0.0f) {
-                const glm::vec3 v = among(stands[n], places[first + n], level[n], turbulence[n]);
+                const glm::vec3 v = windAmongTrees(stands[n], places[first + n], level[n], turbulence[n]);
                 out[first + n] = closure < 1.0f ? glm::mix(out[first + n], v, closure) : v;
             }
         }

@@ -11,37 +11,37 @@
 
 namespace osgTreeWind {
 
-/// A wind that does not know of the trees, continued down among them.
+/// Extends a wind that ignores the trees down into the canopy.
 ///
-/// At the map's reference above the ground it is the mean of the canopy's wind, which is scaled from there as
-/// the stand's profile says. Turbulence is the canopy's own: about as long as trees are high, carried along
-/// at 1.8 times the mean at their tops (Raupach, Finnigan and Brunet 1996), with sweeps, rare and strong,
-/// that come from above and swing in direction. Toward open country the given wind takes over with its own
-/// gusts. A function of place and time, finite for finite arguments.
+/// The mean wind at the map's reference height is scaled downward by the profile of the stand upwind.
+/// Turbulence inside the canopy is synthetic: eddies about as long as trees are high, advected at 1.8 times
+/// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), with rare and strong sweeps from above
+/// that vary in direction. Toward open country the flow blends into the open wind with its own gusts. The
+/// result depends only on place and time, and is finite for finite arguments.
 class CanopyFlow {
 public:
-    /// @param mean the wind above, without the gusts that it makes up. @param map not null; refer() was
-    /// called.
+    /// @param mean the wind above the canopy without synthetic gusts.
+    /// @param map not null, after CanopyMap::setReference().
     CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed);
 
-    /// WindField::sample(). @param open the wind above. @param mean the same without gusts.
+    /// As WindField::sample(). @param open the wind above the canopy. @param mean the same without gusts.
     void sample(const WindField& open, const WindField& mean, const WindPlace* places, std::size_t count,
                 double time, glm::vec3* out) const;
 
-    /// The neighbours and the shelter of a tree there, in the mean wind.
-    TreeCompany companyAt(const glm::vec2& place) const;
-    /// Mean of an hour at the reference, level, m/s.
-    const glm::vec3& meanWind() const { return _usual; }
+    /// Crown contact and shelter of a tree at this place, in the mean wind.
+    NeighbourEffect neighbourEffectAt(const glm::vec2& place) const;
+    /// Horizontal mean wind of one hour at the reference height, m/s.
+    const glm::vec3& meanWind() const { return _meanWind; }
 
 private:
-    struct LevelWind;
-    CanopyAt standOf(const glm::vec3& place, const LevelWind& wind) const;
-    glm::vec3 among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
-                    const NoisePoint& noise) const;
+    struct HorizontalWind;
+    CanopySample standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const;
+    glm::vec3 windAmongTrees(const CanopySample& stand, const WindPlace& place, const HorizontalWind& given,
+                             const NoisePoint& noise) const;
 
     std::shared_ptr<const CanopyMap> _map;
-    glm::vec3 _usual;        ///< Mean wind at the reference.
-    glm::vec3 _gustVelocity; ///< At which gusts travel, m/s.
+    glm::vec3 _meanWind;
+    glm::vec3 _gustVelocity; ///< Velocity that advects the gusts, m/s.
     GustNoise _noise;
 };
 

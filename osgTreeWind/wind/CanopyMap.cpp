@@ -10,15 +10,15 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A mean speed at the top within the steps of CanopyCell::shelter.
+/// Interpolates CanopyCell::shelter at a mean speed at the top.
 struct SpeedStep {
     std::size_t low;
-    float share; ///< Of the next step.
+    float share; ///< Weight of step `low` + 1.
 
     explicit SpeedStep(float speed) {
         const float at =
-            std::clamp(speed / CanopyCell::speedStep, 0.0f, static_cast<float>(CanopyCell::speeds - 1));
-        low = std::min(static_cast<std::size_t>(at), CanopyCell::speeds - 2);
+            std::clamp(speed / CanopyCell::speedStep, 0.0f, static_cast<float>(CanopyCell::speedCount - 1));
+        low = std::min(static_cast<std::size_t>(at), CanopyCell::speedCount - 2);
         share = at - static_cast<float>(low);
     }
 
@@ -29,51 +29,51 @@ struct SpeedStep {
 
 } // namespace
 
-void CanopyMap::refer(float height) {
+void CanopyMap::setReference(float height) {
     reference = std::max(height, usual.profile.height);
     for (const CanopyCell& one : cells)
         reference = std::max(reference, one.profile.height);
     const auto scale = [&](CanopyCell& one) {
-        one.top = one.closure > 0.0f ? 1.0f / one.profile.mean(reference) : 1.0f;
+        one.topSpeedRatio = one.closure > 0.0f ? 1.0f / one.profile.mean(reference) : 1.0f;
     };
     scale(usual);
     std::for_each(cells.begin(), cells.end(), scale);
 }
 
-float CanopyMap::crownsAt(const glm::vec2& place) const {
-    if (everywhere)
-        return usual.crowns;
+float CanopyMap::crownCoverAt(const glm::vec2& place) const {
+    if (isUniform)
+        return usual.crownCover;
     const glm::vec2 at = glm::floor(place / cell + 0.5f) - glm::vec2(first);
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width) &&
           at.y < static_cast<float>(length)))
         return 0.0f;
     return cells[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(width) +
                  static_cast<std::size_t>(at.x)]
-        .crowns;
+        .crownCover;
 }
 
-CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
+CanopySample CanopyMap::at(const glm::vec2& place, float speed) const {
     const SpeedStep step(speed);
-    if (everywhere)
-        return {usual.closure, usual.profile, usual.top, step.shelterOf(usual)};
-    // Places of a map do not depend on how far it goes: a part of a forest has the same cells as the whole.
+    if (isUniform)
+        return {usual.closure, usual.profile, usual.topSpeedRatio, step.shelterOf(usual)};
+    // Cells are aligned with the origin, so that a tile has the same cells as the whole forest.
     const glm::vec2 middle = place / cell, at = middle - glm::vec2(first);
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
           at.y < static_cast<float>(length - 1)))
-        return {}; // the outermost cells are open country too
+        return {}; // the outermost cells are open country
     const glm::vec2 low = glm::floor(middle);
     const float east = middle.x - low.x, north = middle.y - low.y;
     const auto x = static_cast<std::size_t>(static_cast<int>(low.x) - first.x),
                y = static_cast<std::size_t>(static_cast<int>(low.y) - first.y);
     const CanopyCell* corner = &cells[y * static_cast<std::size_t>(width) + x];
-    // What a stand is like counts as far as there is one.
+    // Cells are weighted by closure, so that open country does not affect the properties of a stand.
     float closure = 0.0f, shelter = 0.0f;
     glm::vec4 stand(0.0f);
     const auto add = [&](const CanopyCell& one, float share) {
         const float weight = share * one.closure;
         closure += weight;
-        stand +=
-            weight * glm::vec4(one.profile.height, one.profile.friction, one.profile.attenuation, one.top);
+        stand += weight * glm::vec4(one.profile.height, one.profile.friction, one.profile.attenuation,
+                                    one.topSpeedRatio);
         shelter += weight * step.shelterOf(one);
     };
     add(corner[0], (1.0f - east) * (1.0f - north));
@@ -84,7 +84,7 @@ CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
         return {};
     const float each = 1.0f / closure;
     stand *= each;
-    return {closure > 0.999f ? 1.0f : closure, // but for rounding
+    return {closure > 0.999f ? 1.0f : closure, // removes rounding errors
             {stand.x, stand.y, stand.z},
             stand.w,
             shelter * each};

@@ -12,53 +12,52 @@
 
 namespace osgTreeWind {
 
-/// The stand around a place.
+/// The stand around a place, as one cell of a CanopyMap.
 struct CanopyCell {
-    static constexpr std::size_t speeds = 8;
+    static constexpr std::size_t speedCount = 8;
     static constexpr float speedStep = 8.0f; ///< m/s
 
-    float closure = 0.0f; ///< closureOf() it: 0 is open country.
-    float crowns = 0.0f;  ///< Share of the ground that is under crowns, at most 1.
+    float closure = 0.0f;    ///< See closureOf(); 0 in open country.
+    float crownCover = 0.0f; ///< Share of the ground under crowns, [0, 1].
     CanopyProfile profile;
-    float top = 1.0f; ///< Mean at the top over that at CanopyMap::reference.
-    /// The wind between leaves over that of free air there, for mean speeds at the top of 0, speedStep, ...
-    std::array<float, speeds> shelter{};
+    float topSpeedRatio = 1.0f; ///< Mean wind at the top of the stand over that at CanopyMap::reference.
+    /// Wind between leaves over the wind beside the crown, for mean speeds at the top of 0, speedStep, ...
+    std::array<float, speedCount> shelter{};
 };
 
-/// The same at one mean speed at the top.
-struct CanopyAt {
+/// The stand at a place for one mean wind speed.
+struct CanopySample {
     float closure = 0.0f;
-    CanopyProfile profile; ///< Nothing where the closure is 0.
-    float top = 1.0f;      ///< As CanopyCell has it.
-    float shelter = 1.0f;
+    CanopyProfile profile;      ///< All 0 where the closure is 0.
+    float topSpeedRatio = 1.0f; ///< As CanopyCell::topSpeedRatio.
+    float shelter = 1.0f;       ///< Wind between leaves over the wind beside the crown.
 };
 
-/// What the trees around a tree are to it.
-struct TreeCompany {
-    float crowns = 0.0f; ///< Share of the ground around it that is under crowns, [0, 1]: they touch its own.
-    float shelter =
-        1.0f; ///< Wind between its leaves over that of the stand's air, in the wind that usually blows.
+/// How neighbouring trees affect a tree: by crown contact and by shelter.
+struct NeighbourEffect {
+    float crownCover = 0.0f; ///< Share of the ground under crowns around it, [0, 1]: contact with neighbours.
+    float shelter = 1.0f;    ///< Wind between its leaves over the wind in the stand, in the mean wind.
 };
 
-/// The stands of a forest from above: which one the air comes from at each place. Immutable once made.
+/// Map of the stands of a forest, to find the stand upwind of a place. Immutable once built.
 struct CanopyMap {
-    glm::ivec2 first{0}; ///< The first cell's middle, in cells from the origin.
-    float cell = 1.0f;   ///< Metres.
+    glm::ivec2 first{0}; ///< Centre of the first cell, in cells from the origin.
+    float cell = 1.0f;   ///< Cell size, metres.
     int width = 0, length = 0;
-    std::vector<CanopyCell> cells; ///< Eastward, then northward; those of no trees have closure 0.
-    float reference = 0.0f;        ///< Where the wind is given, metres above the ground; see refer().
-    /// How far upwind of a place the middle of its stand is; it reaches as far to all sides.
+    std::vector<CanopyCell> cells; ///< West to east, then south to north.
+    float reference = 0.0f;        ///< Height at which the wind is known, metres above the ground.
+    /// Distance from a place to the centre of the stand upwind of it, and radius of that stand, metres.
     float fetch = 0.0f;
-    CanopyCell usual;        ///< What gusts have their size and pace from.
-    bool everywhere = false; ///< `usual` is, and there are no cells.
+    CanopyCell usual;       ///< The stand that sets the size and speed of gusts.
+    bool isUniform = false; ///< True: `usual` covers all places, and `cells` is empty.
 
-    /// Has the wind be given at `height`, metres above the ground, or at the highest canopy's top.
-    void refer(float height);
+    /// Sets the reference height, metres above the ground; at least the top of the highest stand.
+    void setReference(float height);
 
-    /// The stand at a place; outside of the map it is open country. @param speed mean at the top, m/s.
-    CanopyAt at(const glm::vec2& place, float speed) const;
-    /// Share of the ground around a place that is under crowns, [0, 1].
-    float crownsAt(const glm::vec2& place) const;
+    /// The stand at a place; open country outside the map. @param speed mean wind at its top, m/s.
+    CanopySample at(const glm::vec2& place, float speed) const;
+    /// Share of the ground under crowns around a place, [0, 1].
+    float crownCoverAt(const glm::vec2& place) const;
 };
 
 } // namespace osgTreeWind

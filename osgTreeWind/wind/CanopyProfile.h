@@ -3,32 +3,32 @@
 
 namespace osgTreeWind {
 
-/// Standard deviations of a wind over its mean speed at the canopy's top.
+/// Standard deviations of the wind, relative to its mean speed at the canopy top.
 struct WindSpread {
     float along = 0.0f, across = 0.0f, up = 0.0f;
 };
 
-/// How wind grows with height in and over a stand of trees, over its mean at their tops: exponential below
-/// (Cionco 1965), even within the roughness sublayer, logarithmic above it (Raupach 1994).
+/// Wind profile in and above a stand of trees, relative to the mean wind at the canopy top: exponential in
+/// the canopy (Cionco 1965), linear in the roughness sublayer, logarithmic above it (Raupach 1994).
 struct CanopyProfile {
-    float height = 0.0f;      ///< Of the canopy's top, metres, above 0.
-    float friction = 0.0f;    ///< u*, over the mean at the top.
-    float attenuation = 0.0f; ///< a in exp(-a (1 - z/height)), above 0.
+    float height = 0.0f;      ///< Height of the canopy top, metres, above 0.
+    float friction = 0.0f;    ///< Friction velocity u* over the mean wind at the top.
+    float attenuation = 0.0f; ///< Coefficient a in exp(-a (1 - z/height)), above 0.
 
-    /// Of a stand with that height and frontal area index: half of the area of leaves, and the area of wood
-    /// seen from the side, over that of the ground; above 0.
-    static CanopyProfile over(float height, float frontalArea);
+    /// The profile of a stand. @param height metres, above 0. @param frontalArea frontal area index, above 0:
+    /// half of the leaf area, plus the area of wood seen from the side, per ground area.
+    static CanopyProfile ofStand(float height, float frontalArea);
 
-    /// Zero-plane displacement over the height.
+    /// Zero-plane displacement over `height`.
     float displacement() const;
-    /// Mean at z metres above the ground. Finite for any z.
+    /// Mean wind at z metres above the ground. Finite for any z.
     float mean(float z) const;
     WindSpread spread(float z) const;
-    /// Skewness of the wind along its mean; that of the wind upward is its negative.
+    /// Skewness of the wind component along the mean; the vertical component has the negative of it.
     float skewness(float z) const;
 };
 
-/// Share of the momentum of a closed stand that one with this frontal area index takes, 0 to 1.
+/// Momentum absorbed by a stand with this frontal area index, relative to a closed stand, [0, 1].
 float closureOf(float frontalArea);
 
 } // namespace osgTreeWind

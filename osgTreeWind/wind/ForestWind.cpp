@@ -9,7 +9,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The cell a coordinate falls into, held at the first and the last; NaN gives the first.
+/// The cell of a coordinate, clamped to the first and the last; NaN gives the first.
 std::size_t cellAt(double coordinate, int cells) {
     if (!(coordinate > 0.0))
         return 0;

@@ -20,8 +20,8 @@ bool allFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// @param expected a double, so that no product of sizes overflows.
-/// @param shape how the count comes about, for the message.
+/// @param expected a double, so that a product of sizes does not overflow.
+/// @param shape explains the count in the message.
 void checkValues(const std::vector<float>& values, double expected, const std::string& shape,
                  Diagnostics& problems) {
     if (static_cast<double>(values.size()) != expected)
@@ -33,7 +33,7 @@ void checkValues(const std::vector<float>& values, double expected, const std::s
                                                     " at index " + std::to_string(bad - values.begin())));
 }
 
-/// Numbers of heights from one layer to the next, and from one time to the next.
+/// Strides of Grid::heights; 0 where a height holds for all points or all times.
 struct HeightStrides {
     std::size_t point = 0, layer = 1, step = 0;
 };
@@ -75,14 +75,14 @@ void checkRoughness(const GridWind::Grid& grid, Diagnostics& problems) {
     const double lowest =
         grid.heights.empty() ? grid.origin.z : *std::min_element(grid.heights.begin(), grid.heights.end());
     if (!grid.aboveGround)
-        problems.push_back(keyProblem("roughness", "expected heights above the ground beside it"));
+        problems.push_back(keyProblem("roughness", "expected heights above the ground, which it needs"));
     else if (!LogProfile{lowest, grid.roughness}.valid())
         problems.push_back(keyProblem("roughness", "expected above 0 and below the lowest height, " +
                                                        numberText(lowest) + " m, found " +
                                                        numberText(grid.roughness)));
 }
 
-/// The grid between two of its times.
+/// The grid at one time.
 class Sampler {
 public:
     Sampler(const GridWind::Grid& grid, double time)
@@ -93,30 +93,33 @@ public:
 
     glm::vec3 at(const WindPlace& place) const {
         const double z = _grid.aboveGround ? place.height : place.position.z;
-        const glm::dvec3 at(place.position.x, place.position.y, z), index = (at - _grid.origin) / _grid.cell;
+        const glm::dvec3 position(place.position.x, place.position.y, z),
+            index = (position - _grid.origin) / _grid.cell;
         const Interpolation x = interpolationAtIndex(index.x, _nx), y = interpolationAtIndex(index.y, _ny);
-        const auto growth = [&](std::size_t step) {
+        const auto profile = [&](std::size_t step) {
             return _grid.roughness > 0.0 ? profileFactor(z, heightOf(0, step, x, y)) : 1.0;
         };
         if (_grid.heights.empty())
-            return between(x, y, growth, [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
-        return between(x, y, growth, [&](std::size_t step) { return layersAround(z, step, x, y); });
+            return interpolate(x, y, profile,
+                               [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
+        return interpolate(x, y, profile, [&](std::size_t step) { return layersAround(z, step, x, y); });
     }
 
 private:
-    /// @param growth of the wind beyond its layers, and @param layers those around the place, at a step of
-    /// time.
-    template <typename Growth, typename Layers>
-    glm::vec3 between(const Interpolation& x, const Interpolation& y, const Growth& growth,
-                      const Layers& layers) const {
-        const auto at = [&](std::size_t step) { return growth(step) * inStep(step, x, y, layers(step)); };
-        glm::dvec3 result = at(_time.lower);
+    /// @param profile factor outside the layers, and @param layers around the place, both by time step.
+    template <typename Profile, typename Layers>
+    glm::vec3 interpolate(const Interpolation& x, const Interpolation& y, const Profile& profile,
+                          const Layers& layers) const {
+        const auto velocityAt = [&](std::size_t step) {
+            return profile(step) * inStep(step, x, y, layers(step));
+        };
+        glm::dvec3 result = velocityAt(_time.lower);
         if (_time.fraction > 0.0)
-            result = _time.mix(result, at(_time.upper));
+            result = _time.mix(result, velocityAt(_time.upper));
         return clampedVelocity(result);
     }
 
-    /// Of a wind that is known from a height upward.
+    /// The factor of the logarithmic profile outside the layers.
     double profileFactor(double z, double lowest) const {
         return _nz == 1 || z < lowest ? LogProfile{lowest, _grid.roughness}.factor(z) : 1.0;
     }

@@ -13,8 +13,8 @@
 
 namespace osgTreeWind {
 
-/// Wind known at the points of a grid, regular east and north, for one time or several: linear between points
-/// and between times, held at the edges and before the first and after the last time.
+/// Wind at the points of a grid that is regular in x and y, for one or several times. Interpolates linearly
+/// in space and time; clamps to the edges of the grid and to the first and last time.
 ///
 ///     GridWind::Grid grid;
 ///     grid.points = {2, 1, 1};
@@ -24,41 +24,41 @@ namespace osgTreeWind {
 ///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT GridWind final : public WindField {
 public:
-    /// The grid as plain values.
+    /// The grid and its velocities.
     struct Grid {
-        glm::ivec3 points{1};      ///< Numbers of points east, north and up, each at least 1.
+        glm::ivec3 points{1};      ///< Number of points east, north and up, each at least 1.
         glm::dvec3 origin{0.0};    ///< Scene position of the first point (south-west, lowest), metres.
-        glm::dvec3 cell{1.0};      ///< Distances between neighbouring points, metres, each above 0.
-        std::vector<double> times; ///< Seconds, strictly increasing; empty for a wind that does not change.
-        /// Scene heights of the points, metres, where layers are not evenly spaced or follow the ground; they
-        /// replace origin.z and cell.z. One for each layer, each point or each point and time, ordered as
-        /// values are, increasing upward; empty for even layers.
+        glm::dvec3 cell{1.0};      ///< Spacing of the points, metres, each above 0.
+        std::vector<double> times; ///< Seconds, strictly increasing; empty for a steady wind.
+        /// Scene heights, metres, for layers that are not evenly spaced or follow the terrain; they replace
+        /// origin.z and cell.z. One per layer, per point, or per point and time, in the order of `values`,
+        /// increasing upward; empty for evenly spaced layers.
         std::vector<float> heights;
-        /// Heights count from the ground below each place, not from the origin.
+        /// Heights are above the ground below each place instead of above scene z = 0.
         bool aboveGround = false;
-        /// Roughness length of the ground, metres, where heights count from it: wind below the lowest layer,
-        /// and of a single layer also above it, follows the logarithmic profile. 0: the layer holds.
+        /// Roughness length of the ground, metres; needs `aboveGround`. Below the lowest layer, and above it
+        /// too if there is only one, the wind follows the logarithmic profile. 0: the layer's wind is used.
         double roughness = 0.0;
-        /// Velocities u, v, w (m/s toward east, north, up) point by point: east fastest, then north, then up,
-        /// then time.
+        /// Velocities u, v, w (m/s toward east, north, up) of each point: x fastest, then y, z and time.
         std::vector<float> values;
     };
 
-    /// A field over the grid, or what is wrong with it: diagnostics with the member's name as key.
+    /// Checks the grid and returns the wind, or diagnostics with the member's name as key.
     static Result<std::shared_ptr<const GridWind>> create(Grid grid);
 
-    /// The thesis' forestWind array (§4.2): at thesis position (x, y, z) the velocity stands at index
-    /// (floor(x) + floor(z) * width) * 3, positions outside held at the edge, nothing interpolated.
-    /// @param width, length cells of 1 m along thesis x (east) and thesis z (south).
+    /// The wind of a forestWind array as in the thesis (§4.2): the velocity at thesis position (x, y, z) is
+    /// at index (floor(x) + floor(z) * width) * 3, without interpolation; positions outside clamp to the
+    /// edge.
+    /// @param width, length number of cells of 1 m along thesis x (east) and thesis z (south).
     /// @param values width * length * 3 components in thesis axes, m/s.
     /// @param origin scene position of the array's corner.
     static Result<WindFieldPtr> fromForestWind(int width, int length, std::vector<float> values,
                                                const glm::dvec3& origin = glm::dvec3(0.0));
 
-    /// What is wrong with a grid; empty where create() takes it.
+    /// The problems of a grid; empty if create() accepts it.
     static Diagnostics check(const Grid& grid);
 
-    const Grid& grid() const { return _grid; } ///< As given.
+    const Grid& grid() const { return _grid; } ///< The grid as given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

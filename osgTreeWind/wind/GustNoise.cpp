@@ -15,12 +15,13 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int side = 32;         // of the lattice, a power of two
-constexpr int stride = side + 1; // with its first points again at the end, so that every cell has all corners
-constexpr std::size_t block = GustNoise::block;
-constexpr float farthestNoise = 1e7f;
-constexpr double octaveRatio = 2.03; // not a fraction of small numbers
-/// Mean variance of noise between two lattice points, under smoothstep.
+constexpr int side = 32; // of the lattice, a power of two
+constexpr int stride =
+    side + 1; // the first points are repeated at the end, so that every cell has all corners
+constexpr std::size_t block = GustNoise::blockSize;
+constexpr float maxCoordinateOfNoise = 1e7f;
+constexpr double octaveRatio = 2.03; // not a simple fraction, so that octaves do not align
+/// Mean variance of noise interpolated by smoothstep between two lattice points.
 constexpr double smoothVariance = 26.0 / 35.0;
 
 std::vector<NoisePoint> latticeNoise(Random& random) {
@@ -61,19 +62,18 @@ NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
     return result;
 }
 
-/// A block of places, east, north and above the ground, number by number so that the processor does four at
-/// once.
+/// A block of places as one array per axis (x, y, height), for SIMD.
 struct Positions {
     float axis[3][block];
 };
 
-/// The same in the cells of one octave.
+/// Positions in the lattice of one octave.
 struct Cells {
-    int corner[3][block];  ///< Of the cell, within the lattice.
-    float share[3][block]; ///< Of the far corner, smoothed.
+    int corner[3][block];  ///< Lower corner of the cell.
+    float share[3][block]; ///< Weight of the upper corner, by smoothstep.
 };
 
-/// One axis of the cells.
+/// Computes one axis of the Cells.
 void locate(const Positions& near, std::size_t count, const glm::vec4& toCells, int* corner, float* share) {
     const float *x = near.axis[0], *y = near.axis[1], *z = near.axis[2];
     const float a = toCells.x, b = toCells.y, c = toCells.z, offset = toCells.w;
@@ -87,7 +87,7 @@ void locate(const Positions& near, std::size_t count, const glm::vec4& toCells, 
     }
 }
 
-/// Adds the noise at these places, times a factor.
+/// Adds the noise at these positions, times a factor.
 void addNoise(const NoisePoint* noise, const Cells& cells, std::size_t count, float factor,
               NoisePoint* sums) {
     for (std::size_t n = 0; n < count; ++n) {
@@ -105,8 +105,10 @@ void addNoise(const NoisePoint* noise, const Cells& cells, std::size_t count, fl
     }
 }
 
-float held(float x) {
-    return x >= -farthestNoise ? std::min(x, farthestNoise) : x < 0.0f ? -farthestNoise : 0.0f;
+float clampedCoordinate(float x) {
+    return x >= -maxCoordinateOfNoise ? std::min(x, maxCoordinateOfNoise)
+           : x < 0.0f                 ? -maxCoordinateOfNoise
+                                      : 0.0f;
 }
 
 } // namespace
@@ -114,7 +116,7 @@ float held(float x) {
 struct GustNoise::Lattice {
     explicit Lattice(std::uint32_t seed) : random(seed), points(latticeNoise(random)) {}
 
-    Random random;                  ///< After the points.
+    Random random;                  ///< State after the points were drawn.
     std::vector<NoisePoint> points; ///< Mean 0 and variance 1 in each component.
 
     static std::shared_ptr<const Lattice> shared(std::uint32_t seed) {
@@ -127,8 +129,8 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& s
     : _lattice(Lattice::shared(seed)) {
     Random random = _lattice->random;
 
-    // Variance falls with the cell to the power 2/3. An octave's own length scale is cell / (2
-    // smoothVariance).
+    // Variance is proportional to cell size^(2/3). The length scale of an octave is its cell size /
+    // (2 smoothVariance).
     double variance = 0.0, lengths = 0.0;
     for (int i = 0; i < static_cast<int>(octaves); ++i) {
         variance += std::pow(octaveRatio, -2.0 / 3.0 * i);
@@ -144,11 +146,11 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& s
     }
 }
 
-GustNoise::At GustNoise::at(const glm::dvec3& travelled) const {
-    return At(*this, travelled);
+GustNoise::Advected GustNoise::advected(const glm::dvec3& travelled) const {
+    return Advected(*this, travelled);
 }
 
-GustNoise::At::At(const GustNoise& noise, const glm::dvec3& travelled) : _noise(noise) {
+GustNoise::Advected::Advected(const GustNoise& noise, const glm::dvec3& travelled) : _noise(noise) {
     for (std::size_t i = 0; i < noise._octaves.size(); ++i) {
         const Octave& octave = noise._octaves[i];
         const glm::dvec3 start = octave.offset - octave.toCells * travelled;
@@ -160,13 +162,13 @@ GustNoise::At::At(const GustNoise& noise, const glm::dvec3& travelled) : _noise(
     }
 }
 
-void GustNoise::At::sample(const WindPlace* places, std::size_t count, NoisePoint* out) const {
+void GustNoise::Advected::sample(const WindPlace* places, std::size_t count, NoisePoint* out) const {
     Positions near = {};
     Cells cells;
     for (std::size_t n = 0; n < count; ++n) {
-        near.axis[0][n] = held(places[n].position.x);
-        near.axis[1][n] = held(places[n].position.y);
-        near.axis[2][n] = held(places[n].height);
+        near.axis[0][n] = clampedCoordinate(places[n].position.x);
+        near.axis[1][n] = clampedCoordinate(places[n].position.y);
+        near.axis[2][n] = clampedCoordinate(places[n].height);
         out[n] = {};
     }
     for (std::size_t i = 0; i < _noise._octaves.size(); ++i) {

@@ -14,62 +14,61 @@
 
 namespace osgTreeWind {
 
-/// Three components of noise, and a fourth for the processor's sake.
+/// Three components of noise, padded to four for SIMD.
 struct alignas(16) NoisePoint {
     float values[4];
 };
 
-/// The turbulence of a wind before it has a size: at each place three numbers of mean 0 and variance 1,
-/// nearly Gaussian.
+/// Normalized turbulence: a nearly Gaussian noise field of three components, each of mean 0 and variance 1.
 ///
-/// A sum of octaves of smooth noise, each half as large as the one before, in its own orientation, so that
-/// nothing repeats visibly. Its spectrum along a line is flat below the length scale and falls with frequency
-/// to the power -5/3 above (Kolmogorov), over two decades with all octaves. One seed gives one noise.
+/// A sum of octaves of smooth noise, each half as large as the previous one and rotated differently to hide
+/// repetition. The spectrum along a line is flat below the wavenumber of the length scale and falls with the
+/// power -5/3 above it (Kolmogorov), over two decades with all octaves. The same seed gives the same noise.
 /// Immutable.
 class GustNoise {
 public:
-    static constexpr std::size_t block = 64; ///< The most places at once.
-    static constexpr std::size_t mostOctaves = 8;
+    static constexpr std::size_t blockSize = 64; ///< Maximum number of places per Advected::sample().
+    static constexpr std::size_t maxOctaves = 8;
 
-    /// @param lengthScale integral length scale, metres. @param stretch taken of places before, for scales
-    /// that differ with direction.
-    /// @param octaves 1 to mostOctaves, the large ones first.
+    /// @param lengthScale integral length scale, metres.
+    /// @param stretch applied to places first, for a length scale that depends on direction.
+    /// @param octaves 1 to maxOctaves, largest eddies first.
     GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch = glm::dmat3(1.0),
-              std::size_t octaves = mostOctaves);
+              std::size_t octaves = maxOctaves);
 
-    /// The octaves where the noise has travelled to.
-    class At;
-    At at(const glm::dvec3& travelled) const;
+    class Advected;
+    /// The noise after it has been carried by `travelled`, metres. Keep the GustNoise alive meanwhile.
+    Advected advected(const glm::dvec3& travelled) const;
 
 private:
     struct Octave {
-        glm::dmat3 toCells; ///< From metres to cells of the noise.
+        glm::dmat3 toCells; ///< From metres to lattice cells.
         glm::dvec3 offset;
         float amplitude;
     };
 
     std::vector<Octave> _octaves;
     struct Lattice;
-    std::shared_ptr<const Lattice> _lattice; ///< All noises of one seed share it.
+    std::shared_ptr<const Lattice> _lattice; ///< Shared by all noises of the same seed.
 };
 
-/// It, once it has travelled; not longer than that lives.
-class GustNoise::At {
+/// A GustNoise displaced by the wind that carries it. Must not outlive the GustNoise.
+class GustNoise::Advected {
 public:
-    At(const GustNoise& noise, const glm::dvec3& travelled);
+    Advected(const GustNoise& noise, const glm::dvec3& travelled);
 
-    /// @param count at most `block`. @param out one for each place.
+    /// @param count at most blockSize. @param out one value for each place.
     void sample(const WindPlace* places, std::size_t count, NoisePoint* out) const;
 
 private:
-    /// From a place in metres, and 1, to each axis of an octave's cells, in floats.
+    /// A displaced octave. Row i of `toCells` maps (x, y, height, 1) in metres to lattice axis i.
     struct Frame {
         glm::vec4 toCells[3];
         float amplitude;
     };
 
     const GustNoise& _noise;
-    std::array<Frame, mostOctaves> _frames;
+    std::array<Frame, maxOctaves> _frames;
 };
 
 } // namespace osgTreeWind

@@ -55,11 +55,11 @@ WindFieldPtr GustWind::withoutGusts() const {
 }
 
 void GustWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    const glm::dvec3 travelled = glm::dvec3(_parameters.mean) * heldTime(time, 1e12);
-    const GustNoise::At noise = _noise->at(travelled);
-    for (std::size_t first = 0; first < count; first += GustNoise::block) {
-        const std::size_t size = std::min(count - first, GustNoise::block);
-        NoisePoint turbulence[GustNoise::block] = {};
+    const glm::dvec3 travelled = glm::dvec3(_parameters.mean) * clampedTime(time, 1e12);
+    const GustNoise::Advected noise = _noise->advected(travelled);
+    for (std::size_t first = 0; first < count; first += GustNoise::blockSize) {
+        const std::size_t size = std::min(count - first, GustNoise::blockSize);
+        NoisePoint turbulence[GustNoise::blockSize] = {};
         if (_parameters.intensity > 0.0)
             noise.sample(places + first, size, turbulence);
         float factor = 1.0f;

@@ -16,12 +16,12 @@ namespace osgTreeWind {
 
 class GustNoise;
 
-/// A mean wind with turbulence that it carries along unchanged (Taylor's frozen turbulence).
+/// A mean wind with synthetic gusts that travel with it unchanged (Taylor's frozen turbulence).
 ///
-/// Its spectrum along the wind is flat below the length scale and falls with frequency to the power -5/3
-/// above (Kolmogorov), over two decades. Standard deviations across the wind and upward are 0.8 and 0.5 of
-/// that along it (IEC 61400-1, Kaimal). One seed gives one wind. The whole follows the ground: what counts is
-/// the height of a place above it.
+/// The spectrum along the wind is flat at low frequencies and falls with the power -5/3 above those of the
+/// length scale (Kolmogorov), over two decades. The standard deviations across the wind and upward are 0.8
+/// and 0.5 of that along it (IEC 61400-1, Kaimal). The wind follows the terrain: it depends on the height
+/// above the ground, not on z.
 ///
 ///     GustWind::Parameters gusts;
 ///     gusts.mean = windVelocity({8.0, 240.0}, DirectionSense::From);
@@ -30,21 +30,20 @@ class GustNoise;
 ///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
-    /// How fast, how gusty, how large.
+    /// Mean wind and turbulence.
     struct Parameters {
-        glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< m/s toward, horizontal, at most 200; at the profile's height.
-        double intensity = 0.2;           ///< Standard deviation along the wind over mean speed.
-        double lengthScale = 60.0;        ///< Integral length scale of the turbulence along the wind, metres.
-        std::optional<LogProfile>
-            profile; ///< Scales mean and turbulence with height above the ground; empty: all heights alike.
-        std::uint32_t seed = 1; ///< One seed gives one wind.
+        glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< Horizontal, m/s toward, at most 200; at the profile's height.
+        double intensity = 0.2;           ///< Standard deviation along the wind over the mean speed, [0, 1].
+        double lengthScale = 60.0;        ///< Integral length scale along the wind, metres, [1, 1e5].
+        /// Scales mean and gusts with the height above the ground; empty: the same wind at all heights.
+        std::optional<LogProfile> profile;
+        std::uint32_t seed = 1; ///< The same seed gives the same wind.
     };
 
-    /// A field, or what is wrong with the parameters: diagnostics with the member's name, or its key in
-    /// WindFields.h.
+    /// Checks the parameters and returns the wind, or diagnostics with the member's name or file key as key.
     static Result<std::shared_ptr<const GustWind>> create(const Parameters& parameters);
 
-    const Parameters& parameters() const { return _parameters; } ///< As given.
+    const Parameters& parameters() const { return _parameters; } ///< The parameters as given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
@@ -56,7 +55,7 @@ private:
 
     Parameters _parameters;
     std::shared_ptr<const GustNoise> _noise;
-    glm::mat3 _axes; ///< Columns: along the wind, to its left, up; scaled by standard deviation.
+    glm::mat3 _axes; ///< Columns: along the wind, to its left, up; scaled by the standard deviations.
 };
 
 } // namespace osgTreeWind

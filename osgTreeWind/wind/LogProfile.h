@@ -5,17 +5,16 @@
 
 namespace osgTreeWind {
 
-/// How wind measured at one height grows with height above the ground: the logarithmic law of the neutral
-/// surface layer, u(z) = u(height) * ln(z / roughness) / ln(height / roughness).
+/// Logarithmic wind profile of the neutral surface layer:
+/// u(z) = u(height) * ln(z / roughness) / ln(height / roughness).
 struct OSGTREEWIND_EXPORT LogProfile {
-    double height = 10.0;   ///< Metres above ground of the measurement; above the roughness length.
+    double height = 10.0;   ///< Height of the measurement above the ground, metres, above `roughness`.
     double roughness = 0.1; ///< Roughness length z0 of the ground, metres, above 0.
 
     /// Whether both are finite and 0 < roughness < height.
     bool valid() const;
 
-    /// u(z) / u(height) for z in metres above the ground: 1 at `height`, 0 at and below `roughness`, finite
-    /// for any z. Only when valid().
+    /// u(z) / u(height) at z metres above the ground; 0 for z <= roughness, always finite. Requires valid().
     double factor(double z) const;
 };
 

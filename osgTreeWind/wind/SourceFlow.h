@@ -10,48 +10,48 @@
 
 namespace osgTreeWind {
 
-/// How one source moves the air. Values out of its ranges are clamped.
+/// The flow of one WindSource. Values out of range are clamped.
 class SourceFlow {
 public:
     explicit SourceFlow(const WindSource& source);
 
-    /// What it adds, m/s; nothing beyond its reach. Finite for any place and time. @param air that blows
-    /// where airPlace() says, without gusts, m/s; where that is nowhere it does not count.
-    glm::vec3 velocity(const WindPlace& place, double time, const glm::vec3& air) const;
-    /// The share of the wind that it leaves, [0, 1].
+    /// The velocity it adds to the wind, m/s; 0 beyond its reach. Finite for any place and time.
+    /// @param ambientWind wind at ambientWindPlace() without gusts, m/s; used only if isDeflectedByWind().
+    glm::vec3 velocity(const WindPlace& place, double time, const glm::vec3& ambientWind) const;
+    /// The share of the wind that remains, [0, 1]: below 1 in a shelter.
     float shareOfWind(const WindPlace& place, double time) const;
 
-    /// Whether it reaches a place.
+    /// Whether the place is within its reach.
     bool reaches(const WindPlace& place, double time) const;
-    /// Whether the wind bends its column or carries its wake off.
-    bool isBent() const;
-    /// Where the wind does so, over ground at z = `ground`.
-    WindPlace airPlace(float ground, double time) const;
+    /// Whether the wind deflects its flow: the column of a rotor, the wake of a vehicle.
+    bool isDeflectedByWind() const;
+    /// Where to sample the wind that deflects its flow, over ground at z = `ground`.
+    WindPlace ambientWindPlace(float ground, double time) const;
 
-    /// Lowest and highest x and y that it reaches within `half` seconds of a time, metres.
-    std::pair<glm::dvec2, glm::dvec2> box(double time, double half) const;
-    /// How long it takes to move as far as it reaches, seconds; infinite where it stands still.
-    double validTime() const;
+    /// Bounds in x and y, metres, of its reach from `halfSpan` seconds before `time` to as long after.
+    std::pair<glm::dvec2, glm::dvec2> reachBounds(double time, double halfSpan) const;
+    /// Time in which it moves by its own reach, seconds; infinite if it does not move.
+    double reachTravelTime() const;
 
 private:
-    /// From the source as it stands then; far away where that is not finite.
+    /// The place relative to the source at this time; far away if that is not finite.
     glm::dvec3 offsetOf(const WindPlace& place, double time) const;
     glm::dvec3 rotor(const glm::dvec3& offset, double height, const glm::dvec2& air) const;
     glm::dvec3 jet(const glm::dvec3& offset) const;
     glm::dvec3 vortex(const glm::dvec3& offset) const;
     glm::dvec3 explosion(const glm::dvec3& offset, double time) const;
     glm::dvec3 vehicle(const glm::dvec3& offset, double height, const glm::dvec2& air) const;
-    /// Of what it adds on the average. @param air that goes past it, on the level, m/s.
+    /// The velocity it adds, without turbulence. @param air horizontal wind relative to the source, m/s.
     glm::dvec3 mean(const glm::dvec3& offset, double height, const glm::dvec2& air, double time) const;
-    /// Three numbers of mean 0 and variance 1, which the flow carries along.
+    /// Turbulence advected by the flow: three components of mean 0 and variance 1.
     glm::dvec3 noise(const glm::dvec3& offset, double time) const;
-    double reachOf() const;
-    double wakeReach() const;
+    double computeReach() const;
+    double computeWakeReach() const;
 
     WindSource _source;
-    glm::dvec3 _along{0.0};   ///< A jet, or a vehicle's way; of unit length.
-    glm::dvec3 _carries{0.0}; ///< Its eddies, m/s.
-    double _reach;            ///< On the level, metres: beyond, it adds less than 0.2 m/s.
+    glm::dvec3 _axis{0.0};         ///< Direction of a jet or of a vehicle's motion, unit length.
+    glm::dvec3 _eddyVelocity{0.0}; ///< Velocity that advects the turbulence, m/s.
+    double _reach;                 ///< Horizontal distance, metres, beyond which it adds less than 0.2 m/s.
 };
 
 } // namespace osgTreeWind

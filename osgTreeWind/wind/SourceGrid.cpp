@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A cell's number along an axis; NaN goes to the lowest cell.
+/// Cell index along an axis; NaN gives the lowest cell.
 std::int32_t cellAt(double coordinate, double size) {
     constexpr double last = 1e9;
     return static_cast<std::int32_t>(std::max(-last, std::min(std::floor(coordinate / size), last)));
@@ -24,7 +24,7 @@ std::uint64_t keyOf(std::int32_t x, std::int32_t y) {
 
 using Box = std::pair<glm::dvec2, glm::dvec2>;
 
-/// Small enough that few sources share a cell, large enough that each covers only a few.
+/// Small enough that few sources share a cell, large enough that each source covers few cells.
 double cellSize(const std::vector<Box>& boxes) {
     constexpr double meanCellsOfSource = 32.0, smallest = 1.0; // the latter in metres
     double size = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ double cellSize(const std::vector<Box>& boxes) {
 SourceGrid::SourceGrid(const std::vector<WindSource>& sources)
     : _flows(sources.begin(), sources.end()), _validFor(std::numeric_limits<double>::infinity()) {
     for (const SourceFlow& flow : _flows)
-        _validFor = std::min(_validFor, std::max(flow.validTime(), 0.5));
+        _validFor = std::min(_validFor, std::max(flow.reachTravelTime(), 0.5));
     if (!isEmpty())
         _cells = cellsAround(0.0);
 }
@@ -59,7 +59,7 @@ std::shared_ptr<const SourceGrid::Cells> SourceGrid::cellsAround(double time) co
     std::vector<Box> boxes;
     boxes.reserve(_flows.size());
     for (const SourceFlow& flow : _flows)
-        boxes.push_back(flow.box(time, std::isfinite(_validFor) ? _validFor : 0.0));
+        boxes.push_back(flow.reachBounds(time, std::isfinite(_validFor) ? _validFor : 0.0));
     cells->_size = cellSize(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const auto& [low, high] = boxes[i];
@@ -72,7 +72,7 @@ std::shared_ptr<const SourceGrid::Cells> SourceGrid::cellsAround(double time) co
 
 std::shared_ptr<const SourceGrid::Cells> SourceGrid::at(double time) const {
     std::shared_ptr<const Cells> cells = std::atomic_load(&_cells);
-    const double now = heldTime(time, 1e9);
+    const double now = clampedTime(time, 1e9);
     if (!(std::abs(now - cells->_middle) <= cells->_validFor)) {
         cells = cellsAround(now);
         std::atomic_store(&_cells, cells);

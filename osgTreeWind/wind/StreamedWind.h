@@ -13,37 +13,36 @@
 
 namespace osgTreeWind {
 
-/// A grid that a simulation fills with new velocities, and may move, while others sample it.
+/// A grid of wind that a running simulation updates, and may move, while the forest samples it.
 ///
-/// Any number of threads may update and sample at once: an update becomes the wind by swapping a pointer, and
-/// every sample() sees it whole or not at all.
+/// Any number of threads may update and sample at the same time. Updates are atomic: every sample() sees
+/// either all or nothing of an update.
 ///
 ///     auto wind = StreamedWind::create(grid).value();
 ///     forest->setWind(wind);
 ///     report(wind->update({velocities})); // in every frame, from any thread
 class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
-    /// What a simulation says anew. Nothing of it is needed after update().
+    /// New data from the simulation. update() copies it.
     struct Update {
-        Span<float> velocities; ///< u, v, w of each point, m/s, ordered as in GridWind::Grid.
-        /// Where the grid's first point now stands, metres; empty: where it stood. Its heights, where it has
-        /// any, rise and sink with it.
+        Span<float> velocities; ///< u, v, w of each point, m/s, in the order of GridWind::Grid::values.
+        /// New position of the grid's first point, metres; empty: unchanged. Layer heights move with it.
         std::optional<glm::dvec3> origin = std::nullopt;
-        /// Simulation time in seconds at which the velocities hold; empty: from now on, at all times.
+        /// Simulation time of the velocities, seconds; empty: they replace the wind at all times.
         ///
-        /// Between the last two updates with times the wind is linear in time; before the one it is held, and
-        /// after the other. So a host that updates for a time a little ahead gives trees a steady wind, and
-        /// one that is late a wind that stands still until it comes.
+        /// The wind is linear in time between the last two updates with a time, and clamped to them before
+        /// and after. Send updates slightly ahead of time for a continuous wind; until a late update arrives,
+        /// the wind does not change.
         std::optional<double> time = std::nullopt;
     };
 
-    /// A field that starts with the grid's values, or what is wrong with the grid. It has one time at most:
-    /// that at which they hold.
+    /// Checks the grid and returns a wind that starts with its values, or the problems. @param grid with at
+    /// most one time, that of its values.
     static Result<std::shared_ptr<StreamedWind>> create(GridWind::Grid grid);
 
-    /// Makes this the wind. A wrong number of velocities, a number that is not finite and a time that is not
-    /// after that of the update before are problems, and the wind stays as it was.
-    /// @return the problems; empty when all is well.
+    /// Replaces the wind. A wrong number of velocities, a value that is not finite, or a time that is not
+    /// after that of the previous update is a problem, and the wind does not change.
+    /// @return the problems; empty on success.
     Diagnostics update(const Update& update);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
@@ -51,18 +50,18 @@ public:
 
 private:
     using GridPtr = std::shared_ptr<const GridWind>;
-    /// The last one, or two with times.
+    /// The latest update, or the latest two with times.
     struct Updates {
         std::vector<GridPtr> grids;
-        std::vector<double> times; ///< Of each; empty where the one holds at all times.
+        std::vector<double> times; ///< One for each grid; empty if the only grid holds at all times.
     };
 
     StreamedWind(GridWind::Grid shape, Updates&& first);
     std::shared_ptr<const Updates> current() const { return std::atomic_load(&_updates); }
 
-    const GridWind::Grid _shape; ///< As create() was given it, without values.
+    const GridWind::Grid _shape; ///< As given to create(), without values.
     std::mutex _updating;
-    std::shared_ptr<const Updates> _updates; ///< Only through std::atomic_load and std::atomic_store.
+    std::shared_ptr<const Updates> _updates; ///< Access only with std::atomic_load and std::atomic_store.
 };
 
 } // namespace osgTreeWind

@@ -5,19 +5,19 @@
 
 namespace osgTreeWind {
 
-/// A level wind of which both speed and direction vary: a speed with mean, deviation and skewness, toward a
-/// Gaussian angle off the mean direction. Strong gusts then swing further to the side than weak ones.
+/// A horizontal wind of varying speed and direction: a skewed distribution of speeds, and a Gaussian angle to
+/// the mean direction. Strong gusts therefore deviate further sideways than weak ones.
 struct SwingingWind {
-    float cosine;                    ///< Mean of the angle's cosine.
-    float mean, deviation, skewness; ///< Of the speed.
+    float cosine;                    ///< Mean cosine of the angle.
+    float mean, deviation, skewness; ///< Moments of the speed.
 
-    /// That has this mean, spread and skewness along its mean direction. Not for a calm.
+    /// Matches the mean, spread and skewness of the component along the mean direction. @param along above 0.
     SwingingWind(float along, const WindSpread& spread, float skewAlong);
 
-    /// Deviation of the angle, radians.
+    /// Standard deviation of the angle, radians.
     float swing() const;
-    /// Mean of its pressure along the mean direction, over that of a steady wind of speed 1.
-    float push() const { return cosine * (mean * mean + deviation * deviation); }
+    /// Mean dynamic pressure along the mean direction, relative to a steady wind of speed 1.
+    float meanPressure() const { return cosine * (mean * mean + deviation * deviation); }
 };
 
 } // namespace osgTreeWind

@@ -34,10 +34,11 @@ Diagnostics check(const WindSeries& series) {
     return problems;
 }
 
-/// The time within the first period, counted from the first record on.
+/// The time wrapped into the first period.
 double wrapped(double time, const std::vector<double>& times) {
     const double first = times.front(), period = times.back() - first;
-    const double phase = std::fmod(time - first, period); // NaN, and so the first record, for no period
+    const double phase =
+        std::fmod(time - first, period); // NaN if the period is 0, which gives the first record
     return first + (phase < 0.0 ? phase + period : phase);
 }
 

@@ -14,20 +14,20 @@
 
 namespace osgTreeWind {
 
-/// A wind record taken at one point, as plain values: what the readers give and TimeSeriesWind takes.
+/// A wind record from one point, as file readers return it and TimeSeriesWind uses it.
 struct WindSeries {
-    std::vector<double> times;         ///< Seconds, strictly increasing; readers start them at 0.
-    std::vector<glm::vec3> velocities; ///< m/s toward, one per time.
-    bool repeat = false;               ///< Start again after the last time (period last - first) or hold it.
-    std::optional<LogProfile> profile; ///< Over the ground of each place; empty: all heights alike.
+    std::vector<double> times;         ///< Seconds, strictly increasing; readers start at 0.
+    std::vector<glm::vec3> velocities; ///< m/s toward, one for each time.
+    bool repeat = false;               ///< Repeat with the period last - first instead of holding the ends.
+    std::optional<LogProfile> profile; ///< Above the ground of each place; empty: the same at all heights.
 };
 
-/// Of all of a record, each velocity for as long as it is the nearest, m/s; of one that is empty 0.
+/// Mean velocity of a record, m/s, each weighted by the time in which it is the nearest; 0 if empty.
 OSGTREEWIND_EXPORT glm::dvec3 meanVelocity(const WindSeries& series);
 
-/// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
-/// never interpolated), scaled with height above the ground where the record has a profile. Before the first
-/// record the first holds; after the last the last holds or the record repeats.
+/// The wind record of one point, applied to the whole forest. Velocity components (not directions) are
+/// interpolated linearly in time and, if the record has a profile, scaled with the height above the ground.
+/// Times before the first and after the last clamp to them, or the record repeats.
 ///
 ///     WindSeries record;
 ///     record.times = {0.0, 600.0};
@@ -36,10 +36,10 @@ OSGTREEWIND_EXPORT glm::dvec3 meanVelocity(const WindSeries& series);
 ///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT TimeSeriesWind final : public WindField {
 public:
-    /// A field over the record, or what is wrong with it: diagnostics with the member's name as key.
+    /// Checks the record and returns the wind, or diagnostics with the member's name as key.
     static Result<std::shared_ptr<const TimeSeriesWind>> create(WindSeries series);
 
-    const WindSeries& series() const { return _series; } ///< As given.
+    const WindSeries& series() const { return _series; } ///< The record as given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

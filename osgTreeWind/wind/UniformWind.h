@@ -6,18 +6,18 @@
 
 namespace osgTreeWind {
 
-/// The same velocity everywhere and always.
+/// A wind that is constant in space and time.
 ///
 ///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f))); // from the west
 class OSGTREEWIND_EXPORT UniformWind final : public WindField {
 public:
-    /// @param velocity m/s toward; calm when a component is not finite.
+    /// @param velocity m/s toward; 0 is used if a component is not finite.
     explicit UniformWind(const glm::vec3& velocity);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     KindOfWind kind() const override { return this; }
 
-    const glm::vec3& velocity() const { return _velocity; } ///< As given.
+    const glm::vec3& velocity() const { return _velocity; } ///< m/s toward.
 
 private:
     glm::vec3 _velocity;

@@ -13,7 +13,7 @@ Diagnostics check(const Wind& wind) {
     if (wind.canopy)
         checkFields(*wind.canopy, "wind", problems);
     if (wind.frame < WindFrame::Forest || wind.frame > WindFrame::Geocentric)
-        problems.push_back(keyProblem("wind.frame", "expected one of its words, found " +
+        problems.push_back(keyProblem("wind.frame", "expected a value of the enumeration, found " +
                                                         std::to_string(static_cast<int>(wind.frame))));
     return problems;
 }

@@ -21,15 +21,15 @@ namespace osgTreeWind {
 struct WindFiles;
 struct WindMap;
 
-/// Whose axes a wind is given in: its places, its velocities and what is up (docs/coordinates.md).
+/// The coordinate frame of a wind's places and velocities, and its vertical (docs/coordinates.md).
 enum class WindFrame {
-    Forest,    ///< The forest's own, metres from its origin: it stays with the forest wherever that is put.
-    Scene,     ///< Those of the scene's root, z up; or of the world less the forest's origin, where the
-               ///< forest stands nearer to its origin than to the scene's zero.
-    Geocentric ///< Those of the scene's root, which is a globe: up is the forest's own z.
+    Forest, ///< The forest's frame, metres from its origin: transforms above the forest move the wind, too.
+    Scene,  ///< The scene's root, z up. If the forest is nearer to its origin than to the scene's zero:
+            ///< world coordinates minus the forest's origin.
+    Geocentric ///< The root of a scene that is a globe: up is the forest's z axis.
 };
 
-/// A wind, as a value: a field, and what is done to it, in the order of the members.
+/// A wind as a value: a field, and the modifications applied to it in the order of the members.
 ///
 ///     Wind wind(std::make_shared<UniformWind>(glm::vec3(6, 0, 0)));
 ///     wind.adjustment.turn = 20.0;
@@ -37,36 +37,34 @@ enum class WindFrame {
 ///     forest->setWind(wind);
 struct OSGTREEWIND_EXPORT Wind {
     WindFieldPtr field;                 ///< Null: calm.
-    WindClock clock;                    ///< The field's time.
-    WindAdjustment adjustment;          ///< Stronger, weaker, turned.
-    WindFrame frame = WindFrame::Scene; ///< Whose axes all of it is given in.
-    /// How it goes on among the trees. Unset: as the forest's wind before; if that had none either, trees do
-    /// not change the wind.
+    WindClock clock;                    ///< Maps scene time to the field's time.
+    WindAdjustment adjustment;          ///< Scales and turns velocities.
+    WindFrame frame = WindFrame::Scene; ///< The frame of the field and of the sources.
+    /// The effect of the trees on the wind. Unset: as in the forest's previous wind; if that had none either,
+    /// trees do not change the wind.
     std::optional<WindCanopy> canopy;
-    std::vector<WindSource> sources; ///< What moves the air in addition, above the trees and among them.
+    std::vector<WindSource> sources; ///< Local sources, such as rotors, above and among the trees.
 
-    Wind() = default; ///< A calm.
-    /// A field as it is.
+    Wind() = default; ///< Calm.
+    /// A field without modifications.
     template <typename Field, typename = std::enable_if_t<std::is_convertible_v<Field*, const WindField*>>>
     Wind(std::shared_ptr<Field> given, WindFrame axes = WindFrame::Scene)
         : field(std::move(given)), frame(axes) {}
-    Wind(std::nullptr_t) {} ///< A calm.
+    Wind(std::nullptr_t) {} ///< Calm.
 
-    bool isCalm() const { return !field && sources.empty(); } ///< Whether nothing moves the air.
+    bool isCalm() const { return !field && sources.empty(); } ///< No field and no sources.
 
 private:
-    friend struct WindParts;
-    WindFieldPtr _read; ///< The field that was read from files; another `field` has neither of these.
+    friend struct WindInternals;
+    WindFieldPtr _fieldFromFiles; ///< The field that `_files` and `_map` belong to.
     std::shared_ptr<const WindFiles> _files;
     std::shared_ptr<const WindMap> _map;
 };
 
-/// All of a wind but its canopy as one field, where a forest that stands at the scene's zero meets it; null:
-/// a calm.
+/// A wind without the effect of its canopy as a single field, for a forest at the scene's zero; null if calm.
 OSGTREEWIND_EXPORT WindFieldPtr asField(const Wind& wind);
 
-/// The problems of a wind's frame and of its canopy's numbers; empty: none. Adjustments and sources are
-/// clamped.
+/// The problems of a wind's frame and canopy; empty if valid. Adjustments and sources are only clamped.
 OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
 
 } // namespace osgTreeWind

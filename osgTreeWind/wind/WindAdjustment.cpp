@@ -10,15 +10,15 @@ namespace osgTreeWind {
 
 namespace {
 
-double held(double value, double low, double high, double otherwise) {
-    return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
+double clampFinite(double value, double low, double high, double fallback) {
+    return std::isfinite(value) ? std::clamp(value, low, high) : fallback;
 }
 
 } // namespace
 
 glm::mat3 WindAdjustment::matrix() const {
-    const double factor = held(strength, 0.0, 10.0, 1.0),
-                 angle = glm::radians(held(turn, -360.0, 360.0, 0.0));
+    const double factor = clampFinite(strength, 0.0, 10.0, 1.0),
+                 angle = glm::radians(clampFinite(turn, -360.0, 360.0, 0.0));
     const auto along = static_cast<float>(factor * std::cos(angle)),
                right = static_cast<float>(factor * std::sin(angle)), up = static_cast<float>(factor);
     return {{along, -right, 0.0f}, {right, along, 0.0f}, {0.0f, 0.0f, up}};

@@ -7,15 +7,15 @@
 
 namespace osgTreeWind {
 
-/// Makes a wind stronger or weaker, and turns its velocities about the vertical where they are.
+/// Scales the velocities of a wind and turns them about the vertical, without moving their places.
 struct OSGTREEWIND_EXPORT WindAdjustment {
-    double strength = 1.0; ///< Factor of velocities, [0, 10].
-    double turn = 0.0;     ///< Degrees clockwise from above, [-360, 360].
+    double strength = 1.0; ///< Factor, [0, 10].
+    double turn = 0.0;     ///< Degrees clockwise as seen from above, [-360, 360].
 
-    /// Whether it leaves a wind as it is.
-    bool isNone() const { return strength == 1.0 && turn == 0.0; }
-    /// Takes a velocity to the adjusted one. Values out of range are clamped; one that is not finite counts
-    /// as the default.
+    /// Whether it changes nothing.
+    bool isIdentity() const { return strength == 1.0 && turn == 0.0; }
+    /// The matrix from original to adjusted velocities. Values out of range are clamped; values that are not
+    /// finite are replaced by the defaults.
     glm::mat3 matrix() const;
 };
 

@@ -5,30 +5,30 @@
 
 namespace osgTreeWind {
 
-/// Whether a wind knows of the trees in it.
+/// How the trees change a wind.
 enum class CanopySource {
-    None,   ///< It is taken as it is: it knows, or trees stand as if alone.
-    Forest, ///< It does not, and is continued into stands as the forest's own trees make them.
-    Given,  ///< It does not, and is continued into one stand that goes on to all sides.
+    None,   ///< Not at all: the data already include them, or each tree is treated as standing alone.
+    Forest, ///< The wind is extended into the stands formed by the forest's own trees.
+    Given,  ///< The wind is extended into one given stand that covers all places.
 };
 
-/// The stand into which a wind from above is continued (CanopyFlow).
+/// The stand into which an open wind is extended (CanopyFlow).
 struct WindCanopy {
-    CanopySource source = CanopySource::None; ///< Whose stands they are.
-    double height = 20.0;                     ///< Of a given stand, metres.
-    double frontalArea =
-        2.0; ///< Of a given stand: half of its leaf area, and wood from the side, over the ground's.
-    /// Metres above the ground where the wind is that of open country still. 60 is where roughness below is
-    /// blended (Wieringa 1986); at least the canopy's top counts.
+    CanopySource source = CanopySource::None; ///< Which stands are used.
+    double height = 20.0;                     ///< Height of a given stand, metres.
+    /// Frontal area index of a given stand: half the leaf area plus the side area of wood, per ground area.
+    double frontalArea = 2.0;
+    /// Height above the ground, metres, at which the wind is still that of open country; at least the canopy
+    /// top. Local roughness is blended at 60 m (Wieringa 1986).
     double reference = 60.0;
-    std::uint32_t seed = 1; ///< Of the turbulence.
-    /// Of a forest's own stands, metres: how far around its middle a stand reaches. 0: twice the mean height
-    /// of the trees that are there, which parts of a forest differ in.
+    std::uint32_t seed = 1; ///< Seed of the turbulence among the trees.
+    /// Radius of the stand around a place, metres, for CanopySource::Forest. 0: twice the mean height of the
+    /// trees; set it for tiles of one forest, whose means differ.
     double reach = 0.0;
-    /// Of the stand that the size and the pace of gusts among a forest's own trees go by: metres; 0: the mean
-    /// of the stands that are there.
+    /// Height of the stand that sets the size and speed of gusts, metres, for CanopySource::Forest. 0: the
+    /// mean of the stands.
     double usualHeight = 0.0;
-    double usualFrontalArea = 0.0; ///< The same, as `frontalArea`.
+    double usualFrontalArea = 0.0; ///< Frontal area index of that stand; 0: the mean of the stands.
 };
 
 } // namespace osgTreeWind

@@ -8,7 +8,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// 1 / v along v: of a velocity the seconds for each metre, and back. 0 for what has no inverse.
+/// A vector along v of length 1 / |v|, which converts between velocity and s/m; 0 if v has no inverse.
 glm::dvec2 inverse(const glm::dvec2& v) {
     const glm::dvec2 inverted = v / glm::dot(v, v);
     return std::isfinite(inverted.x) && std::isfinite(inverted.y) ? inverted : glm::dvec2(0.0);
@@ -28,20 +28,20 @@ double WindClock::at(const glm::dvec2& place, double time) const {
     return start + scale * time - glm::dot(lag(), place - origin);
 }
 
-WindClock WindClock::of(const WindClock& inner) const {
-    WindClock both = inner;
-    both.start += inner.scale * start;
+WindClock WindClock::then(const WindClock& next) const {
+    WindClock both = next;
+    both.start += next.scale * start;
     both.scale *= scale;
     if (!travels())
         return both;
-    if (!inner.travels()) { // without rounding
-        both.travel = inner.scale != 0.0 ? travel / inner.scale : glm::dvec2(0.0);
+    if (!next.travels()) { // avoids rounding
+        both.travel = next.scale != 0.0 ? travel / next.scale : glm::dvec2(0.0);
         both.origin = origin;
         return both;
     }
-    both.start += inner.scale * glm::dot(lag(), origin) + glm::dot(inner.lag(), inner.origin);
+    both.start += next.scale * glm::dot(lag(), origin) + glm::dot(next.lag(), next.origin);
     both.origin = glm::dvec2(0.0);
-    both.travel = inverse(inner.scale * lag() + inner.lag());
+    both.travel = inverse(next.scale * lag() + next.lag());
     return both;
 }
 

@@ -7,29 +7,27 @@
 
 namespace osgTreeWind {
 
-/// Which time of a wind's data is shown at a time of the scene, and where. At p and t that is
-/// start + scale * t - lag() . (p - origin).
+/// Maps a scene time t and a place p to a time of the wind data: start + scale * t - lag() . (p - origin).
 struct OSGTREEWIND_EXPORT WindClock {
-    double start = 0.0; ///< Seconds of the data's time shown at time 0.
-    /// Seconds of data per second: with 60 an hour of record passes in a minute; 0 freezes it, a negative one
-    /// runs it backwards.
+    double start = 0.0; ///< Time of the data at scene time 0, seconds.
+    /// Seconds of data per second of the scene: 60 plays an hour in a minute, 0 freezes, negative reverses.
     double scale = 1.0;
-    /// A wind that is known over time at one place travels from there unchanged (frozen turbulence, Taylor
-    /// 1938) with this velocity, m/s toward x and y: what lies downwind has it later. 0, 0: all places have
-    /// the same time.
+    /// Velocity along x and y, metres per second of data, at which the wind recorded at `origin` travels
+    /// unchanged (frozen turbulence, Taylor 1938): places downwind get it later. (0, 0): all places have the
+    /// same time.
     glm::dvec2 travel{0.0};
-    glm::dvec2 origin{0.0}; ///< The place where it is known, metres; see `travel`.
+    glm::dvec2 origin{0.0}; ///< Where the wind was recorded, metres; see `travel`.
 
-    /// Whether it shows the data's own time everywhere.
-    bool isNone() const { return start == 0.0 && scale == 1.0 && !travels(); }
-    /// Whether places have times of their own.
+    /// Whether data time equals scene time everywhere.
+    bool isIdentity() const { return start == 0.0 && scale == 1.0 && !travels(); }
+    /// Whether the data time depends on the place.
     bool travels() const;
-    /// How much later each place has the wind, s/m toward x and y.
+    /// Delay of the wind per metre along x and y, seconds of data per metre.
     glm::dvec2 lag() const;
-    /// The data's time, seconds. @param place x and y, metres. @param time of the scene, seconds.
+    /// The data time, seconds. @param place x and y, metres. @param time scene time, seconds.
     double at(const glm::dvec2& place, double time) const;
-    /// One clock for two: what `inner` shows at the time that this one shows.
-    WindClock of(const WindClock& inner) const;
+    /// This clock followed by `next`, which maps the times that this one returns.
+    WindClock then(const WindClock& next) const;
 };
 
 } // namespace osgTreeWind

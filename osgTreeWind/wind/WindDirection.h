@@ -7,20 +7,19 @@
 
 namespace osgTreeWind {
 
-/// What a wind direction means: where the air comes from (meteorology) or where it goes.
+/// Whether a direction is where the wind comes from (as in meteorology) or blows toward.
 enum class DirectionSense { From, Toward };
 
-/// A horizontal wind as people write it down.
+/// A horizontal wind as speed and direction.
 struct WindReading {
     double speed = 0.0;     ///< m/s, not negative.
-    double direction = 0.0; ///< Degrees clockwise from north (+y), east (+x) is 90.
+    double direction = 0.0; ///< Degrees clockwise from north (+y); east (+x) is 90.
 };
 
-/// The velocity of a reading, horizontal, m/s toward. Any direction in degrees; finite numbers expected.
-/// 5 m/s from 270 is (5, 0, 0).
+/// Horizontal velocity of a reading, m/s toward: 5 m/s from 270 is (5, 0, 0). @param reading finite numbers.
 OSGTREEWIND_EXPORT glm::vec3 windVelocity(const WindReading& reading, DirectionSense sense);
 
-/// The reading of a velocity's horizontal part, direction in [0, 360); 0 for calm.
+/// Speed and direction, in [0, 360), of the horizontal part of a velocity; both 0 if calm.
 OSGTREEWIND_EXPORT WindReading windReading(const glm::vec3& velocity, DirectionSense sense);
 
 } // namespace osgTreeWind

@@ -20,16 +20,15 @@ class UniformWind;
 class WindField;
 using WindFieldPtr = std::shared_ptr<const WindField>;
 
-/// A field by its kind, if a file can say that kind; otherwise as a WindField.
+/// A field as its own class, if forest files can store that class; otherwise as a WindField.
 using KindOfWind = std::variant<const WindField*, const UniformWind*, const GustWind*, const GridWind*,
                                 const ForestWind*, const TimeSeriesWind*>;
 
-/// A velocity at every place and time: what a Wind is made of.
+/// Base class of all winds: a velocity for every place and time.
 ///
-/// Positions are metres in the axes that the wind is given in (Wind::frame); velocities are m/s, the
-/// direction the air moves *toward*; times are seconds. Fields that know how wind grows with height count it
-/// from the ground of each place. Fields are immutable once shared: any number of threads may sample one.
-/// Replace a wind by handing over another field.
+/// Positions are metres in the frame of the wind (Wind::frame), velocities m/s in the direction the air moves
+/// *toward*, times seconds. Height profiles start at the ground below each place. A field is immutable once
+/// shared, and any number of threads may sample it; to change the wind, set another field.
 ///
 ///     class Whirl : public WindField {
 ///     public:
@@ -42,19 +41,19 @@ class OSGTREEWIND_EXPORT WindField {
 public:
     virtual ~WindField() = default;
 
-    /// Velocity at one place and time. Finite for finite arguments.
+    /// Velocity at a place and time. Finite for finite arguments.
     virtual glm::vec3 velocity(const WindPlace& place, double time) const = 0;
 
-    /// Velocities at `count` places at one time. Does not allocate.
+    /// Velocities at `count` places at the same time. Does not allocate.
     virtual void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
         for (std::size_t i = 0; i < count; ++i)
             out[i] = velocity(places[i], time);
     }
 
-    /// The same field without turbulence that is made up and not known; null where it makes up none.
+    /// This field without its synthetic turbulence; null if it has none.
     virtual WindFieldPtr withoutGusts() const { return nullptr; }
 
-    /// Which of the kinds it is that a file can say.
+    /// This field as its own class; see KindOfWind.
     virtual KindOfWind kind() const { return this; }
 };
 

@@ -11,26 +11,26 @@
 
 namespace osgTreeWind {
 
-/// Components of a velocity that a file may say, m/s; no wind on Earth was faster.
+/// Range of velocity components in files, m/s; no wind on Earth has been faster.
 constexpr Range windSpeeds = within(-200, 200);
-/// Points along a side of a grid, and metres between them.
+/// Number of points along a side of a grid, and their spacing in metres.
 constexpr Range gridPoints = within(1, 100000), gridCells = above(0, 1e6);
 
-/// But for mean and profile.
+/// Keys of files for each struct. Without mean and profile, which have keys of their own.
 template <>
 const Fields& fieldsOf<GustWind::Parameters>();
 template <>
 const Fields& fieldsOf<GridWind::Grid>();
 template <>
 const Fields& fieldsOf<ForestWind::Array>();
-/// But for the profile.
+/// Without the profile.
 template <>
 const Fields& fieldsOf<WindSeries>();
 template <>
 const Fields& fieldsOf<LogProfile>();
 template <>
 const Fields& fieldsOf<WindCanopy>();
-/// But for the plane.
+/// Without `travel` and `origin`.
 template <>
 const Fields& fieldsOf<WindClock>();
 template <>

@@ -15,15 +15,15 @@ glm::dvec2 onMap(const WindPlace& place, const glm::dvec2& origin) {
 
 } // namespace
 
-WindPlace WindMap::there(const WindPlace& place) const {
+WindPlace WindMap::toData(const WindPlace& place) const {
     WindPlace moved = place;
-    const glm::dvec2 at = mesh->there(onMap(place, origin)) - dataOrigin;
+    const glm::dvec2 at = mesh->transformed(onMap(place, origin)) - dataOrigin;
     moved.position.x = static_cast<float>(at.x);
     moved.position.y = static_cast<float>(at.y);
     return moved;
 }
 
-glm::vec3 WindMap::turned(const WindPlace& place, const glm::vec3& velocity) const {
+glm::vec3 WindMap::toScene(const WindPlace& place, const glm::vec3& velocity) const {
     const glm::vec2 north(mesh->north(onMap(place, origin)));
     return {velocity.x * north.y + velocity.y * north.x, velocity.y * north.y - velocity.x * north.x,
             velocity.z};

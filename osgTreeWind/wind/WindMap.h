@@ -11,16 +11,16 @@
 
 namespace osgTreeWind {
 
-/// Where the data of a wind lie that is on another map than the scene, or on degrees.
+/// Transform between the scene and wind data in another CRS, projected or in degrees.
 struct WindMap {
-    std::shared_ptr<const CrsMesh> mesh; ///< From the scene's map to the data's; not null.
-    glm::dvec2 origin{0.0};              ///< (0, 0) of the scene, on its map.
-    glm::dvec2 dataOrigin{0.0};          ///< (0, 0) of the data, on theirs.
+    std::shared_ptr<const CrsMesh> mesh; ///< From the scene's CRS to that of the data; not null.
+    glm::dvec2 origin{0.0};              ///< Scene (0, 0) in the scene's CRS.
+    glm::dvec2 dataOrigin{0.0};          ///< Data (0, 0) in the data's CRS.
 
-    /// A place of the scene among the data.
-    WindPlace there(const WindPlace& place) const;
-    /// A velocity of the data in the scene's axes. @param place in the scene.
-    glm::vec3 turned(const WindPlace& place, const glm::vec3& velocity) const;
+    /// Transforms a place from the scene to the data.
+    WindPlace toData(const WindPlace& place) const;
+    /// Turns a velocity from the data's axes to the scene's. @param place in the scene.
+    glm::vec3 toScene(const WindPlace& place, const glm::vec3& velocity) const;
 };
 
 } // namespace osgTreeWind

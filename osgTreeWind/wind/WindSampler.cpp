@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindSampler.h>
 
-#include <osgTreeWind/wind/WindParts.h>
+#include <osgTreeWind/wind/WindInternals.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -30,10 +30,9 @@ bool isInAnotherFrame(WindFrame frame, const glm::dmat4& forestToScene) {
     return frame != WindFrame::Forest && forestToScene != glm::dmat4(1.0);
 }
 
-/// Samples places that are elsewhere, a block at a time. @param transform takes a place to where it is
-/// sampled.
+/// Transforms places and samples the results block by block.
 template <typename Transform, typename Sample>
-void inBlocks(const WindPlace* places, std::size_t count, Transform transform, Sample sample) {
+void sampleInBlocks(const WindPlace* places, std::size_t count, Transform transform, Sample sample) {
     WindPlace moved[placesInBlock];
     for (std::size_t first = 0; first < count; first += placesInBlock) {
         const std::size_t some = std::min(placesInBlock, count - first);
@@ -44,7 +43,7 @@ void inBlocks(const WindPlace* places, std::size_t count, Transform transform, S
 
 } // namespace
 
-/// The wind without canopy and sources, of its field or of `_mean`.
+/// The wind without canopy and sources, of the field or of `_mean`.
 class WindSampler::AboveCanopy final : public WindField {
 public:
     AboveCanopy(const WindSampler& sampler, const WindField& field) : _sampler(sampler), _field(field) {}
@@ -65,7 +64,7 @@ private:
 WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene,
                          std::shared_ptr<const CanopyMap> canopy)
     : _wind(std::move(wind)), _mean(_wind->field ? _wind->field->withoutGusts() : nullptr),
-      _adjust(_wind->adjustment.matrix()), _isAdjusted(!_wind->adjustment.isNone()),
+      _adjust(_wind->adjustment.matrix()), _isAdjusted(!_wind->adjustment.isIdentity()),
       _isInAnotherFrame(isInAnotherFrame(_wind->frame, forestToScene)), _toWind(forestToScene),
       _turnBack(glm::transpose(rotationOf(forestToScene))), _sources(_wind->sources) {
     if (!_mean)
@@ -103,7 +102,7 @@ WindPlace WindSampler::toWindFrame(const WindPlace& place) const {
     return moved;
 }
 
-/// In the wind's axes.
+/// Samples a field in the wind's frame.
 void WindSampler::sampleData(const WindField& field, const WindPlace* places, std::size_t count, double time,
                              glm::vec3* out) const {
     const WindClock& clock = _wind->clock;
@@ -113,13 +112,13 @@ void WindSampler::sampleData(const WindField& field, const WindPlace* places, st
         for (std::size_t i = 0; i < some; ++i)
             velocities[i] = field.velocity(at[i], clock.at(glm::dvec2(at[i].position), time));
     };
-    if (const WindMap* map = WindParts::map(*_wind))
-        inBlocks(
-            places, count, [map](const WindPlace& place) { return map->there(place); },
+    if (const WindMap* map = WindInternals::map(*_wind))
+        sampleInBlocks(
+            places, count, [map](const WindPlace& place) { return map->toData(place); },
             [&](std::size_t first, const WindPlace* at, std::size_t some) {
                 sampleField(at, some, out + first);
                 for (std::size_t i = first; i < first + some; ++i)
-                    out[i] = map->turned(places[i], out[i]);
+                    out[i] = map->toScene(places[i], out[i]);
             });
     else
         sampleField(places, count, out);
@@ -127,12 +126,12 @@ void WindSampler::sampleData(const WindField& field, const WindPlace* places, st
         std::transform(out, out + count, out, [this](const glm::vec3& v) { return _adjust * v; });
 }
 
-/// In the forest's axes.
+/// Samples a field in the forest's frame, without canopy and sources.
 void WindSampler::sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
                              glm::vec3* out) const {
     if (!_isInAnotherFrame)
         return sampleData(field, places, count, time, out);
-    inBlocks(
+    sampleInBlocks(
         places, count, [this](const WindPlace& place) { return toWindFrame(place); },
         [&](std::size_t first, const WindPlace* at, std::size_t some) {
             sampleData(field, at, some, time, out + first);
@@ -141,8 +140,8 @@ void WindSampler::sampleOpen(const WindField& field, const WindPlace* places, st
         });
 }
 
-/// The wind that bends a source's flow, in the wind's axes.
-glm::vec3 WindSampler::airAt(const WindPlace& place, double time) const {
+/// The wind that deflects the flow of a source, in the wind's frame.
+glm::vec3 WindSampler::ambientWindAt(const WindPlace& place, double time) const {
     glm::vec3 air(0.0f);
     if (!_canopy) {
         if (_mean)
@@ -160,11 +159,11 @@ glm::vec3 WindSampler::airAt(const WindPlace& place, double time) const {
 }
 
 void WindSampler::addSources(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    struct Air {
+    struct AmbientWind {
         std::uint32_t source = ~0u;
         float ground = 0.0f;
         glm::vec3 velocity{0.0f};
-    } known[32]; // the air at a source is the same for all places on level ground
+    } cache[32]; // the ambient wind of a source is the same for all places on level ground
     const std::shared_ptr<const SourceGrid::Cells> cells = _sources.at(time);
     for (std::size_t i = 0; i < count; ++i) {
         const WindPlace place = toWindFrame(places[i]);
@@ -176,10 +175,10 @@ void WindSampler::addSources(const WindPlace* places, std::size_t count, double 
             if (!flow.reaches(place, time))
                 continue;
             share *= flow.shareOfWind(place, time);
-            Air& air = known[source % 32];
-            if (flow.isBent() && !(air.source == source && air.ground == ground))
-                air = {source, ground, airAt(flow.airPlace(ground, time), time)};
-            added += flow.velocity(place, time, air.velocity);
+            AmbientWind& ambient = cache[source % 32];
+            if (flow.isDeflectedByWind() && !(ambient.source == source && ambient.ground == ground))
+                ambient = {source, ground, ambientWindAt(flow.ambientWindPlace(ground, time), time)};
+            added += flow.velocity(place, time, ambient.velocity);
         }
         out[i] = share * out[i] + (_isInAnotherFrame ? glm::vec3(_turnBack * glm::dvec3(added)) : added);
     }
@@ -192,8 +191,9 @@ WindFieldPtr asField(const Wind& wind) {
 WindFieldPtr asField(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene) {
     if (wind->isCalm())
         return nullptr;
-    const bool isPlain = wind->sources.empty() && !WindParts::map(*wind) && wind->adjustment.isNone() &&
-                         wind->clock.isNone() && !isInAnotherFrame(wind->frame, forestToScene);
+    const bool isPlain = wind->sources.empty() && !WindInternals::map(*wind) &&
+                         wind->adjustment.isIdentity() && wind->clock.isIdentity() &&
+                         !isInAnotherFrame(wind->frame, forestToScene);
     return isPlain ? wind->field : std::make_shared<WindSampler>(std::move(wind), forestToScene);
 }
 

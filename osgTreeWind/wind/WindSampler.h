@@ -12,19 +12,19 @@
 
 namespace osgTreeWind {
 
-/// A Wind as a forest meets it: takes blocks of places, in the forest's axes, through all that is done to the
-/// wind. The forest's own motion makes no wind.
+/// Samples a Wind at places in the forest's frame with all of its modifications: clock, WindMap, adjustment,
+/// frame, canopy and sources. Motion of the forest node does not add to the wind.
 class WindSampler final : public WindField {
 public:
-    /// @param wind not null. @param forestToScene where the forest stands. @param canopy the stands among
-    /// which it goes on, referred (CanopyMap::refer()); null: it is taken as it is.
+    /// @param wind not null. @param forestToScene transform of the forest.
+    /// @param canopy the stands, after CanopyMap::setReference(); null: trees do not change the wind.
     explicit WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene = glm::dmat4(1.0),
                          std::shared_ptr<const CanopyMap> canopy = nullptr);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
-    /// The wind among the trees; null where trees do not change it.
+    /// The wind among the trees; null if trees do not change the wind.
     const std::shared_ptr<const CanopyFlow>& canopy() const { return _canopy; }
 
 private:
@@ -34,22 +34,22 @@ private:
                     glm::vec3* out) const;
     void sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
                     glm::vec3* out) const;
-    glm::vec3 airAt(const WindPlace& place, double time) const;
+    glm::vec3 ambientWindAt(const WindPlace& place, double time) const;
     void addSources(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const;
 
     std::shared_ptr<const Wind> _wind;
-    WindFieldPtr _mean; ///< Its field without made-up gusts.
+    WindFieldPtr _mean; ///< The field without synthetic gusts.
     glm::mat3 _adjust{1.0f};
     bool _isAdjusted, _isInAnotherFrame;
-    glm::dmat4 _toWind;        ///< Takes places of the forest to the wind's axes,
-    glm::dmat3 _turnBack;      ///< and velocities back.
-    double _heightScale = 1.0; ///< From heights in the forest's axes to those in the wind's.
+    glm::dmat4 _toWind;        ///< Transforms places from the forest's frame to the wind's.
+    glm::dmat3 _turnBack;      ///< Turns velocities from the wind's frame to the forest's.
+    double _heightScale = 1.0; ///< Scales heights from the forest's frame to the wind's.
     std::shared_ptr<const CanopyFlow> _canopy;
     SourceGrid _sources;
 };
 
-/// All of a wind but its canopy as one field in the forest's axes: null for a calm, and the wind's own field
-/// where nothing is done to it. @param wind not null.
+/// A wind without the effect of its canopy as a single field in the forest's frame: null if calm, the wind's
+/// own field if nothing modifies it. @param wind not null.
 WindFieldPtr asField(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene);
 
 } // namespace osgTreeWind

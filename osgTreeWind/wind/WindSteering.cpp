@@ -4,7 +4,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/wind/WindParts.h>
+#include <osgTreeWind/wind/WindInternals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr LogProfile overShortGrass{10.0, 0.03}; // Wieringa 1993
 
-WindSteering madeUp(const glm::vec3& mean, double gustiness) {
+WindSteering steeringOf(const glm::vec3& mean, double gustiness) {
     const WindReading reading = windReading(mean, DirectionSense::From);
     WindSteering steering;
     steering.speed = reading.speed;
@@ -26,13 +26,13 @@ WindSteering madeUp(const glm::vec3& mean, double gustiness) {
     return steering;
 }
 
-/// Mean speed and gusts of a field that is made up of them; nothing where it is not.
-struct MadeUp {
+/// Visitor: the steering of a synthetic field; empty for other fields.
+struct SyntheticSteering {
     std::optional<WindSteering> operator()(const UniformWind* wind) const {
-        return madeUp(wind->velocity(), 0.0);
+        return steeringOf(wind->velocity(), 0.0);
     }
     std::optional<WindSteering> operator()(const GustWind* wind) const {
-        return madeUp(wind->parameters().mean, wind->parameters().intensity);
+        return steeringOf(wind->parameters().mean, wind->parameters().intensity);
     }
     template <typename Other>
     std::optional<WindSteering> operator()(const Other*) const {
@@ -40,7 +40,7 @@ struct MadeUp {
     }
 };
 
-WindFieldPtr madeUpLike(const WindFieldPtr& like, const WindSteering& steering) {
+WindFieldPtr steerSynthetic(const WindFieldPtr& like, const WindSteering& steering) {
     if (!(steering.speed > 0.0))
         return nullptr;
     GustWind::Parameters gusts;
@@ -58,8 +58,8 @@ WindFieldPtr madeUpLike(const WindFieldPtr& like, const WindSteering& steering) 
 } // namespace
 
 void WindSteering::strengthen(double metresPerSecond) {
-    speed = std::clamp(speed + metresPerSecond, 0.0, fastest);
-    strength = std::clamp(0.01 * std::round(100.0 * strength + 10.0 * metresPerSecond), 0.0, strongest);
+    speed = std::clamp(speed + metresPerSecond, 0.0, maxSpeed);
+    strength = std::clamp(0.01 * std::round(100.0 * strength + 10.0 * metresPerSecond), 0.0, maxStrength);
 }
 
 void WindSteering::turnClockwise(double degrees) {
@@ -74,19 +74,21 @@ void WindSteering::changeGustiness(double by) {
 WindSteering steeringOf(const Wind& wind) {
     if (!wind.field)
         return {};
-    const bool isAsMade = !WindParts::map(wind) && wind.clock.isNone() && wind.adjustment.isNone();
-    if (const auto steering = isAsMade ? std::visit(MadeUp(), wind.field->kind()) : std::nullopt)
+    const bool isUnmodified =
+        !WindInternals::map(wind) && wind.clock.isIdentity() && wind.adjustment.isIdentity();
+    if (const auto steering =
+            isUnmodified ? std::visit(SyntheticSteering(), wind.field->kind()) : std::nullopt)
         return *steering;
     WindSteering steering;
-    steering.isMadeUp = false;
+    steering.isSynthetic = false;
     steering.strength = wind.adjustment.strength;
     steering.turn = wind.adjustment.turn;
     return steering;
 }
 
 Wind steered(Wind like, const WindSteering& steering) {
-    if (steering.isMadeUp)
-        like.field = madeUpLike(like.field, steering);
+    if (steering.isSynthetic)
+        like.field = steerSynthetic(like.field, steering);
     else
         like.adjustment = {steering.strength, steering.turn};
     return like;

@@ -5,33 +5,32 @@
 
 namespace osgTreeWind {
 
-/// A wind as one steers it by hand.
+/// Interactive control of a wind: its speed, direction and gustiness.
 ///
-/// Gusts, a uniform wind and a calm are made up: they take any speed and direction. Another wind is what it
-/// is, measured, computed or a host's: it can be made stronger and turned (WindAdjustment).
+/// Gusts, uniform winds and calms are synthetic, and take any speed and direction. All other winds (measured,
+/// computed or the host's) can only be scaled and turned (WindAdjustment).
 struct WindSteering {
-    static constexpr double fastest = 60.0, strongest = 10.0;
+    static constexpr double maxSpeed = 60.0, maxStrength = 10.0;
 
-    bool isMadeUp = true;
-    double speed = 0.0;     ///< m/s at the height at which it is given, at most `fastest`.
+    bool isSynthetic = true;
+    double speed = 0.0;     ///< m/s at the height of the profile, at most maxSpeed.
     double from = 270.0;    ///< Degrees clockwise from north, [0, 360).
-    double gustiness = 0.0; ///< Standard deviation along the wind over mean speed, [0, 1].
-    double strength = 1.0;  ///< Of another wind: over what it was, at most `strongest`,
-    double turn = 0.0;      ///< degrees clockwise, (-360, 360).
+    double gustiness = 0.0; ///< Standard deviation along the wind over the mean speed, [0, 1].
+    double strength = 1.0;  ///< Factor of a wind that is not synthetic, at most maxStrength.
+    double turn = 0.0;      ///< Turn of such a wind, degrees clockwise, (-360, 360).
 
-    /// A mean speed more, or a tenth of what another wind was for each m/s.
+    /// Adds to the speed of a synthetic wind; adds 0.1 to the strength of another wind for each m/s.
     void strengthen(double metresPerSecond);
     void turnClockwise(double degrees);
-    /// Leaves another wind as gusty as it is.
+    /// Has no effect on a wind that is not synthetic.
     void changeGustiness(double by);
 };
 
-/// How a wind stands.
+/// The current control values of a wind.
 WindSteering steeringOf(const Wind& wind);
 
-/// A wind like the one that is steered: it keeps its profile, the size of its gusts, their seed, and all that
-/// is done to it but its adjustment.
-/// @param like of which steeringOf() was.
+/// A wind with these control values. Keeps everything else of `like`: the profile, the length scale and seed
+/// of the gusts, the clock, frame, canopy and sources. @param like the wind passed to steeringOf().
 Wind steered(Wind like, const WindSteering& steering);
 
 } // namespace osgTreeWind

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 enum class ByteOrder { Little, Big };
 
-/// The number of type T at `offset`; the caller has checked that it lies within the bytes.
+/// Reads a number of type T at `offset`, which the caller has checked.
 template <typename T>
 T numberAt(std::string_view bytes, std::size_t offset, ByteOrder order) {
     char raw[sizeof(T)];

@@ -10,14 +10,14 @@ namespace osgTreeWind {
 
 namespace {
 
-// The data dictionary of EnergyPlus, chapter 2.9: fields of a row, from 0.
-constexpr std::size_t directionField = 20, speedField = 21, fewestFields = 22;
+// Field indices from the EnergyPlus data dictionary, chapter 2.9.
+constexpr std::size_t directionField = 20, speedField = 21, minFields = 22;
 constexpr int headerLines = 8;
 
 } // namespace
 
 Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
-    const Result<TableText> text = tableText(std::string(bytes), file, {',', false});
+    const Result<TableText> text = decodeTable(std::string(bytes), file, {',', false});
     if (!text)
         return text.problems();
     WindSeriesColumns columns;
@@ -37,12 +37,12 @@ Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
         const CsvTable::Row& row = reader.row();
         if (row.line <= headerLines)
             continue;
-        if (row.cells.size() < fewestFields)
+        if (row.cells.size() < minFields)
             return fileProblem(file,
-                               "expected at least " + std::to_string(fewestFields) +
-                                   " cells of an EPW, found " + std::to_string(row.cells.size()),
+                               "expected at least " + std::to_string(minFields) + " cells of an EPW, found " +
+                                   std::to_string(row.cells.size()),
                                row.line);
-        rows.take({row.line, {std::to_string(hour++), row.cells[speedField], row.cells[directionField]}});
+        rows.addRow({row.line, {std::to_string(hour++), row.cells[speedField], row.cells[directionField]}});
     }
     Result<WindSeries> series = rows.series();
     if (!series)
@@ -50,10 +50,9 @@ Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
     WindContent content;
     content.summary.format = "EPW";
     content.summary.unit = "m/s";
-    content.summary.direction = WindSeriesRows::direction(columns, "");
-    content.assumed = {
-        "winds of an hour each, 10 m above the ground; the hours are counted from the first row"};
-    rows.noteLeftOut(content.assumed);
+    content.summary.direction = WindSeriesRows::directionText(columns, "");
+    content.assumptions = {"hourly winds 10 m above the ground; hours are counted from the first row"};
+    rows.noteSkippedRows(content.assumptions);
     content.data = std::move(series.value());
     return content;
 }

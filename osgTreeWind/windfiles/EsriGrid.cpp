@@ -21,7 +21,7 @@ struct EsriHeader {
     double of(const char* key) const { return values.at(key); }
 };
 
-/// Keys and values up to the first line that begins with a number.
+/// Reads keys and values until a line begins with a number.
 EsriHeader readHeader(TextTokens& tokens, std::string_view text) {
     EsriHeader header;
     while (tokens.good()) {
@@ -32,7 +32,7 @@ EsriHeader readHeader(TextTokens& tokens, std::string_view text) {
         const std::string key = lower(std::string(tokens.next()));
         const bool size = key == "ncols" || key == "nrows";
         if (size)
-            header.values[key] = tokens.whole("a number of cells from 1 to 100000", 1, 100000);
+            header.values[key] = tokens.integer("a number of cells from 1 to 100000", 1, 100000);
         else if (key == "cellsize")
             header.values[key] = tokens.number("metres above 0", 1e-6, maxCoordinate);
         else if (key == "nodata_value")
@@ -72,7 +72,7 @@ Result<MapCells> readEsriGrid(std::string_view text, const std::string& file) {
     MapCells grid;
     grid.cells = {header.of("ncols"), header.of("nrows")};
     grid.cellSize = header.of("cellsize");
-    grid.south = {firstCentre(header, "x"), firstCentre(header, "y")};
+    grid.southWest = {firstCentre(header, "x"), firstCentre(header, "y")};
     const auto columns = static_cast<std::size_t>(grid.cells.x),
                rows = static_cast<std::size_t>(grid.cells.y);
     const double missing = header.has("nodata_value") ? header.of("nodata_value") : -9999.0;

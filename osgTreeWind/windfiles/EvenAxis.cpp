@@ -8,8 +8,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Points `from` to `to` of the axis counted upward; past its ends those on the other side of its seam.
-AxisPart between(const EvenAxis& axis, long long from, long long to) {
+/// Points `from` to `to` in ascending order; indices beyond the ends wrap around the seam.
+AxisPart axisPart(const EvenAxis& axis, long long from, long long to) {
     const double step = std::abs(axis.step);
     const auto count = static_cast<long long>(axis.count);
     const double lowest =
@@ -24,20 +24,20 @@ AxisPart between(const EvenAxis& axis, long long from, long long to) {
 
 } // namespace
 
-bool isRound(const EvenAxis& axis) {
+bool isCyclic(const EvenAxis& axis) {
     const double step = std::abs(axis.step), length = step * static_cast<double>(axis.count - 1);
     return axis.period > 0.0 && std::abs(length + step - axis.period) < 0.01 * step;
 }
 
-AxisPart wholeOf(const EvenAxis& axis) {
-    return between(axis, 0, static_cast<long long>(axis.count) - 1);
+AxisPart wholeAxis(const EvenAxis& axis) {
+    return axisPart(axis, 0, static_cast<long long>(axis.count) - 1);
 }
 
 AxisPart partAround(const EvenAxis& axis, double low, double high) {
     const double step = std::abs(axis.step), length = step * static_cast<double>(axis.count - 1),
                  lowest = std::min(axis.first, axis.first + axis.step * static_cast<double>(axis.count - 1));
     const auto last = static_cast<long long>(axis.count) - 1;
-    double turns = 0.0; // from the axis to what is asked for
+    double turns = 0.0; // offset of the requested interval from the axis, whole periods
     if (axis.period > 0.0)
         turns = axis.period * std::round((0.5 * (low + high) - lowest - 0.5 * length) / axis.period);
     const auto pointAt = [&](double coordinate) {
@@ -45,13 +45,13 @@ AxisPart partAround(const EvenAxis& axis, double low, double high) {
     };
     auto from = static_cast<long long>(std::floor(pointAt(low))) - 1,
          to = static_cast<long long>(std::ceil(pointAt(high))) + 1;
-    if (!isRound(axis)) {
-        constexpr long long fewest = 2; // more, so that components on faces have both neighbours at an edge
-        from = std::clamp(from, 0LL, std::max(0LL, last - fewest));
-        to = std::clamp(to, std::min(last, fewest), last);
+    if (!isCyclic(axis)) {
+        constexpr long long minSteps = 2; // so that staggered components have both neighbours at an edge
+        from = std::clamp(from, 0LL, std::max(0LL, last - minSteps));
+        to = std::clamp(to, std::min(last, minSteps), last);
     } else if (to - from > last)
         to = from + last;
-    AxisPart part = between(axis, from, to);
+    AxisPart part = axisPart(axis, from, to);
     part.first += turns;
     return part;
 }

@@ -6,29 +6,28 @@
 
 namespace osgTreeWind {
 
-/// Evenly spaced points along one direction of a grid, in the order of the file.
+/// Evenly spaced coordinates along one dimension of a grid, in the order of the file.
 struct EvenAxis {
     double first = 0.0;
-    double step = 1.0; ///< To the next; not 0, below 0 where the file counts down.
+    double step = 1.0; ///< Not 0; negative if the file is in descending order.
     std::size_t count = 1;
-    double period = 0.0; ///< 360 for longitudes; 0: it does not come back to where it began.
+    double period = 0.0; ///< 360 for longitudes; 0 if the axis is not periodic.
 };
 
-/// Whether it comes back to its first point a step after its last one.
-bool isRound(const EvenAxis& axis);
+/// Whether the axis covers a whole period: one step after the last point is the first point again.
+bool isCyclic(const EvenAxis& axis);
 
-/// Points of an axis, upward.
+/// Some points of an axis in ascending order.
 struct AxisPart {
     double first = 0.0;
     double step = 1.0;                ///< Above 0.
-    std::vector<std::size_t> indices; ///< Of each point in the file: one or two runs.
+    std::vector<std::size_t> indices; ///< Index of each point in the file; one or two consecutive runs.
 };
 
-/// All of them, each once.
-AxisPart wholeOf(const EvenAxis& axis);
-/// Those between two coordinates and one more on either side, as far as the axis goes; across its seam where
-/// it goes all the way round, then at most each once. The three nearest to the two where it does not reach
-/// them.
+/// All points of an axis, each once.
+AxisPart wholeAxis(const EvenAxis& axis);
+/// The points from `low` to `high` and one more on either side, clipped to the axis. Continues across the
+/// seam of a cyclic axis, with each point at most once. Outside the axis: its three nearest points.
 AxisPart partAround(const EvenAxis& axis, double low, double high);
 
 } // namespace osgTreeWind

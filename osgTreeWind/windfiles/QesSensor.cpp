@@ -18,14 +18,14 @@ namespace {
 
 constexpr double anyNumber = std::numeric_limits<double>::max();
 
-/// The record's elements, read one after the other. Problems gather; `problems` empty means all is well.
+/// Reads the timeSeries elements and collects all problems; success if `problems` is empty.
 class SensorReader {
 public:
     SensorReader(std::string_view text, const std::string& file) : _text(text), _file(file) {}
 
     Diagnostics problems;
 
-    /// Seconds since 1970 of the first record.
+    /// Time of the first record, seconds since 1970.
     double start() const { return _start; }
 
     WindSeries read() {
@@ -51,12 +51,12 @@ public:
 
 private:
     void report(std::ptrdiff_t offset, const std::string& key, std::string message) {
-        const TextPlace place = placeInText(_text, static_cast<std::size_t>(offset));
+        const TextPosition place = positionInText(_text, static_cast<std::size_t>(offset));
         problems.push_back({_file, place.line, place.column, key, std::move(message)});
     }
 
-    /// The number in a record's element. `absent` stands in for an optional element that is not there; a
-    /// required one has no such value.
+    /// Reads the number in an element of a record. @param absent value of an optional element that is
+    /// missing; none if the element is required.
     double number(pugi::xml_node record, const char* name, const Range& range, const char* what,
                   std::optional<double> absent = std::nullopt) {
         const pugi::xml_node element = record.child(name);
@@ -78,7 +78,7 @@ private:
         return 0.0;
     }
 
-    /// Seconds since 1970 of a date and time as text.
+    /// Parses a date and time to seconds since 1970.
     double timeStamp(pugi::xml_node element) {
         const std::string text = element.child_value();
         const auto seconds = parseIsoTime(trimmed(text));

@@ -53,7 +53,7 @@ double TextTokens::number(const char* what, double low, double high) {
     return 0.0;
 }
 
-int TextTokens::whole(const char* what, int low, int high) {
+int TextTokens::integer(const char* what, int low, int high) {
     const std::string_view word = next();
     const auto value = parseNumber(word);
     if (value && *value >= low && *value <= high && *value == static_cast<int>(*value))

@@ -9,8 +9,8 @@
 
 namespace osgTreeWind {
 
-/// The words of a text between blanks, one after the other, with the line of each. Bytes that are no text may
-/// follow the part that is read. The text must outlive it.
+/// Tokenizer of a text into words separated by white space, which keeps the first problem and its line.
+/// Binary data may follow. The text must outlive the tokenizer.
 class TextTokens {
 public:
     /// @param file name for diagnostics only.
@@ -18,26 +18,26 @@ public:
 
     /// The next word; empty at the end.
     std::string_view next();
-    /// What is left of the line, without the line end; steps over it.
+    /// The rest of the line without its line end; skips the line end.
     std::string_view restOfLine();
 
-    /// The next `count` bytes, whatever they are; fewer when there are not as many.
+    /// The next `count` bytes, or fewer at the end of the text.
     std::string_view bytes(std::size_t count);
 
-    /// The next word as a finite number within [low, high]; else a problem is kept and 0 given.
+    /// Parses the next word as a number in [low, high]; otherwise records a problem and returns 0.
+    /// @param what names the expected number in the message.
     double number(const char* what, double low, double high);
-    /// The same for a whole number.
-    int whole(const char* what, int low, int high);
+    /// As number(), for an integer.
+    int integer(const char* what, int low, int high);
 
-    int line() const { return _line; } ///< Of the last word, 1-based.
-    std::size_t offset() const {
-        return _begin;
-    } ///< Where the last word, or what follows the last line, begins.
-    std::size_t left() const { return _text.size() - _at; } ///< Bytes behind the last word.
+    int line() const { return _line; } ///< Line of the last word, from 1.
+    /// Offset of the last word, or of the line after restOfLine().
+    std::size_t offset() const { return _begin; }
+    std::size_t remaining() const { return _text.size() - _at; } ///< Bytes after the last word.
 
     bool good() const { return _problem.message.empty(); }
-    const Diagnostic& problem() const { return _problem; } ///< The first problem; only when not good().
-    /// Keeps a problem at the last word, unless there is one already.
+    const Diagnostic& problem() const { return _problem; } ///< The first problem, if not good().
+    /// Records a problem at the last word, unless there is one already.
     void fail(const std::string& message);
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int unitLine = 3; // of the header
 
-/// The map itself, or the usual names where it has none.
+/// The given columns, or the usual TOA5 names if none are named.
 WindSeriesColumns namedColumns(WindSeriesColumns columns) {
     if (!columns.named()) {
         columns.time = "TIMESTAMP";
@@ -24,30 +24,31 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns) {
         columns.w = "Uz";
     }
     columns.timeUnit = "iso8601";
-    columns.speedUnit = "m/s"; // converted with all other formats
+    columns.speedUnit = "m/s"; // converted later, as for all formats
     return columns;
 }
 
-/// The rows below the names: units, kinds, records.
+/// Reads the rows below the column names: units, processing types, records.
 class Toa5Rows {
 public:
-    explicit Toa5Rows(const WindSeriesColumns& columns) : _map(namedColumns(columns)) {}
+    explicit Toa5Rows(const WindSeriesColumns& columns) : _columns(namedColumns(columns)) {}
 
-    void take(const CsvTable& table, const CsvTable::Row& row) {
-        if (_taken++ == 0)
+    void addRow(const CsvTable& table, const CsvTable::Row& row) {
+        if (_rowCount++ == 0)
             readUnits(table, row);
-        else if (_taken > 2)
+        else if (_rowCount > 2)
             readRecord(table, row);
     }
 
     /// After the last row.
     Result<WindContent> content(const CsvTable& table) {
-        if (_taken <= 2 || _unitLine != unitLine)
-            return fileProblem(table.file, "expected lines of units and of kinds below the names", unitLine);
+        if (_rowCount <= 2 || _unitLine != unitLine)
+            return fileProblem(table.file, "expected lines of units and of processing types below the names",
+                               unitLine);
         if (!_problems.empty())
             return _problems;
         if (!_records)
-            _records.emplace(table, _map);
+            _records.emplace(table, _columns);
         Result<WindSeries> series = _records->series();
         if (!series)
             return series.problems();
@@ -55,24 +56,25 @@ public:
         content.summary.format = "Campbell TOA5";
         content.summary.unit = _unit;
         content.summary.start = _records->start();
-        content.summary.direction = WindSeriesRows::direction(
-            _map, "components of the instrument, taken as toward east, north and up");
-        _records->noteLeftOut(content.assumed);
+        content.summary.direction = WindSeriesRows::directionText(
+            _columns, "components of the instrument, taken as toward east, north and up");
+        _records->noteSkippedRows(content.assumptions);
         content.data = std::move(series.value());
         return content;
     }
 
 private:
-    /// The unit that the header gives for all of the columns of speeds.
+    /// Reads the unit of speed, which must be the same for all columns.
     void readUnits(const CsvTable& table, const CsvTable::Row& row) {
         _unitLine = row.line;
-        for (const std::string* name : {&_map.u, &_map.v, &_map.w, &_map.speed, &_map.direction}) {
+        for (const std::string* name :
+             {&_columns.u, &_columns.v, &_columns.w, &_columns.speed, &_columns.direction}) {
             const auto column = table.column(*name);
             if (!column || name->empty())
                 continue;
-            if (name == &_map.direction || !_problems.empty())
+            if (name == &_columns.direction || !_problems.empty())
                 continue;
-            const std::string found = usualSpeedUnit(row.cells[*column]);
+            const std::string found = canonicalSpeedUnit(row.cells[*column]);
             if (const auto known = speedUnit(found); !known)
                 _problems = {{table.file, row.line, 0, *name, known.problems().front().message}};
             else if (!_unit.empty() && found != _unit)
@@ -83,15 +85,15 @@ private:
 
     void readRecord(const CsvTable& table, const CsvTable::Row& row) {
         if (!_records)
-            _records.emplace(table, _map);
-        _records->take(row);
+            _records.emplace(table, _columns);
+        _records->addRow(row);
     }
 
-    const WindSeriesColumns _map;
+    const WindSeriesColumns _columns;
     std::string _unit;
     Diagnostics _problems;
     std::optional<WindSeriesRows> _records;
-    int _taken = 0, _unitLine = 0;
+    int _rowCount = 0, _unitLine = 0;
 };
 
 } // namespace
@@ -99,10 +101,10 @@ private:
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns) {
     Toa5Rows rows(columns);
-    const std::size_t second = std::min(bytes.find('\n'), bytes.size()); // so that lines keep their numbers
+    const std::size_t second = std::min(bytes.find('\n'), bytes.size()); // keeps the line numbers
     const Result<CsvTable> table =
         readCsvRows(second < bytes.size() ? bytes.substr(second) : "\n", file, ',',
-                    [&](const CsvTable& head, const CsvTable::Row& row) { rows.take(head, row); });
+                    [&](const CsvTable& head, const CsvTable::Row& row) { rows.addRow(head, row); });
     if (!table)
         return table.problems();
     return rows.content(table.value());

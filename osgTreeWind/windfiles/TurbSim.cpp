@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t headerSize = 70; // up to the length of the description
+constexpr std::size_t headerSize = 70; // including the length of the description
 
 struct TurbSimHeader {
     std::int16_t id;
@@ -19,7 +19,7 @@ struct TurbSimHeader {
     float slope[3], offset[3];
 };
 
-TurbSimHeader headerOf(std::string_view bytes) {
+TurbSimHeader readHeader(std::string_view bytes) {
     std::size_t at = 0;
     const auto take = [&](auto& field) {
         field = numberAt<std::decay_t<decltype(field)>>(bytes, at, ByteOrder::Little);
@@ -39,16 +39,16 @@ TurbSimHeader headerOf(std::string_view bytes) {
     return h;
 }
 
-/// What is wrong with the header, and at which byte.
+/// A problem of the header.
 struct Fault {
     std::size_t byte;
-    const char* expected;
+    const char* expected; ///< Null if there is none.
 };
 
-Fault faultOf(const TurbSimHeader& h) {
+Fault findFault(const TurbSimHeader& h) {
     const auto outside = [](float value, float low, float high) { return !(value >= low && value <= high); };
     if (h.id != 7 && h.id != 8)
-        return {0, "7 or 8, the mark of a TurbSim file"};
+        return {0, "7 or 8, the identifier of a TurbSim file"};
     if (h.up < 1 || h.across < 1 || h.times < 1)
         return {2, "numbers of points and times of at least 1"};
     if (h.tower < 0)
@@ -76,8 +76,8 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
     };
     if (bytes.size() < headerSize)
         return problem(bytes.size(), "the file ends within its header of 70 bytes");
-    const TurbSimHeader h = headerOf(bytes);
-    if (const Fault fault = faultOf(h); fault.expected)
+    const TurbSimHeader h = readHeader(bytes);
+    if (const Fault fault = findFault(h); fault.expected)
         return problem(fault.byte, std::string("expected ") + fault.expected);
     const double perTime = 3.0 * h.across * h.up + 3.0 * h.tower;
     const double expected = headerSize + h.description + 2.0 * perTime * h.times;
@@ -110,7 +110,7 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
     content.summary.notes = {"drifts along x at " + numberText(h.hubSpeed) + " m/s, the mean at hub height " +
                              numberText(h.hubHeight) + " m"};
     if (h.id == 8)
-        content.summary.notes.emplace_back("made to repeat; held after the last time");
+        content.summary.notes.emplace_back("periodic, but clamped to the last time instead of repeated");
     if (h.tower > 0)
         content.summary.notes.push_back(std::to_string(h.tower) +
                                         " tower points below the grid are not used");

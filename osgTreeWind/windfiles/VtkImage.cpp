@@ -7,11 +7,11 @@
 
 namespace osgTreeWind {
 
-glm::ivec3 VtkImage::vectors() const {
+glm::ivec3 VtkImage::vectorCounts() const {
     return ofCells ? glm::max(points - 1, glm::ivec3(1)) : points;
 }
 
-std::string VtkImage::settleSpacing() {
+std::string VtkImage::normalizeSpacing() {
     for (int axis = 0; axis < 3; ++axis)
         if (points[axis] == 1)
             spacing[axis] = 1.0;
@@ -20,14 +20,14 @@ std::string VtkImage::settleSpacing() {
     return {};
 }
 
-double VtkImage::count() const {
-    const glm::dvec3 n(vectors());
+double VtkImage::vectorCount() const {
+    const glm::dvec3 n(vectorCounts());
     return n.x * n.y * n.z;
 }
 
-WindContent windOfVtk(VtkImage&& image, const std::string& format) {
+WindContent windFromVtk(VtkImage&& image, const std::string& format) {
     GridWind::Grid grid;
-    grid.points = image.vectors();
+    grid.points = image.vectorCounts();
     grid.cell = image.spacing;
     grid.origin = image.origin;
     for (int axis = 0; image.ofCells && axis < 3; ++axis)

@@ -13,30 +13,29 @@
 
 namespace osgTreeWind {
 
-/// What both VTK formats say about a regular grid of vectors. Not part of the interface.
+/// A regular grid of vectors from a VTK file, legacy or XML.
 struct VtkImage {
     glm::ivec3 points{0};
     glm::dvec3 origin{0.0};
     glm::dvec3 spacing{1.0};
-    std::vector<float> levels{}; ///< Of the points upward, where they are not evenly spaced.
-    bool ofCells = false;        ///< The vectors belong to cells, one fewer than points each way.
-    std::string name;            ///< Of the array of vectors.
+    std::vector<float> levels{}; ///< Heights of the layers of points, if they are not evenly spaced.
+    bool ofCells = false;        ///< Vectors belong to cells, one fewer than points along each axis.
+    std::string name;            ///< Name of the array of vectors.
     std::vector<float> values;   ///< Three for each point or cell.
-    std::optional<double> time;  ///< Seconds; where the file says when this wind is.
+    std::optional<double> time;  ///< Seconds, if the file contains a time.
 
-    /// Points or cells each way.
-    glm::ivec3 vectors() const;
-    /// What keeps the spacing from being one, whose number along an axis of one point does not matter; empty:
-    /// nothing.
-    std::string settleSpacing();
-    /// How many vectors there are; a double, so that no product of sizes overflows.
-    double count() const;
+    /// Number of vectors along each axis.
+    glm::ivec3 vectorCounts() const;
+    /// Sets the spacing along axes of one point to 1 and checks the others. @return the problem, or empty.
+    std::string normalizeSpacing();
+    /// Number of vectors; a double, so that a product of sizes does not overflow.
+    double vectorCount() const;
 };
 
-/// An image as wind; the values move out of it.
-WindContent windOfVtk(VtkImage&& image, const std::string& format);
+/// Converts an image to wind.
+WindContent windFromVtk(VtkImage&& image, const std::string& format);
 
-/// The numbers in `bytes`. @param wide 8 bytes each, else 4.
+/// Reads all numbers in `bytes`. @param wide doubles instead of floats.
 template <typename T>
 std::vector<T> numbersOf(std::string_view bytes, bool wide, ByteOrder order) {
     const std::size_t size = wide ? 8 : 4;
@@ -47,17 +46,16 @@ std::vector<T> numbersOf(std::string_view bytes, bool wide, ByteOrder order) {
     return values;
 }
 
-/// How the arrays of a VTK XML file are packed. Not part of the interface.
+/// Encoding of the arrays of a VTK XML file.
 struct VtkPacking {
     ByteOrder order = ByteOrder::Little;
-    bool wideHeader = false; ///< UInt64 before the data, else UInt32.
+    bool wideHeader = false; ///< Sizes before the data are UInt64 instead of UInt32.
     bool zlib = false;
     bool base64 = false;
 };
 
-/// The bytes of one array, exactly `size` of them, or what is wrong (a message only). No memory is asked for
-/// that the packed bytes could not fill.
-/// @param packed from the array's first byte on; more may follow.
+/// Decodes one array of exactly `size` bytes. A problem has a message only. Allocates no more than the packed
+/// bytes can expand to. @param packed from the first byte of the array; more data may follow.
 Result<std::string> unpackVtk(std::string_view packed, const VtkPacking& packing, double size);
 
 } // namespace osgTreeWind

@@ -16,7 +16,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int mostVtkPoints = 1000000000;
+constexpr int maxVtkPoints = 1000000000;
 
 std::string upper(std::string_view word) {
     std::string text(word);
@@ -26,7 +26,7 @@ std::string upper(std::string_view word) {
     return text;
 }
 
-/// Bits of one number in a binary file; 0 for a type that is not read.
+/// Bits of a number in a binary file; 0 for an unsupported type.
 std::size_t bitsOfType(const std::string& type) {
     static const std::map<std::string, std::size_t> sizes = {
         {"BIT", 1},           {"CHAR", 8},           {"SIGNED_CHAR", 8},
@@ -48,14 +48,14 @@ public:
 
     Result<WindContent> read() {
         readHead();
-        while (_tokens.good() && !_found)
+        while (_tokens.good() && !_isWindRead)
             readSection();
-        if (!_tokens.good() && _binary && _inData)
+        if (!_tokens.good() && _isBinary && _isInData)
             return Diagnostic{_file, 0, 0, "byte " + std::to_string(_tokens.offset()),
                               _tokens.problem().message};
         if (!_tokens.good())
             return _tokens.problem();
-        return windOfVtk(std::move(_image), "VTK legacy " + _dataset);
+        return windFromVtk(std::move(_image), "VTK legacy " + _dataset);
     }
 
 private:
@@ -69,8 +69,8 @@ private:
         _tokens.restOfLine(); // "# vtk DataFile Version", by which the format was recognised
         _tokens.restOfLine(); // title
         const std::string_view encoding = _tokens.next();
-        _binary = upper(encoding) == "BINARY";
-        if (!_binary && upper(encoding) != "ASCII")
+        _isBinary = upper(encoding) == "BINARY";
+        if (!_isBinary && upper(encoding) != "ASCII")
             _tokens.fail(expectedFound("ASCII or BINARY", encoding));
         expect("DATASET");
         const std::string_view dataset = _tokens.next();
@@ -94,16 +94,16 @@ private:
         else if (word.empty())
             _tokens.fail(
                 "expected VECTORS, or a FIELD of 3 components, of the points; none found before the end");
-        else if (!(_counted ? readAttribute(word) : readGeometry(word)))
+        else if (!(_isCountRead ? readAttribute(word) : readGeometry(word)))
             _tokens.fail(expectedFound("a section of " + _dataset + " with VECTORS or FIELD data", found));
     }
 
-    /// False where it does not belong to this kind of grid.
+    /// @return false if the section does not belong to this type of dataset.
     bool readGeometry(const std::string& word) {
         const bool evenByKind = _dataset == "STRUCTURED_POINTS";
         if (word == "DIMENSIONS")
             for (int axis = 0; axis < 3; ++axis)
-                _image.points[axis] = _tokens.whole("a number of points of at least 1", 1, mostVtkPoints);
+                _image.points[axis] = _tokens.integer("a number of points of at least 1", 1, maxVtkPoints);
         else if (evenByKind && word == "ORIGIN")
             for (int axis = 0; axis < 3; ++axis)
                 _image.origin[axis] = _tokens.number("metres within 1e9", -maxCoordinate, maxCoordinate);
@@ -120,7 +120,7 @@ private:
         return true;
     }
 
-    /// What belongs to points or cells. False for what is not known.
+    /// Reads or skips an attribute of points or cells. @return false if it is unknown.
     bool readAttribute(const std::string& word) {
         static const std::map<std::string, double> components = {{"NORMALS", 3.0},
                                                                  {"TENSORS", 9.0},
@@ -137,11 +137,11 @@ private:
             readColours(word == "LOOKUP_TABLE");
         else if (word == "TEXTURE_COORDINATES") {
             _tokens.next(); // name
-            const int width = _tokens.whole("1 to 3 components", 1, 3);
-            skipArray(upper(_tokens.next()), width * _image.count());
+            const int width = _tokens.integer("1 to 3 components", 1, 3);
+            skipArray(upper(_tokens.next()), width * _image.vectorCount());
         } else if (known != components.end()) {
             _tokens.next(); // name
-            skipArray(upper(_tokens.next()), known->second * _image.count());
+            skipArray(upper(_tokens.next()), known->second * _image.vectorCount());
         } else {
             return false;
         }
@@ -151,16 +151,16 @@ private:
     void readCount(bool ofCells) {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the data");
-        if (_dataset != "STRUCTURED_POINTS" && _placed != 7u)
+        if (_dataset != "STRUCTURED_POINTS" && _knownAxes != 7u)
             return _tokens.fail("expected the coordinates of the points before the data");
-        if (const std::string problem = _image.settleSpacing(); !problem.empty())
+        if (const std::string problem = _image.normalizeSpacing(); !problem.empty())
             return _tokens.fail(problem);
         _image.ofCells = ofCells;
-        expectCount("a number of points", 0.0, _image.count());
-        _counted = true;
+        expectCount("a number of points", 0.0, _image.vectorCount());
+        _isCountRead = true;
     }
 
-    /// Reads how many numbers come, which DIMENSIONS said.
+    /// Reads a count and compares it with DIMENSIONS.
     void expectCount(const char* what, double least, double wanted) {
         const double count = _tokens.number(what, least, std::numeric_limits<double>::max());
         if (count != wanted)
@@ -174,37 +174,37 @@ private:
         std::vector<double> places;
         readArray(upper(_tokens.next()), _image.points[axis], places);
         if (_tokens.good())
-            place(axis, places, 1);
+            setAxis(axis, places, 1);
     }
 
     void readPoints() {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the points");
-        expectCount("a number of points", 1.0, _image.count());
+        expectCount("a number of points", 1.0, _image.vectorCount());
         std::vector<double> places;
-        readArray(upper(_tokens.next()), 3.0 * _image.count(), places);
+        readArray(upper(_tokens.next()), 3.0 * _image.vectorCount(), places);
         std::size_t repeats = 1;
         for (int axis = 0; axis < 3 && _tokens.good(); ++axis) {
             std::vector<double> along(places.size() / 3);
             for (std::size_t i = 0; i < along.size(); ++i)
                 along[i] = places[3 * i + static_cast<std::size_t>(axis)];
-            place(axis, along, repeats);
+            setAxis(axis, along, repeats);
             repeats *= static_cast<std::size_t>(_image.points[axis]);
         }
     }
 
-    /// Origin and spacing along an axis from coordinates, each of which comes `repeats` times in a row.
-    void place(int axis, const std::vector<double>& places, std::size_t repeats) {
+    /// Sets origin and spacing of an axis from its coordinates, each repeated `repeats` times in a row.
+    void setAxis(int axis, const std::vector<double>& places, std::size_t repeats) {
         const auto points = static_cast<std::size_t>(_image.points[axis]);
         const double first = places.front(), last = places[(points - 1) * repeats];
         const double spacing = points > 1 ? (last - first) / static_cast<double>(points - 1) : 1.0;
         const char axisName = static_cast<char>('x' + axis);
-        _placed |= 1u << static_cast<unsigned>(axis);
-        if (axis == 2 && areLevels(places, points, repeats))
+        _knownAxes |= 1u << static_cast<unsigned>(axis);
+        if (axis == 2 && setLevels(places, points, repeats))
             return;
         if (!(std::abs(first) <= maxCoordinate && spacing >= 1e-6 && spacing <= maxCoordinate))
             return _tokens.fail(std::string("expected increasing metres within 1e9 along ") + axisName);
-        // coordinates may be floats, and written with six digits
+        // coordinates may be floats written with six digits
         const double tolerance = 0.001 * spacing + 1e-6 * std::max(std::abs(first), std::abs(last));
         for (std::size_t i = 0; i < places.size(); ++i)
             if (!(std::abs(places[i] - first - spacing * static_cast<double>(i / repeats % points)) <=
@@ -217,8 +217,8 @@ private:
         _image.spacing[axis] = spacing;
     }
 
-    /// Takes heights that are the same over the whole of each layer, where layers are not equally thick.
-    bool areLevels(const std::vector<double>& places, std::size_t points, std::size_t repeats) {
+    /// Sets VtkImage::levels if layers are horizontal and unevenly spaced. @return whether they are.
+    bool setLevels(const std::vector<double>& places, std::size_t points, std::size_t repeats) {
         std::vector<float> levels;
         bool isEven = true;
         for (std::size_t i = 0; i < points; ++i) {
@@ -242,8 +242,8 @@ private:
 
     void readWind(const std::string_view name, const std::string& type) {
         _image.name = name;
-        readArray(type, 3.0 * _image.count(), _image.values);
-        _found = _tokens.good();
+        readArray(type, 3.0 * _image.vectorCount(), _image.values);
+        _isWindRead = _tokens.good();
     }
 
     void readScalars() {
@@ -255,31 +255,31 @@ private:
             _tokens.next();
         expect("LOOKUP_TABLE");
         _tokens.next(); // name
-        skipArray(type, components.value_or(1.0) * _image.count());
+        skipArray(type, components.value_or(1.0) * _image.vectorCount());
     }
 
     void readColours(bool table) {
         _tokens.next(); // name
-        const int number = _tokens.whole("a number of colours or components", 1, mostVtkPoints);
-        skipArray("UNSIGNED_CHAR", table ? 4.0 * number : number * _image.count());
+        const int number = _tokens.integer("a number of colours or components", 1, maxVtkPoints);
+        skipArray("UNSIGNED_CHAR", table ? 4.0 * number : number * _image.vectorCount());
     }
 
     void readFields() {
         _tokens.next(); // name
-        const int arrays = _tokens.whole("a number of arrays from 0 to 1000", 0, 1000);
-        for (int i = 0; i < arrays && _tokens.good() && !_found; ++i) {
+        const int arrays = _tokens.integer("a number of arrays from 0 to 1000", 0, 1000);
+        for (int i = 0; i < arrays && _tokens.good() && !_isWindRead; ++i) {
             std::string_view name = _tokens.next();
             if (upper(name) == "METADATA") {
                 skipMetadata();
                 name = _tokens.next();
             }
-            const int components = _tokens.whole("a number of components of 0 to 100", 0, 100);
-            const int tuples = _tokens.whole("a number of tuples", 0, std::numeric_limits<int>::max());
+            const int components = _tokens.integer("a number of components of 0 to 100", 0, 100);
+            const int tuples = _tokens.integer("a number of tuples", 0, std::numeric_limits<int>::max());
             const std::string type = upper(_tokens.next());
             const double numbers = static_cast<double>(components) * tuples;
-            if (components == 3 && _counted && tuples == _image.count()) {
+            if (components == 3 && _isCountRead && tuples == _image.vectorCount()) {
                 readWind(name, type);
-            } else if (name == "TimeValue" && !_counted && numbers == 1.0 && isReal(type)) {
+            } else if (name == "TimeValue" && !_isCountRead && numbers == 1.0 && isReal(type)) {
                 std::vector<double> time;
                 readArray(type, 1.0, time);
                 if (_tokens.good() && !(std::abs(time.front()) <= maxTime))
@@ -292,23 +292,23 @@ private:
         }
     }
 
-    /// Names of components and facts about an array, up to an empty line.
+    /// Skips metadata of an array, up to an empty line.
     void skipMetadata() {
         _tokens.restOfLine();
-        while (_tokens.left() > 0 && !_tokens.restOfLine().empty())
+        while (_tokens.remaining() > 0 && !_tokens.restOfLine().empty())
             ;
     }
 
-    /// Goes to the numbers behind an array's head. False when there are not as many in the file.
+    /// Moves to the first number of an array. @return false, with a problem, if the file is too short.
     bool beginArray(double numbers, std::size_t bits) {
         if (!_tokens.good())
             return false;
-        if (_binary)
+        if (_isBinary)
             _tokens.restOfLine();
-        _inData = true;
+        _isInData = true;
         const double least =
-            _binary ? std::ceil(numbers * static_cast<double>(bits) / 8.0) : 2.0 * numbers - 1.0;
-        if (!(numbers >= 0.0) || least > static_cast<double>(_tokens.left()))
+            _isBinary ? std::ceil(numbers * static_cast<double>(bits) / 8.0) : 2.0 * numbers - 1.0;
+        if (!(numbers >= 0.0) || least > static_cast<double>(_tokens.remaining()))
             _tokens.fail("the file ends before the " + numberText(numbers) + " numbers of this array");
         return _tokens.good();
     }
@@ -322,11 +322,11 @@ private:
             return;
         const auto count = static_cast<std::size_t>(numbers);
         values.reserve(count);
-        if (_binary)
+        if (_isBinary)
             values = numbersOf<T>(_tokens.bytes(count * size), size == 8, ByteOrder::Big);
-        for (std::size_t i = 0; !_binary && i < count && _tokens.good(); ++i)
+        for (std::size_t i = 0; !_isBinary && i < count && _tokens.good(); ++i)
             values.push_back(static_cast<T>(textNumber()));
-        _inData = !_tokens.good();
+        _isInData = !_tokens.good();
     }
 
     double textNumber() {
@@ -348,21 +348,21 @@ private:
         if (!beginArray(numbers, bits))
             return;
         const auto count = static_cast<std::size_t>(numbers);
-        if (_binary)
+        if (_isBinary)
             _tokens.bytes((count * bits + 7) / 8);
-        for (std::size_t i = 0; !_binary && i < count; ++i)
+        for (std::size_t i = 0; !_isBinary && i < count; ++i)
             _tokens.next();
-        _inData = false;
+        _isInData = false;
     }
 
-    /// Texts: a line each, or each behind its length, whose own length is in its first two bits.
+    /// Skips strings: one per line; in binary each after its length, whose own size is in its first two bits.
     void skipTexts(double number) {
         if (_tokens.good())
             _tokens.restOfLine();
         for (double i = 0; i < number && _tokens.good(); ++i) {
-            if (_tokens.left() == 0) {
+            if (_tokens.remaining() == 0) {
                 _tokens.fail("the file ends before the " + numberText(number) + " texts of this array");
-            } else if (!_binary) {
+            } else if (!_isBinary) {
                 _tokens.restOfLine();
             } else {
                 const auto first = static_cast<unsigned char>(_tokens.bytes(1).front());
@@ -378,8 +378,8 @@ private:
     TextTokens _tokens;
     VtkImage _image;
     std::string _dataset;
-    unsigned _placed = 0; // a bit for each axis whose coordinates are known
-    bool _binary = false, _counted = false, _inData = false, _found = false;
+    unsigned _knownAxes = 0; // a bit for each axis whose coordinates are known
+    bool _isBinary = false, _isCountRead = false, _isInData = false, _isWindRead = false;
 };
 
 } // namespace

@@ -15,7 +15,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A problem with the file, on its way out of the reader.
+/// A problem at an offset of the file.
 struct Problem {
     std::ptrdiff_t offset;
     std::string key;
@@ -28,10 +28,10 @@ public:
 
     Result<WindContent> read() {
         if (!parse() || !readPacking() || !readGrid() || !readVectors()) {
-            const TextPlace place = placeInText(_bytes, static_cast<std::size_t>(_problem.offset));
+            const TextPosition place = positionInText(_bytes, static_cast<std::size_t>(_problem.offset));
             return Diagnostic{_file, place.line, place.column, _problem.key, _problem.message};
         }
-        return windOfVtk(std::move(_image), "VTK XML ImageData");
+        return windFromVtk(std::move(_image), "VTK XML ImageData");
     }
 
 private:
@@ -43,7 +43,7 @@ private:
         return fail(at.offset_debug(), key, message);
     }
 
-    /// Appended data may hold any byte, so that only what stands before is XML.
+    /// Parses only the XML before the appended data, which may contain any byte.
     bool parse() {
         std::string closed;
         std::string_view xml = _bytes;
@@ -61,7 +61,7 @@ private:
         return parsed || fail(parsed.offset, {}, std::string("broken XML: ") + parsed.description());
     }
 
-    /// Whether an attribute is one of two words; the second sets `flag`. Absent is the first.
+    /// Reads an attribute of two possible words, by default the first; sets `flag` for the second.
     bool readFlag(pugi::xml_node node, const char* key, const char* first, const char* second, bool& flag) {
         const std::string word = node.attribute(key).as_string(first);
         flag = word == second;
@@ -84,7 +84,7 @@ private:
         return true;
     }
 
-    /// Numbers of an attribute; `absent` when it is not there.
+    /// Reads the numbers of an attribute. @param absent its default.
     template <std::size_t N>
     bool readNumbers(pugi::xml_node node, const char* key, double (&numbers)[N], double low, double high,
                      const char* absent) {
@@ -125,12 +125,12 @@ private:
             _image.spacing[axis] = spacing[axis];
             _image.origin[axis] = origin[axis] + first * spacing[axis];
         }
-        if (const std::string problem = _image.settleSpacing(); !problem.empty())
+        if (const std::string problem = _image.normalizeSpacing(); !problem.empty())
             return fail(image, "Spacing", problem);
         return true;
     }
 
-    /// The array that Vectors names, else the first of three components.
+    /// The array named by the attribute Vectors, otherwise the first with three components.
     static pugi::xml_node vectorsOf(pugi::xml_node data) {
         const std::string active = data.attribute("Vectors").value();
         pugi::xml_node first;
@@ -165,7 +165,8 @@ private:
             return fail(array, format == "binary" ? "DataArray" : "offset",
                         "expected data there, found none");
         _packing.base64 = format == "binary" || !_appendedRaw;
-        const Result<std::string> bytes = unpackVtk(packed, _packing, 3.0 * _image.count() * (wide ? 8 : 4));
+        const Result<std::string> bytes =
+            unpackVtk(packed, _packing, 3.0 * _image.vectorCount() * (wide ? 8 : 4));
         if (!bytes)
             return fail(array, _image.name, bytes.problems().front().message);
         _image.values = numbersOf<float>(bytes.value(), wide, _packing.order);
@@ -181,7 +182,7 @@ private:
 
     bool readText(pugi::xml_node array) {
         const std::string_view text = array.child_value();
-        const double count = 3.0 * _image.count();
+        const double count = 3.0 * _image.vectorCount();
         if (2.0 * count - 1.0 > static_cast<double>(text.size()))
             return fail(array, _image.name, "the data end before " + numberText(count) + " numbers");
         TextTokens tokens(text, {});

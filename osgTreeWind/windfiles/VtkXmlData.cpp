@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double bestRatio = 1100.0; // deflate cannot do better than 1032 to 1
+constexpr double maxDeflateRatio = 1100.0; // the limit of deflate is 1032
 
 int base64Digit(char c) {
     if (c >= 'A' && c <= 'Z')
@@ -23,8 +23,8 @@ int base64Digit(char c) {
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Up to the first character that is no base64. Padding ends a group, after which another may begin: headers
-/// and data are often encoded apart.
+/// Decodes up to the first character that is not base64. Another group may follow padding, because headers
+/// and data are often encoded separately.
 std::string decodeBase64(std::string_view text) {
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3);
@@ -48,12 +48,12 @@ std::string decodeBase64(std::string_view text) {
     return bytes;
 }
 
-/// Reads the counts before the data.
-class Counts {
+/// Reads the sizes before the data.
+class SizeReader {
 public:
-    Counts(std::string_view bytes, const VtkPacking& packing) : _bytes(bytes), _packing(packing) {}
+    SizeReader(std::string_view bytes, const VtkPacking& packing) : _bytes(bytes), _packing(packing) {}
 
-    /// The next count, as a double; -1 past the end.
+    /// The next size; -1 at the end of the data.
     double next() {
         const std::size_t size = _packing.wideHeader ? 8 : 4;
         if (_bytes.size() - _at < size)
@@ -73,13 +73,13 @@ private:
 };
 
 Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& packing, double size) {
-    Counts counts(bytes, packing);
-    const double blocks = counts.next(), blockSize = counts.next(), lastSize = counts.next();
+    SizeReader header(bytes, packing);
+    const double blocks = header.next(), blockSize = header.next(), lastSize = header.next();
     const double unpacked = lastSize > 0.0 ? (blocks - 1.0) * blockSize + lastSize : blocks * blockSize;
     if (lastSize < 0.0 || blocks < 1.0 || blockSize < 1.0 || unpacked != size)
         return fileProblem({}, "expected compressed blocks of " + numberText(size) + " bytes together");
     if (blocks * (packing.wideHeader ? 8 : 4) > static_cast<double>(bytes.size()) ||
-        size > bestRatio * static_cast<double>(bytes.size()))
+        size > maxDeflateRatio * static_cast<double>(bytes.size()))
         return fileProblem({}, "the data end before " + numberText(blocks) + " compressed blocks");
 
     if (const std::string memory =
@@ -87,10 +87,10 @@ Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& pack
         !memory.empty())
         return fileProblem({}, memory);
 
-    Counts sizes = counts;
+    SizeReader sizes = header;
     for (double i = 0; i < blocks; ++i)
-        counts.next();
-    std::size_t from = counts.at();
+        header.next();
+    std::size_t from = header.at();
     std::string out(static_cast<std::size_t>(size), '\0');
     std::size_t to = 0;
     for (double i = 0; i < blocks; ++i) {
@@ -118,14 +118,14 @@ Result<std::string> unpackVtk(std::string_view packed, const VtkPacking& packing
     const std::string_view bytes = packing.base64 ? std::string_view(decoded) : packed;
     if (packing.zlib)
         return inflateBlocks(bytes, packing, size);
-    Counts counts(bytes, packing);
-    const double found = counts.next();
+    SizeReader header(bytes, packing);
+    const double found = header.next();
     if (found != size)
         return fileProblem({}, "expected " + numberText(size) + " bytes of data, found " +
                                    (found < 0.0 ? std::string("none") : numberText(found)));
-    if (size > static_cast<double>(bytes.size() - counts.at()))
+    if (size > static_cast<double>(bytes.size() - header.at()))
         return fileProblem({}, "the data end before " + numberText(size) + " bytes");
-    return std::string(bytes.substr(counts.at(), static_cast<std::size_t>(size)));
+    return std::string(bytes.substr(header.at(), static_cast<std::size_t>(size)));
 }
 
 } // namespace osgTreeWind

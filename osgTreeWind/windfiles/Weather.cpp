@@ -13,12 +13,13 @@ Result<WindContent> readWeather(const char* format, const char* libraries, const
     if (const auto& area = request.area)
         command.insert(command.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
                                        numberText(area->high.x), numberText(area->high.y)});
-    if (!request.also.empty()) {
-        if (const auto problem = problemOfInput(request.also))
+    if (!request.secondFile.empty()) {
+        if (const auto problem = problemOfInput(request.secondFile))
             return *problem;
-        command.push_back(request.also);
+        command.push_back(request.secondFile);
     }
-    return readBy<WindContent>({"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries}, command);
+    return readWithProgram<WindContent>({"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries},
+                                        command);
 }
 
 } // namespace

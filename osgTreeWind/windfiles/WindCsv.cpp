@@ -9,7 +9,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The map itself, or the usual names where it has none.
+/// The given columns, or the usual names if none are named.
 WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table) {
     if (columns.named())
         return columns;
@@ -30,7 +30,7 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table)
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns) {
     const Result<TableText> text =
-        tableText(std::string(bytes), file, {columns.delimiter, columns.decimalComma});
+        decodeTable(std::string(bytes), file, {columns.delimiter, columns.decimalComma});
     if (!text)
         return text.problems();
     std::optional<WindSeriesRows> rows;
@@ -38,7 +38,7 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                                [&](const CsvTable& head, const CsvTable::Row& row) {
                                                    if (!rows)
                                                        rows.emplace(head, namedColumns(columns, head));
-                                                   rows->take(row);
+                                                   rows->addRow(row);
                                                });
     if (!table)
         return table.problems();
@@ -50,9 +50,9 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
         return series.problems();
     WindContent content;
     content.summary.format = "CSV";
-    content.assumed = text.value().notes;
-    rows->noteLeftOut(content.assumed);
-    content.summary.direction = WindSeriesRows::direction(named, "components toward east, north and up");
+    content.assumptions = text.value().notes;
+    rows->noteSkippedRows(content.assumptions);
+    content.summary.direction = WindSeriesRows::directionText(named, "components toward east, north and up");
     content.data = std::move(series.value());
     return content;
 }

@@ -5,19 +5,19 @@
 
 namespace osgTreeWind {
 
-/// Where the points of a grid are, in the coordinates of its file. Along an axis of one point, or one that
-/// goes all the way round, it holds everywhere.
+/// Horizontal extent of the points of a grid in the coordinates of its file. Unbounded along an axis of one
+/// point or a cyclic axis (longitudes of the whole globe).
 struct WindExtent {
-    /// What `low` and `high` are, negative and positive, along an axis along which it holds everywhere.
-    static constexpr double everywhere = 1e300;
+    /// `low` is -unbounded and `high` is unbounded along an unbounded axis.
+    static constexpr double unbounded = 1e300;
 
-    glm::dvec2 low{-everywhere}; ///< The south-western point.
-    glm::dvec2 high{everywhere}; ///< The north-eastern point.
+    glm::dvec2 low{-unbounded}; ///< The south-western point.
+    glm::dvec2 high{unbounded}; ///< The north-eastern point.
 
-    /// Whether it holds everywhere along an axis. @param axis 0: x, 1: y.
-    bool isEverywhere(int axis) const { return high[axis] - low[axis] >= everywhere; }
-    /// Whether a place lies between the points.
-    bool holds(const glm::dvec2& place) const {
+    /// Whether an axis is unbounded. @param axis 0: x, 1: y.
+    bool isUnbounded(int axis) const { return high[axis] - low[axis] >= unbounded; }
+    /// Whether a place is inside the extent.
+    bool contains(const glm::dvec2& place) const {
         return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
     }
 };

@@ -5,11 +5,11 @@
 #include <osgTreeWind/base/Problem.h>
 
 #include <osgTreeWind/places/CrsMesh.h>
+#include <osgTreeWind/places/LongitudeWrap.h>
 #include <osgTreeWind/places/MapProgram.h>
-#include <osgTreeWind/places/WholeTurns.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/WindInternals.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/wind/WindParts.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
@@ -26,18 +26,18 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Whether a component is a number, and not a mark such as -9999 that a program writes for a missing value.
+/// Whether a component is a number and not a code for a missing value, such as -9999.
 bool isKnown(float component) {
-    constexpr float leastMark = 99.0f;
+    constexpr float smallestCode = 99.0f;
     return !std::isnan(component) &&
-           (std::abs(component) < leastMark || !isMissing(static_cast<double>(component)));
+           (std::abs(component) < smallestCode || !isMissing(static_cast<double>(component)));
 }
 
-/// Converts one velocity to m/s and takes note of it. False when no wind is like this.
-bool takeIn(glm::vec3& velocity, float unit, WindContent& content) {
+/// Converts a velocity to m/s and updates the summary; missing becomes 0. @return false if too fast.
+bool convertVelocity(glm::vec3& velocity, float unit, WindContent& content) {
     const bool known = isKnown(velocity.x) && isKnown(velocity.y) && isKnown(velocity.z);
     if (!known)
-        ++content.missing;
+        ++content.missingCount;
     velocity = known ? velocity * unit : glm::vec3(0.0f);
     const double speed = glm::length(glm::dvec3(velocity));
     if (!(speed <= maxMeasuredSpeed))
@@ -54,8 +54,8 @@ std::size_t velocityCount(const WindContent& content) {
     return series ? series->velocities.size() : std::get<GridWind::Grid>(content.data).values.size() / 3;
 }
 
-/// Settles the unit, the range of speeds and places without data.
-Diagnostics settle(WindContent& content, double unit, const std::string& path) {
+/// Converts all velocities to m/s; sets the range of speeds and the number of missing velocities.
+Diagnostics convertVelocities(WindContent& content, double unit, const std::string& path) {
     auto* series = std::get_if<WindSeries>(&content.data);
     auto* grid = std::get_if<GridWind::Grid>(&content.data);
     const std::size_t count = velocityCount(content);
@@ -64,13 +64,13 @@ Diagnostics settle(WindContent& content, double unit, const std::string& path) {
     for (std::size_t i = 0; i < count; ++i) {
         float* values = series ? &series->velocities[i].x : &grid->values[3 * i];
         glm::vec3 velocity(values[0], values[1], values[2]);
-        if (!takeIn(velocity, static_cast<float>(unit), content))
+        if (!convertVelocity(velocity, static_cast<float>(unit), content))
             return {fileProblem(path, "expected winds of at most 200 m/s; number " + std::to_string(i + 1) +
-                                          ofAll + " is none")};
+                                          ofAll + " is faster")};
         std::copy(&velocity.x, &velocity.x + 3, values);
     }
-    if (content.missing == count)
-        return {fileProblem(path, "holds no data at any" + ofAll + " places and times")};
+    if (content.missingCount == count)
+        return {fileProblem(path, "has no data at any" + ofAll + " places and times")};
     return {};
 }
 
@@ -87,20 +87,19 @@ void summarize(const GridWind::Grid& grid, WindSummary& summary) {
     }
 }
 
-Diagnostics named(Diagnostics problems, const std::string& path) {
+Diagnostics withPath(Diagnostics problems, const std::string& path) {
     for (Diagnostic& one : problems)
         one.file = path;
     return problems;
 }
 
 template <typename Field>
-Result<WindFieldPtr> named(const Result<Field>& field, const std::string& path) {
+Result<WindFieldPtr> withPath(const Result<Field>& field, const std::string& path) {
     if (field)
         return WindFieldPtr(field.value());
-    return named(field.problems(), path);
+    return withPath(field.problems(), path);
 }
 
-/// Where the points of a grid are.
 WindExtent extentOf(const WindSummary& summary) {
     WindExtent extent;
     for (int axis = 0; axis < 2; ++axis)
@@ -111,8 +110,8 @@ WindExtent extentOf(const WindSummary& summary) {
     return extent;
 }
 
-/// Puts the scene's origin at 0 of a grid. @param there the place of the origin on the grid's map.
-void moveTo(const glm::dvec2& there, double height, GridWind::Grid& grid) {
+/// Makes grid coordinates relative to the scene's origin. @param there the origin on the grid's map.
+void moveOrigin(const glm::dvec2& there, double height, GridWind::Grid& grid) {
     grid.origin -= glm::dvec3(there, 0.0);
     if (grid.aboveGround)
         return;
@@ -121,8 +120,9 @@ void moveTo(const glm::dvec2& there, double height, GridWind::Grid& grid) {
         each -= static_cast<float>(height);
 }
 
-/// The way from the map that is wanted to the file's; null where they are one, or either is not said.
-Result<std::shared_ptr<const CrsMesh>> wayTo(const std::string& fileCrs, const WindFileOptions& options) {
+/// Transform from the scene's CRS to the file's; null if they are the same or one is unknown.
+Result<std::shared_ptr<const CrsMesh>> meshToFile(const std::string& fileCrs,
+                                                  const WindFileOptions& options) {
     if (fileCrs.empty() || options.crs.empty())
         return std::shared_ptr<const CrsMesh>();
     const Result<Crs> here = Crs::parse(options.crs), there = Crs::parse(fileCrs);
@@ -131,24 +131,25 @@ Result<std::shared_ptr<const CrsMesh>> wayTo(const std::string& fileCrs, const W
     if (here.value().isSame(there.value()))
         return std::shared_ptr<const CrsMesh>();
     const glm::dvec2 origin(options.origin);
-    const auto mesh = CrsMesh::over(here.value(), there.value(), origin + options.low, origin + options.high);
+    const auto mesh =
+        CrsMesh::makeLinear(here.value(), there.value(), origin + options.low, origin + options.high);
     if (!mesh)
         return mesh.problems();
     return std::make_shared<const CrsMesh>(mesh.value());
 }
 
-/// Makes the wind of one layer one of a height above the ground, and grow with it, where that is wanted.
-Diagnostics takeProfile(const WindFileOptions& options, GridWind::Grid& grid) {
+/// Applies the options `height` and `roughness`: a single layer gets a height above the ground and a profile.
+Diagnostics applyProfile(const WindFileOptions& options, GridWind::Grid& grid) {
     const bool isLayer = !grid.aboveGround && grid.points.z == 1;
     if (options.roughness == 0.0 && options.height == 0.0)
         return {};
     if (!isLayer && options.height > 0.0)
-        return {keyProblem("height", "expected none: the data say at which heights they hold")};
+        return {keyProblem("height", "the data already contain their heights")};
     if (!isLayer && !grid.aboveGround)
-        return {keyProblem("roughness", "expected none: heights of the data do not count from the ground")};
+        return {keyProblem("roughness", "the heights of the data are not above the ground")};
     if (!(options.roughness > 0.0) || (isLayer && !(options.height > 0.0)))
         return {keyProblem(isLayer ? "height" : "roughness",
-                           "expected the height above the ground at which the data hold, and a roughness")};
+                           "expected both the height of the data above the ground and a roughness length")};
     if (isLayer)
         grid.heights = {static_cast<float>(options.height)};
     grid.aboveGround = true;
@@ -156,35 +157,36 @@ Diagnostics takeProfile(const WindFileOptions& options, GridWind::Grid& grid) {
     return {};
 }
 
-/// The wind of a grid in the scene.
-Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options, const std::string& path) {
+/// Converts a grid to a wind in the scene.
+Result<WindFile> makeGridFile(WindContent&& content, const WindFileOptions& options,
+                              const std::string& path) {
     auto& grid = std::get<GridWind::Grid>(content.data);
-    const auto way = wayTo(content.summary.crs, options);
-    if (!way)
-        return fileProblem(path, way.problems().front().message);
-    const std::shared_ptr<const CrsMesh>& mesh = way.value();
-    const glm::dvec2 origin(options.origin), itsOrigin = mesh ? mesh->there(origin) : origin;
+    const auto transform = meshToFile(content.summary.crs, options);
+    if (!transform)
+        return fileProblem(path, transform.problems().front().message);
+    const std::shared_ptr<const CrsMesh>& mesh = transform.value();
+    const glm::dvec2 origin(options.origin), itsOrigin = mesh ? mesh->transformed(origin) : origin;
     if (mesh && mesh->isDegrees()) {
         const double middle = grid.origin.x + 0.5 * grid.cell.x * (grid.points.x - 1);
-        grid.origin.x += wholeTurns(middle, itsOrigin.x);
+        grid.origin.x += longitudeWrap(middle, itsOrigin.x);
     }
-    if (Diagnostics problems = takeProfile(options, grid); !problems.empty())
+    if (Diagnostics problems = applyProfile(options, grid); !problems.empty())
         return problems;
     WindFile file;
     summarize(grid, content.summary);
-    WindExtent extent = content.whole.value_or(extentOf(content.summary));
-    if (mesh && mesh->isDegrees() && !extent.isEverywhere(0)) {
-        const double turns = wholeTurns(0.5 * (extent.low.x + extent.high.x), itsOrigin.x);
+    WindExtent extent = content.fileExtent.value_or(extentOf(content.summary));
+    if (mesh && mesh->isDegrees() && !extent.isUnbounded(0)) {
+        const double turns = longitudeWrap(0.5 * (extent.low.x + extent.high.x), itsOrigin.x);
         extent.low.x += turns;
         extent.high.x += turns;
     }
     content.summary.extent = extent;
     file.covers = [mesh, origin, extent](const glm::dvec2& place) {
-        return extent.holds(mesh ? mesh->there(origin + place) : origin + place);
+        return extent.contains(mesh ? mesh->transformed(origin + place) : origin + place);
     };
     file.summary = std::move(content.summary);
-    moveTo(itsOrigin, options.origin.z, grid);
-    Result<WindFieldPtr> field = named(GridWind::create(std::move(grid)), path);
+    moveOrigin(itsOrigin, options.origin.z, grid);
+    Result<WindFieldPtr> field = withPath(GridWind::create(std::move(grid)), path);
     if (!field)
         return field.problems();
     file.wind = field.value();
@@ -193,31 +195,32 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         file.wind.clock.travel.x = content.travelSpeed;
     }
     if (mesh)
-        WindParts::setMap(file.wind, {mesh, origin, itsOrigin});
+        WindInternals::setMap(file.wind, {mesh, origin, itsOrigin});
     return file;
 }
 
-/// The wind of a record at one point.
-Result<WindFile> recordFile(WindContent&& content, const WindFileOptions& options, const std::string& path) {
+/// Converts a record at one point to a wind.
+Result<WindFile> makeRecordFile(WindContent&& content, const WindFileOptions& options,
+                                const std::string& path) {
     auto& series = std::get<WindSeries>(content.data);
     content.summary.times = series.times;
     if (options.roughness > 0.0)
         series.profile = LogProfile{options.height, options.roughness};
-    const auto field = named(TimeSeriesWind::create(std::move(series)), path);
+    const auto field = withPath(TimeSeriesWind::create(std::move(series)), path);
     if (!field)
         return field.problems();
     return WindFile{std::move(content.summary), field.value(), [](const glm::dvec2&) { return true; }};
 }
 
-/// One file, velocities in m/s.
-/// @param also a second file with the other component; empty: none.
-Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options,
-                                const std::string& also = {}) {
-    WindRequest request{options.columns, options.asStored, {}, also};
+/// Reads one file, with velocities converted to m/s.
+/// @param secondFile file of the other component; empty if there is none.
+Result<WindContent> readConverted(const std::string& path, const WindFileOptions& options,
+                                  const std::string& secondFile = {}) {
+    WindRequest request{options.columns, options.asStored, {}, secondFile};
     if (!options.crs.empty())
         request.area = {options.crs, glm::dvec2(options.origin) + options.low,
                         glm::dvec2(options.origin) + options.high};
-    request.columns.speedUnit = "m/s"; // converted with all other formats
+    request.columns.speedUnit = "m/s"; // converted below, as for all formats
     Result<WindContent> read = readWindContent(path, request);
     if (!read)
         return read;
@@ -225,33 +228,34 @@ Result<WindContent> readSettled(const std::string& path, const WindFileOptions& 
     const Result<double> unit = speedUnit(inFile.empty() ? options.speedUnit : inFile);
     if (!unit)
         return fileProblem(path, unit.problems().front().message);
-    if (Diagnostics problems = settle(read.value(), unit.value(), path); !problems.empty())
+    if (Diagnostics problems = convertVelocities(read.value(), unit.value(), path); !problems.empty())
         return problems;
     const std::string& crs = read.value().summary.crs;
     if (options.crs.empty() && !options.asStored && !crs.empty() && Crs::parse(crs).value().isDegrees())
-        return fileProblem(path, "its places are on degrees, " + read.value().summary.coordinates +
-                                     "; expected crs, a map in metres to bring them to");
+        return fileProblem(path, "its coordinates are in degrees, " + read.value().summary.coordinates +
+                                     "; expected crs, a projected CRS in metres");
     return read;
 }
 
-/// What was read as a field. @param path of the first file.
-Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, const WindFileOptions& options) {
+/// Converts file content to a wind. @param path of the first file.
+Result<WindFile> makeWindFile(Result<WindContent>&& read, const std::string& path,
+                              const WindFileOptions& options) {
     if (!read)
         return read.problems();
     WindContent& content = read.value();
     std::vector<std::string>& notes = content.summary.notes;
-    notes.insert(notes.end(), content.assumed.begin(), content.assumed.end());
-    if (content.missing > 0)
-        notes.push_back(std::to_string(content.missing) + " of " + std::to_string(velocityCount(content)) +
+    notes.insert(notes.end(), content.assumptions.begin(), content.assumptions.end());
+    if (content.missingCount > 0)
+        notes.push_back(std::to_string(content.missingCount) + " of " +
+                        std::to_string(velocityCount(content)) +
                         " velocities have no data and are taken as calm");
     if (content.summary.unit.empty())
-        notes.push_back("the file names no unit of speed; taken as " + options.speedUnit);
+        notes.push_back("the file gives no unit of speed; " + options.speedUnit + " is assumed");
     if (std::holds_alternative<WindSeries>(content.data))
-        return recordFile(std::move(content), options, path);
-    return gridFile(std::move(content), options, path);
+        return makeRecordFile(std::move(content), options, path);
+    return makeGridFile(std::move(content), options, path);
 }
 
-/// A problem with the options, if there is one.
 Diagnostics check(const WindFileOptions& options) {
     if (const Result<double> unit = speedUnit(options.speedUnit); !unit)
         return {keyProblem("speedUnit", unit.problems().front().message)};
@@ -267,7 +271,7 @@ Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& op
     const auto maps = MapProgram::shared();
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    return fileOf(readSettled(path, options), path, options);
+    return makeWindFile(readConverted(path, options), path, options);
 }
 
 Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
@@ -275,13 +279,13 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
     const auto maps = MapProgram::shared();
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    std::map<std::string, std::string> partners; // files of one component each, two and two
+    std::map<std::string, std::string> partners; // the file of the other component by the first file
     std::optional<Result<WindContent>> first;
     std::vector<std::string> moments = files;
     if (files.size() > 1) {
-        first = readSettled(files[0], options);
+        first = readConverted(files[0], options);
         if (!*first && files.size() % 2 == 0)
-            if (Result<WindContent> pair = readSettled(files[0], options, files[1])) {
+            if (Result<WindContent> pair = readConverted(files[0], options, files[1])) {
                 first = std::move(pair);
                 moments.clear();
                 for (std::size_t i = 0; i < files.size(); i += 2) {
@@ -291,17 +295,17 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
             }
     }
     const auto read = [&](const std::string& file) {
-        Result<WindContent> step = first ? std::move(*first) : readSettled(file, options, partners[file]);
+        Result<WindContent> step = first ? std::move(*first) : readConverted(file, options, partners[file]);
         first.reset();
         if (const auto* grid = step ? std::get_if<GridWind::Grid>(&step.value().data) : nullptr)
-            if (Diagnostics problems = named(GridWind::check(*grid), file); !problems.empty())
-                return Result<WindContent>(problems); // of this file, before they are joined
+            if (Diagnostics problems = withPath(GridWind::check(*grid), file); !problems.empty())
+                return Result<WindContent>(problems); // reports problems by file, before the steps are joined
         return step;
     };
     Result<WindContent> wind = readWindSteps(moments, times, read);
     if (wind && moments.size() < files.size())
-        wind.value().summary.notes.push_back("components in files of their own, put together two and two");
-    return fileOf(std::move(wind), files.empty() ? "" : files.front(), options);
+        wind.value().summary.notes.push_back("components are read from pairs of files");
+    return makeWindFile(std::move(wind), files.empty() ? "" : files.front(), options);
 }
 
 Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns,
@@ -320,7 +324,7 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     for (glm::vec3& velocity : series->velocities)
         velocity *= static_cast<float>(unit.value());
     if (notes)
-        *notes = read.value().assumed;
+        *notes = read.value().assumptions;
     return std::move(*series);
 }
 

@@ -17,96 +17,93 @@
 
 namespace osgTreeWind {
 
-/// How a file of wind data is to be taken.
+/// Options for reading files of wind data.
 struct WindFileOptions {
-    /// The place in the file's coordinates, metres, that becomes (0, 0, 0) of the scene. Scenes count in
-    /// 32-bit floats, so give map coordinates an origin near the forest.
+    /// The place, metres in `crs` or else in the file's coordinates, that becomes scene (0, 0, 0). Scene
+    /// coordinates are 32-bit floats, so choose an origin near the forest.
     glm::dvec3 origin{0.0};
-    /// The map on which `origin` and the scene are, in metres, by any text that PROJ knows: a file that says
-    /// to be on another, or on degrees, is brought to it, places and velocities. Empty: the file's own.
+    /// CRS of `origin` and the scene, projected, in metres, in any notation that PROJ accepts. Places and
+    /// velocities of files in another CRS, or in degrees, are transformed to it. Empty: the CRS of the file.
     std::string crs;
-    /// With `crs`, where wind is wanted, least x and y, metres from `origin`: what lies well beyond need not
-    /// be read.
+    /// With `crs`: minimum x and y, metres from `origin`, of the area needed; other data may be skipped.
     glm::dvec2 low{-50000.0};
-    glm::dvec2 high{50000.0}; ///< Greatest x and y of it.
-    /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
+    glm::dvec2 high{50000.0}; ///< Maximum x and y of that area.
+    /// Unit of speeds in files without a unit: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::string speedUnit = "m/s";
-    /// Roughness length of the ground, metres, below the lowest height of the data: wind beneath follows the
-    /// logarithmic profile to the foot of each tree, and that of a single height also above it. 0: it holds.
+    /// Roughness length of the ground, metres: the wind follows the logarithmic profile from the ground to
+    /// the lowest height of the data, and also above it if there is only one height. 0: the wind is constant
+    /// there.
     double roughness = 0.0;
-    /// With `roughness`, metres above the ground at which data hold that do not say: a single layer, or a
-    /// record.
+    /// With `roughness`: height above the ground, metres, of a single layer or a record without a height.
     double height = 0.0;
-    /// Of a CSV or TOA5 table; while it names none, the columns are called time, u, v, w or time, speed,
-    /// direction in a CSV and TIMESTAMP, Ux, Uy, Uz in a TOA5. The unit is `speedUnit` above.
+    /// Columns of a CSV or TOA5 table. If none are named: time and u, v, w or speed, direction in CSV, and
+    /// TIMESTAMP, Ux, Uy, Uz in TOA5. The unit is `speedUnit` above.
     WindSeriesColumns columns;
-    /// Velocities as the file has them: not turned from true north to the grid's, a model grid that moves
-    /// taken as standing still.
+    /// Keeps velocities as in the file: does not turn them from true north to the grid's north, and ignores
+    /// the motion of a moving model grid.
     bool asStored = false;
 };
 
-/// What a file of wind data was understood to say, in the file's own coordinates.
+/// Description of a file of wind data, in the file's coordinates.
 struct WindSummary {
-    std::string format;      ///< "TurbSim full field", say.
-    std::string unit;        ///< Of the speeds in the file; empty when it does not say.
-    std::string direction;   ///< "from, clockwise from grid north" or what the components mean.
-    std::string coordinates; ///< Name or PROJ text of the reference system; empty when not said.
-    /// The same as PROJ reads it, where points are x east and y north of a map in metres, or longitude and
-    /// latitude in degrees; empty when not said.
+    std::string format;      ///< For example "TurbSim full field".
+    std::string unit;        ///< Unit of speed in the file; empty if unknown.
+    std::string direction;   ///< Meaning of directions or components: "from, degrees clockwise from north".
+    std::string coordinates; ///< Name or PROJ text of the CRS; empty if unknown.
+    /// The CRS for PROJ, with x east and y north in metres or longitude and latitude in degrees, or empty.
     std::string crs;
-    /// Date and time of time 0, as ISO 8601 in UTC where the file's calendar is the usual one; empty when it
-    /// does not say.
+    /// Date and time of time 0: ISO 8601 in UTC, unless the file uses another calendar; empty if unknown.
     std::string start;
-    std::vector<std::string> notes; ///< What else is worth knowing, one sentence each.
+    std::vector<std::string> notes; ///< Assumptions and other remarks, one sentence each.
 
-    glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
-    glm::dvec3 low{0.0};       ///< South-western lowest point; all 0 for a record at one point.
+    glm::ivec3 points{1};      ///< Number of points east, north and up; (1, 1, 1) for a record at one point.
+    glm::dvec3 low{0.0};       ///< South-western lowest point; 0 for a record at one point.
     glm::dvec3 high{0.0};      ///< North-eastern highest point.
-    WindExtent extent;         ///< Of all points of the file, of which those near the scene may be a part.
-    bool aboveGround = false;  ///< Heights count from the ground below each place.
-    std::vector<double> times; ///< Seconds; empty for a wind that does not change.
-    double slowest = 0.0;      ///< m/s, over all points and times.
-    double fastest = 0.0;      ///< m/s, likewise.
+    WindExtent extent;         ///< Extent of the whole file, of which only a part may have been read.
+    bool aboveGround = false;  ///< Whether heights are above the ground below each place.
+    std::vector<double> times; ///< Seconds; empty for a steady wind.
+    double slowest = 0.0;      ///< Minimum speed over all points and times, m/s.
+    double fastest = 0.0;      ///< Maximum speed over all points and times, m/s.
 };
 
-/// A file of wind data as a wind, and what was understood.
+/// A wind read from a file, with a description of the file.
 struct WindFile {
-    WindSummary summary; ///< What it says of itself.
-    Wind wind;           ///< In the scene: a field, never null, with the map and the clock of the data.
-    /// Whether the file has points around a place of the scene, so that its wind there is not that of its
-    /// edge; of a record at one point it has all.
+    WindSummary summary; ///< The description.
+    Wind wind; ///< The wind in the scene, with the transform and clock of the data; its field is not null.
+    /// Whether the data cover a place of the scene; elsewhere the wind is clamped to their edge. Always true
+    /// for a record at one point.
     std::function<bool(const glm::dvec2& place)> covers;
 };
 
-/// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
-/// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK grids of even spacing, VTK XML ImageData,
-/// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, NetCDF and GRIB.
+/// Reads a file of wind data, recognised by content, then by extension: ESRI ASCII or GeoTIFF pairs of speed
+/// and direction-from (NAME_vel and NAME_ang; give either), legacy VTK grids of even spacing, VTK XML
+/// ImageData, TurbSim .bts, Campbell TOA5, EPW, QES-Winds sensor XML, CSV, NetCDF and GRIB.
 ///
-/// With a `crs` a file on another map is re-projected. Without, one on degrees is an error, unless it is
-/// wanted as stored: its places are degrees then.
+/// With `crs`, files in another CRS are transformed. Without it, a file in degrees is an error, unless
+/// `asStored` is set; its places are then in degrees.
 ///
-/// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
-/// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file
-/// gives an error with line or byte, never a partial field. Sizes are checked against the file before memory
-/// is asked for.
+/// The wind is interpolated between time steps and 0 where data are missing. Velocities relative to true
+/// north are turned to the y axis of the file's projection, unless `asStored` is set. Notes report both. A
+/// damaged file gives an error with line or byte, never a partial field. Sizes are checked against the file
+/// before memory is allocated.
 OSGTREEWIND_EXPORT Result<WindFile> readWindFile(const std::string& path,
                                                  const WindFileOptions& options = {});
 
-/// Reads several files on the same grid as one wind: the hours of WindNinja or of a forecast, the days of a
-/// reanalysis. Velocities are linear between the times; the first holds before, the last after.
+/// Reads several files on the same grid as one wind, such as the hours of WindNinja or a forecast, or the
+/// days of a reanalysis. Velocities are linear between the times and clamped to the first and last.
 ///
-/// A file of another grid, unit or reference system than the first is an error that names it; so is a record
-/// at one point, or with `times` a file of several. Notes that the first file does not have too begin with
-/// the name of theirs. Wrong `files` or `times` are errors with that key.
-/// @param files at least one, in the order of their times. @param times seconds, increasing, one for each
-/// file; none where each file says its own: dates, which count from the first, or VTK's TimeValue.
+/// A file whose grid, unit or CRS differs from the first is an error; so is a record at one point, or with
+/// `times` a file of several times. Notes of later files begin with their file name. Invalid `files` or
+/// `times` are errors with that key.
+/// @param files at least one, in order of time.
+/// @param times seconds, increasing, one for each file; empty if the files contain their times: dates,
+/// counted from the first, or VTK's TimeValue.
 OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>& files,
                                                   const std::vector<double>& times,
                                                   const WindFileOptions& options = {});
 
-/// A record at one point as it is, m/s: of any format that holds one; of a table with these columns, their
-/// unit among them. A grid is an error.
-/// @param notes where not null, what had to be assumed and what was left out.
+/// Reads a record at one point, m/s, from a file of any format. A grid is an error.
+/// @param columns of a table, with their unit. @param notes if not null, set to assumptions and omissions.
 OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
                                                      const WindSeriesColumns& columns,
                                                      std::vector<std::string>* notes = nullptr);

@@ -10,55 +10,54 @@
 #include <string>
 #include <string_view>
 
-/// The readers behind readWindFile(), one for each format, most over bytes in memory. Not part of the
-/// interface. Each gives a record, or a grid with as many values as its points say, or a problem with a line
-/// or a byte.
+/// Readers of each wind format for readWindFile(). Each returns a record, a grid with values for all of its
+/// points, or a problem with line or byte.
 namespace osgTreeWind {
 
-/// The one door: the file in whichever of the formats below it is, by its first kilobyte, then by extension.
-/// What of a format can be left unread beyond the area, may be.
+/// Reads a file in any of the formats below, recognised by its first kilobyte, then by its extension. Readers
+/// may skip data outside the area of the request.
 Result<WindContent> readWindContent(const std::string& path, const WindRequest& request);
 
-/// The value of a cell without data.
+/// Value of a cell without data.
 constexpr float noData = std::numeric_limits<float>::quiet_NaN();
 
-/// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
+/// Reads an ESRI ASCII grid, stored row by row from the north-western cell.
 Result<MapCells> readEsriGrid(std::string_view text, const std::string& file);
-/// Speed and direction-from on the same cells as one wind.
-Result<WindContent> windOfCells(const MapCells& speed, const MapCells& direction, const std::string& file);
-/// Both files of a pair NAME_vel and NAME_ang, either given; the map is that of a .prj beside each.
+/// Combines speed and direction-from on the same cells.
+Result<WindContent> windFromCells(const MapCells& speed, const MapCells& direction, const std::string& file);
+/// Reads the ESRI ASCII pair NAME_vel and NAME_ang; `path` is either. A .prj beside each gives the CRS.
 Result<WindContent> readEsriPair(const std::string& path);
-/// The same pair as GeoTIFF, read by the program osgtreewind-map.
+/// Reads the same pair as GeoTIFF with the program osgtreewind-map.
 Result<WindContent> readTiffPair(const std::string& path);
 
-/// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID
-/// of evenly spaced points. Its TimeValue becomes the one time of the grid.
+/// Reads legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or
+/// STRUCTURED_GRID with evenly spaced points. A TimeValue becomes the only time of the grid.
 Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file);
-/// VTK XML ImageData of one piece: ascii, base64 or raw, zlib or not, either byte order.
+/// Reads VTK XML ImageData of one piece: ascii, base64 or raw, optionally zlib, either byte order.
 Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file);
-/// TurbSim full field: the grid drifts along x with the mean wind at the hub (Taylor's frozen turbulence).
+/// Reads a TurbSim full field, which drifts along x with the mean wind at the hub (frozen turbulence).
 Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file);
-/// Campbell TOA5: four lines of header, the third with units. Records without a wind are left out.
+/// Reads Campbell TOA5, with four header lines, the third with units. Skips records without wind.
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns);
-/// QES-Winds sensor: XML, with or without a single root, whose `timeSeries` elements each hold timeEpoch (s)
-/// or timeStamp (a date and time), height and siteZ0 (m), speed (m/s) and direction (degrees from). Times
-/// become seconds since the first; height and roughness become the profile.
+/// Reads a QES-Winds sensor: XML, with or without a single root, whose `timeSeries` elements each contain
+/// timeEpoch (s) or timeStamp (date and time), height and siteZ0 (m), speed (m/s) and direction (degrees
+/// from). Times become seconds since the first; height and roughness become the profile.
 ///
-/// Problems carry line and column: broken XML, a missing or repeated element, text in a number, values no
-/// wind has, times that do not increase. Only the neutral logarithmic profile is read (boundaryLayerFlag 1
-/// and reciprocal 0, both the defaults when absent), with one height and roughness for the whole record.
+/// Problems, with line and column: broken XML, a missing or repeated element, text in a number, impossible
+/// values, times that do not increase. Supports only the neutral logarithmic profile (boundaryLayerFlag 1 and
+/// reciprocal 0, the defaults) with one height and roughness for the whole record.
 Result<WindContent> readQesSensor(std::string_view bytes, const std::string& file);
-/// EnergyPlus weather: eight lines of header, then a row for each hour of a year that may be put together
-/// from months of several years. Its winds are those at 10 m.
+/// Reads EnergyPlus weather: eight header lines, then a row for each hour of a year, which may be composed of
+/// months from several years. The wind is at 10 m.
 Result<WindContent> readEpw(std::string_view bytes, const std::string& file);
-/// CSV, and what WindSeriesRows says of it. While it names no column, the usual names.
+/// Reads CSV; see WindSeriesRows. Uses the default column names if none are given.
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns);
-/// NetCDF, read by the program osgtreewind-weather in a process of its own: a damaged file ends that one
-/// only. An error where it is not installed.
+/// Reads NetCDF with the program osgtreewind-weather, so that a damaged file can only crash that process. An
+/// error if it is not installed.
 Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request);
-/// GRIB, edition 1 or 2, read by the same program.
+/// Reads GRIB, edition 1 or 2, with the same program.
 Result<WindContent> readGrib(const std::string& path, const WindRequest& request);
 
 } // namespace osgTreeWind

@@ -7,16 +7,16 @@
 
 namespace osgTreeWind {
 
-/// A file whose beginning tells the reader of the rest. Not part of the interface.
+/// An input file whose first kilobyte selects the reader.
 class WindInput {
 public:
     /// Reads the first kilobyte.
     explicit WindInput(const std::string& path);
 
     const std::string& path() const { return _path; }
-    /// The first kilobyte; less of a short file. A file that is empty or cannot be read is a problem.
+    /// The first kilobyte, or less of a short file; a problem if the file is empty or cannot be read.
     Result<std::string> head() const;
-    /// All of it, after head() was good.
+    /// The whole file. Requires that head() succeeded.
     Result<std::string> bytes();
 
 private:

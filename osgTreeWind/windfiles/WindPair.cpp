@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An ESRI ASCII grid, with what a .prj beside it says of its map.
+/// Reads an ESRI ASCII grid and the CRS from a .prj beside it.
 Result<MapCells> readAscii(const std::string& path) {
     const Result<std::string> text = readBytes(path);
     if (!text)
@@ -39,9 +39,9 @@ Result<MapCells> readAscii(const std::string& path) {
     return cells;
 }
 
-/// What both files of a pair have to say alike; empty where they do.
+/// The difference between both files of a pair; empty if they match.
 std::string difference(const MapCells& speed, const MapCells& direction) {
-    const glm::dvec2 apart = glm::abs(speed.south - direction.south);
+    const glm::dvec2 apart = glm::abs(speed.southWest - direction.southWest);
     const double tolerance = 1e-3 * speed.cellSize;
     if (speed.cells != direction.cells || std::max(apart.x, apart.y) > tolerance ||
         std::abs(speed.cellSize - direction.cellSize) * speed.cells.x > tolerance)
@@ -52,18 +52,18 @@ std::string difference(const MapCells& speed, const MapCells& direction) {
 
 } // namespace
 
-Result<WindContent> windOfCells(const MapCells& speed, const MapCells& direction, const std::string& file) {
+Result<WindContent> windFromCells(const MapCells& speed, const MapCells& direction, const std::string& file) {
     if (const std::string problem = difference(speed, direction); !problem.empty())
         return fileProblem(file, problem);
     WindContent content;
     content.summary.direction = "from, degrees clockwise from grid north";
-    content.summary.unit = usualSpeedUnit(speed.unit);
+    content.summary.unit = canonicalSpeedUnit(speed.unit);
     content.summary.crs = speed.crs.empty() ? direction.crs : speed.crs;
     if (!content.summary.crs.empty())
         content.summary.coordinates = Crs::parse(content.summary.crs).value().name();
     GridWind::Grid grid;
     grid.points = {speed.cells, 1};
-    grid.origin = {speed.south, 0.0};
+    grid.origin = {speed.southWest, 0.0};
     grid.cell = {speed.cellSize, speed.cellSize, 1.0};
     grid.values.reserve(3 * speed.values.size());
     for (std::size_t i = 0; i < speed.values.size(); ++i) {
@@ -82,7 +82,7 @@ Result<WindContent> windOfCells(const MapCells& speed, const MapCells& direction
     return content;
 }
 
-/// Both files of a pair, either given.
+/// Reads both files of a pair. @param path either of them.
 Result<WindContent> readPair(const std::string& path, const char* format,
                              Result<MapCells> (*readCells)(const std::string&)) {
     const fs::path given(path);
@@ -105,7 +105,7 @@ Result<WindContent> readPair(const std::string& path, const char* format,
             return read.problems();
         cells[i] = std::move(read.value());
     }
-    Result<WindContent> content = windOfCells(cells[0], cells[1], path);
+    Result<WindContent> content = windFromCells(cells[0], cells[1], path);
     if (content)
         content.value().summary.format = format;
     return content;

@@ -13,40 +13,39 @@
 
 namespace osgTreeWind {
 
-/// A rectangle on a map or on degrees: what lies well beyond it need not be read.
+/// A rectangle in which wind is needed; readers may skip data far outside.
 struct WindArea {
-    std::string crs; ///< As Crs::text(); empty: that of the file, whatever it is.
+    std::string crs; ///< As Crs::text(); empty: the CRS of the file.
     glm::dvec2 low{0.0}, high{0.0};
 };
 
-/// What is asked of the reader of a format.
+/// Options for the reader of a format.
 struct WindRequest {
-    WindSeriesColumns columns;    ///< Of a table.
-    bool asStored = false;        ///< As in WindFileOptions.
-    std::optional<WindArea> area; ///< Where wind is wanted; nothing: everywhere.
-    std::string also;             ///< A second file with the other component, of NetCDF or GRIB; empty: none.
+    WindSeriesColumns columns;    ///< Columns of a table.
+    bool asStored = false;        ///< As WindFileOptions::asStored.
+    std::optional<WindArea> area; ///< Where wind is needed; empty: everywhere.
+    std::string secondFile;       ///< NetCDF or GRIB file of the other component; empty if there is none.
 };
 
-/// Where an area lies on the map of a file: what holds all of it, longitudes within half a turn of its
-/// middle's. A file that does not say what its map is has that of the area. A problem where its map does not
-/// hold it.
-/// @param crs of the file, as WindSummary::crs.
-Result<WindArea> areaOn(const std::string& crs, const WindArea& area);
+/// Bounding rectangle of an area in the CRS of a file, with longitudes within 180 degrees of its centre. A
+/// problem if the CRS does not cover the area. @param crs as WindSummary::crs; if empty, the file is in the
+/// CRS of the area.
+Result<WindArea> areaOnMap(const std::string& crs, const WindArea& area);
 
-/// Points of a grid, in rows and columns.
+/// A rectangular part of the grid of a file.
 struct GridPart {
     AxisPart x, y;
-    WindExtent whole; ///< Of the file.
+    WindExtent fileExtent; ///< Extent of the whole file.
 };
 
-/// Where points on two axes lie. @param onMap as below.
+/// Extent of some points on two axes. @param mapOffset as for gridPartFor().
 WindExtent extentOf(const AxisPart& x, const EvenAxis& xAxis, const AxisPart& y, const EvenAxis& yAxis,
-                    const glm::dvec2& onMap);
+                    const glm::dvec2& mapOffset);
 
-/// Those of a file that a request is for: around its area, or all. Problems as of areaOn().
-/// @param crs of the file, as WindSummary::crs. @param onMap added to places on the axes it makes them those
-/// of the file's map.
-Result<GridPart> partFor(const WindRequest& request, const std::string& crs, const EvenAxis& x,
-                         const EvenAxis& y, const glm::dvec2& onMap = glm::dvec2(0.0));
+/// The part of a grid around the requested area, or all of it. Problems as for areaOnMap().
+/// @param crs as WindSummary::crs. @param mapOffset added to coordinates on the axes to get coordinates in
+/// the CRS.
+Result<GridPart> gridPartFor(const WindRequest& request, const std::string& crs, const EvenAxis& x,
+                             const EvenAxis& y, const glm::dvec2& mapOffset = glm::dvec2(0.0));
 
 } // namespace osgTreeWind

@@ -18,26 +18,26 @@ constexpr const char* isoTime = "iso8601";
 } // namespace
 
 WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns)
-    : _table{head.file, head.headerLine, head.columns, {}, head.format}, _map(columns),
+    : _table{head.file, head.headerLine, head.columns, {}, head.format}, _columns(columns),
       _polar(!columns.speed.empty() || !columns.direction.empty()) {
-    if (_polar == !(_map.u.empty() && _map.v.empty() && _map.w.empty())) {
+    if (_polar == !(_columns.u.empty() && _columns.v.empty() && _columns.w.empty())) {
         report(0, {}, "expected columns for u and v, or for speed and direction");
         return;
     }
-    _time = find("time", _map.time);
-    _first = _polar ? find("speed", _map.speed) : find("u", _map.u);
-    _second = _polar ? find("direction", _map.direction) : find("v", _map.v);
-    if (!_map.w.empty())
-        _up = find("w", _map.w);
-    if (const Result<double> seconds = timeUnit(_map.timeUnit))
+    _time = find("time", _columns.time);
+    _first = _polar ? find("speed", _columns.speed) : find("u", _columns.u);
+    _second = _polar ? find("direction", _columns.direction) : find("v", _columns.v);
+    if (!_columns.w.empty())
+        _up = find("w", _columns.w);
+    if (const Result<double> seconds = timeUnit(_columns.timeUnit))
         _secondsPerUnit = seconds.value();
-    else if (_map.timeUnit != isoTime)
-        report(0, "time unit", expectedFound("s, min, h or iso8601", _map.timeUnit));
-    if (const Result<double> speed = speedUnit(_map.speedUnit))
+    else if (_columns.timeUnit != isoTime)
+        report(0, "time unit", expectedFound("s, min, h or iso8601", _columns.timeUnit));
+    if (const Result<double> speed = speedUnit(_columns.speedUnit))
         _speedPerUnit = speed.value();
     else
         report(0, "speed unit", speed.problems().front().message);
-    _sound = _problems.empty();
+    _areColumnsValid = _problems.empty();
 }
 
 void WindSeriesRows::report(int line, const std::string& key, std::string message) {
@@ -56,7 +56,7 @@ std::size_t WindSeriesRows::find(const char* role, const std::string& name) {
     return 0;
 }
 
-/// A cell within [low, high] after scaling; 0 with a problem otherwise.
+/// A cell times `scale` if in [low, high]; otherwise 0, with a problem.
 double WindSeriesRows::number(const Row& row, std::size_t column, double scale, double low, double high,
                               const char* what) {
     const Result<double> cell = _table.number(row, column);
@@ -76,13 +76,13 @@ bool WindSeriesRows::isMissing(const Row& row, std::size_t column) const {
         return true;
     const std::optional<double> number = _table.format.numberOf(row.cells[column]);
     return number && (osgTreeWind::isMissing(*number) ||
-                      std::count(_map.missing.begin(), _map.missing.end(), *number) > 0);
+                      std::count(_columns.missing.begin(), _columns.missing.end(), *number) > 0);
 }
 
-/// A calm needs no direction.
+/// A row with speed 0 needs no direction.
 bool WindSeriesRows::hasWind(const Row& row) const {
-    if (osgTreeWind::isMissing(row.cells[_time]) || // 999 s are a time
-        isMissing(row, _first) || (!_map.w.empty() && isMissing(row, _up)))
+    if (osgTreeWind::isMissing(row.cells[_time]) || // 999 s is a valid time
+        isMissing(row, _first) || (!_columns.w.empty() && isMissing(row, _up)))
         return false;
     return !isMissing(row, _second) || (_polar && _table.format.numberOf(row.cells[_first]) == 0.0);
 }
@@ -93,11 +93,11 @@ double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
 }
 
 double WindSeriesRows::time(const Row& row) {
-    if (_map.timeUnit != isoTime)
+    if (_columns.timeUnit != isoTime)
         return number(row, _time, _secondsPerUnit, -maxTime, maxTime, "a time");
     if (const auto seconds = parseIsoTime(row.cells[_time]))
         return *seconds;
-    report(row.line, _map.time,
+    report(row.line, _columns.time,
            expectedFound("a date and time such as 2015-06-29T12:00:00Z", row.cells[_time]));
     return 0.0;
 }
@@ -108,18 +108,18 @@ glm::vec3 WindSeriesRows::velocity(const Row& row) {
         const double d = isMissing(row, _second) ? 0.0
                                                  : number(row, _second, 1.0, -maxDirection, maxDirection,
                                                           "degrees of -360 to 360");
-        return windVelocity({s, d}, _map.sense);
+        return windVelocity({s, d}, _columns.sense);
     }
     const double u = speed(row, _first, -maxMeasuredSpeed), v = speed(row, _second, -maxMeasuredSpeed);
-    return {u, v, _map.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};
+    return {u, v, _columns.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};
 }
 
-void WindSeriesRows::take(const Row& row) {
-    ++_taken;
-    if (!_sound || _problems.size() >= maxRecordProblems)
+void WindSeriesRows::addRow(const Row& row) {
+    ++_rowCount;
+    if (!_areColumnsValid || _problems.size() >= maxRecordProblems)
         return;
     if (!hasWind(row)) {
-        ++_left;
+        ++_skippedCount;
         return;
     }
     const std::size_t before = _problems.size();
@@ -131,30 +131,30 @@ void WindSeriesRows::take(const Row& row) {
         _start = now;
         _startText = row.cells[_time];
     } else if (now - _start <= _series.times.back())
-        return report(row.line, _map.time,
+        return report(row.line, _columns.time,
                       expectedFound("a later time than in the row before", row.cells[_time]));
     _series.times.push_back(now - _start);
     _series.velocities.push_back(wind);
 }
 
 Result<WindSeries> WindSeriesRows::series() {
-    if (_sound && _taken == 0)
+    if (_areColumnsValid && _rowCount == 0)
         report(_table.headerLine, {}, "expected at least one record below the header");
-    else if (_sound && _left == _taken)
+    else if (_areColumnsValid && _skippedCount == _rowCount)
         report(_table.headerLine, {},
-               "expected a record with a wind; all " + std::to_string(_taken) + " have none");
+               "expected at least one record with wind, found none in " + std::to_string(_rowCount));
     if (!_problems.empty())
         return _problems;
     return std::move(_series);
 }
 
-void WindSeriesRows::noteLeftOut(std::vector<std::string>& notes) const {
-    if (_left > 0)
-        notes.push_back(std::to_string(_left) + " of " + std::to_string(_taken) +
-                        " records have no wind and are left out");
+void WindSeriesRows::noteSkippedRows(std::vector<std::string>& notes) const {
+    if (_skippedCount > 0)
+        notes.push_back(std::to_string(_skippedCount) + " of " + std::to_string(_rowCount) +
+                        " records have no wind and are skipped");
 }
 
-std::string WindSeriesRows::direction(const WindSeriesColumns& columns, const char* components) {
+std::string WindSeriesRows::directionText(const WindSeriesColumns& columns, const char* components) {
     if (columns.speed.empty())
         return components;
     return columns.sense == DirectionSense::From ? "from, degrees clockwise from north"

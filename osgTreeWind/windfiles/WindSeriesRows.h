@@ -7,27 +7,26 @@
 
 namespace osgTreeWind {
 
-/// The rows of a table as a wind record, one after the other. Not part of the interface.
+/// Converts the rows of a table to a wind record, row by row.
 class WindSeriesRows {
 public:
-    /// @param head the table, whose rows it does not ask for.
+    /// @param head the table; its rows are not used.
     WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns);
 
-    void take(const CsvTable::Row& row);
+    void addRow(const CsvTable::Row& row);
 
-    /// After the last row: the record, its times seconds since the first row with a wind; or every problem: a
-    /// column map that names both forms or neither, a missing column, an unknown unit, no row with a wind,
-    /// and, with its line, a cell that is no number, a time that does not increase, or a value no wind has
-    /// (negative speed, more than 200 m/s). Rows whose wind is missing are left out, but of a calm without a
-    /// direction.
+    /// Call after the last row. Returns the record, in seconds since the first row with wind, or all
+    /// problems: columns of both forms or neither, a missing column, an unknown unit, no row with wind, and,
+    /// with its line, a cell that is not a number, a time that does not increase, or an impossible value
+    /// (negative speed, more than 200 m/s). Rows without wind are skipped; speed 0 needs no direction.
     Result<WindSeries> series();
-    /// Adds a note where rows were left out.
-    void noteLeftOut(std::vector<std::string>& notes) const;
-    /// The time of the first row with a wind, as it stands there.
+    /// Adds a note if rows were skipped.
+    void noteSkippedRows(std::vector<std::string>& notes) const;
+    /// Text of the time in the first row with wind.
     const std::string& start() const { return _startText; }
 
-    /// What the directions or components mean, as a summary says it.
-    static std::string direction(const WindSeriesColumns& columns, const char* components);
+    /// Meaning of directions or components, for WindSummary::direction.
+    static std::string directionText(const WindSeriesColumns& columns, const char* components);
 
 private:
     using Row = CsvTable::Row;
@@ -42,16 +41,16 @@ private:
     double time(const Row& row);
     glm::vec3 velocity(const Row& row);
 
-    const CsvTable _table; ///< Without rows.
-    const WindSeriesColumns _map;
+    const CsvTable _table; ///< The header, without rows.
+    const WindSeriesColumns _columns;
     bool _polar = false;
     std::size_t _time = 0, _first = 0, _second = 0, _up = 0;
     double _secondsPerUnit = 1.0, _speedPerUnit = 1.0, _start = 0.0;
     WindSeries _series;
     Diagnostics _problems;
-    bool _sound = false; ///< The column map is.
+    bool _areColumnsValid = false;
     std::string _startText;
-    std::size_t _taken = 0, _left = 0; ///< Rows that came; those without a wind.
+    std::size_t _rowCount = 0, _skippedCount = 0; ///< All rows; those without wind.
 };
 
 } // namespace osgTreeWind

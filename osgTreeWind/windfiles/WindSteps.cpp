@@ -17,8 +17,7 @@ std::string text(const glm::dvec3& v) {
     return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
 }
 
-/// What a wind must be to be a part of several; empty when it is.
-/// @param isTimed whether times are given, one for each file.
+/// Why a wind cannot be a time step; empty if it can. @param isTimed whether one time is given for each file.
 std::string problemOfStep(const WindContent& step, bool isTimed) {
     const auto* grid = std::get_if<GridWind::Grid>(&step.data);
     const std::string expected = isTimed ? "expected a grid at one time, found " : "expected a grid, found ";
@@ -31,11 +30,11 @@ std::string problemOfStep(const WindContent& step, bool isTimed) {
     return {};
 }
 
-std::string zeroOfHeights(const GridWind::Grid& grid) {
+std::string heightDatum(const GridWind::Grid& grid) {
     return grid.aboveGround ? "the ground" : "that of the file";
 }
 
-/// What of a step is not as in the first one; empty when all is.
+/// How a step differs from the first one; empty if it does not.
 std::string difference(const WindContent& first, const WindContent& step, const std::string& firstFile) {
     const auto& a = std::get<GridWind::Grid>(first.data);
     const auto& b = std::get<GridWind::Grid>(step.data);
@@ -45,7 +44,7 @@ std::string difference(const WindContent& first, const WindContent& step, const 
         {"distances between points", text(a.cell), text(b.cell)},
         {"coordinates", first.summary.coordinates, step.summary.coordinates},
         {"unit of speed", first.summary.unit, step.summary.unit},
-        {"zero of heights", zeroOfHeights(a), zeroOfHeights(b)},
+        {"zero of heights", heightDatum(a), heightDatum(b)},
     };
     for (const auto& [name, expected, found] : properties) {
         if (expected == found)
@@ -61,22 +60,22 @@ std::size_t valueCount(const WindContent& step) {
     return std::get<GridWind::Grid>(step.data).values.size();
 }
 
-/// Gives every time of a grid heights of its own, where those of its points are the same at all of them.
-void spreadHeights(GridWind::Grid& grid, std::size_t points) {
+/// Repeats the heights of points for each time of a grid, if they are stored only once.
+void repeatHeights(GridWind::Grid& grid, std::size_t points) {
     const std::vector<float> once = grid.heights;
     while (once.size() == points && grid.heights.size() < grid.values.size() / 3)
         grid.heights.insert(grid.heights.end(), once.begin(), once.end());
 }
 
-/// Puts a step behind those before. False when its layers are not at their heights.
+/// Appends a step to a grid. @return false if their layers have different heights.
 bool append(GridWind::Grid& grid, GridWind::Grid& step) {
     const glm::dvec3 size(step.points);
     const auto points = static_cast<std::size_t>(size.x * size.y * size.z);
     if (step.heights != grid.heights) {
         if (grid.heights.size() < points || step.heights.size() < points)
             return false;
-        spreadHeights(grid, points);
-        spreadHeights(step, points);
+        repeatHeights(grid, points);
+        repeatHeights(step, points);
         grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
     } else if (grid.heights.size() > points)
         grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
@@ -84,14 +83,14 @@ bool append(GridWind::Grid& grid, GridWind::Grid& step) {
     return true;
 }
 
-/// When a file holds.
-struct OwnTimes {
-    std::vector<double> seconds; ///< Since 1970 where it says its date; none where it does not say any.
+/// Times of a file.
+struct FileTimes {
+    std::vector<double> seconds; ///< Since 1970 if dated; empty if the file contains no time.
     bool isDated = false;
 };
 
-OwnTimes timesOf(const WindContent& step) {
-    OwnTimes times{std::get<GridWind::Grid>(step.data).times, false};
+FileTimes timesOf(const WindContent& step) {
+    FileTimes times{std::get<GridWind::Grid>(step.data).times, false};
     const auto start = parseIsoTime(step.summary.start);
     if (!start)
         return times;
@@ -103,19 +102,19 @@ OwnTimes timesOf(const WindContent& step) {
     return times;
 }
 
-/// Takes the times of the next file behind those before.
-Diagnostics takeTimes(const std::string& file, const OwnTimes& own, bool isDated,
-                      std::vector<double>& times) {
+/// Appends the times of the next file.
+Diagnostics appendTimes(const std::string& file, const FileTimes& own, bool isDated,
+                        std::vector<double>& times) {
     if (own.seconds.empty())
-        return {keyProblem("times",
-                           "expected times, one for each file: " + file + " does not say when it holds")};
+        return {
+            keyProblem("times", "expected one time for each file, because " + file + " contains no time")};
     if (own.isDated != isDated)
-        return {fileProblem(file, isDated ? "expected to say its date, as the first file does"
-                                          : "expected seconds as the first file has them, found a date")};
+        return {fileProblem(file, isDated ? "expected a date, as in the first file"
+                                          : "expected seconds, as in the first file, found a date")};
     if (!times.empty() && own.seconds.front() <= times.back()) {
         const double zero = isDated ? times.front() : 0.0;
         return {fileProblem(file, "expected a time after " + numberText(times.back() - zero) +
-                                      " s, that of the file before; found " +
+                                      " s, the last time of the previous file, found " +
                                       numberText(own.seconds.front() - zero) + " s")};
     }
     times.insert(times.end(), own.seconds.begin(), own.seconds.end());
@@ -135,9 +134,9 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         return problems;
 
     WindContent wind;
-    std::vector<double> ofFiles;
+    std::vector<double> fileTimes;
     bool isDated = false;
-    std::vector<std::string> ofFirst; // notes
+    std::vector<std::string> firstNotes;
     for (const std::string& file : files) {
         Result<WindContent> one = read(file);
         if (!one)
@@ -146,14 +145,14 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         if (const std::string what = problemOfStep(step, !times.empty()); !what.empty())
             return fileProblem(file, what);
         if (times.empty()) {
-            const OwnTimes own = timesOf(step);
-            isDated = ofFiles.empty() ? own.isDated : isDated;
-            if (Diagnostics problems = takeTimes(file, own, isDated, ofFiles); !problems.empty())
+            const FileTimes own = timesOf(step);
+            isDated = fileTimes.empty() ? own.isDated : isDated;
+            if (Diagnostics problems = appendTimes(file, own, isDated, fileTimes); !problems.empty())
                 return problems;
         }
         if (&file == &files.front()) {
             wind = std::move(step);
-            ofFirst = wind.summary.notes;
+            firstNotes = wind.summary.notes;
             continue;
         }
         if (const std::string what = difference(wind, step, files.front()); !what.empty())
@@ -166,19 +165,19 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
             return fileProblem(file, "expected the heights of " + files.front());
         const std::string source = file + ": ";
         for (const std::string& note : step.summary.notes)
-            if (std::find(ofFirst.begin(), ofFirst.end(), note) == ofFirst.end())
+            if (std::find(firstNotes.begin(), firstNotes.end(), note) == firstNotes.end())
                 wind.summary.notes.push_back(source + note);
-        wind.missing += step.missing;
+        wind.missingCount += step.missingCount;
         wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
         wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
     }
     auto& all = std::get<GridWind::Grid>(wind.data).times;
-    if (const double zero = isDated ? ofFiles.front() : 0.0; zero != 0.0)
-        for (double& seconds : ofFiles)
+    if (const double zero = isDated ? fileTimes.front() : 0.0; zero != 0.0)
+        for (double& seconds : fileTimes)
             seconds -= zero;
-    all = times.empty() ? ofFiles : times;
+    all = times.empty() ? fileTimes : times;
     if (all.front() != 0.0)
-        wind.summary.start.clear(); // which was that of the first file
+        wind.summary.start.clear(); // the date of the first file is not time 0
     return wind;
 }
 

@@ -10,11 +10,10 @@
 
 namespace osgTreeWind {
 
-/// Reads files as one wind over these times, of one time each, or over all of their own: what readWindFiles()
-/// begins with. Heights of single points may move from file to file; all else of the grid must be alike. Not
-/// part of the interface.
-/// @param times none: each file says its own, as dates or as seconds.
-/// @param read one of the files, sound on its own, velocities in m/s.
+/// Joins time steps from several files to one wind, for readWindFiles(). Heights of single points may differ
+/// from file to file; the rest of the grid must be the same.
+/// @param times one for each file; empty if the files contain their times, as dates or seconds.
+/// @param read reads and checks one file, with velocities in m/s.
 Result<WindContent> readWindSteps(const std::vector<std::string>& files, const std::vector<double>& times,
                                   const std::function<Result<WindContent>(const std::string&)>& read);
 

@@ -31,7 +31,7 @@ Result<double> valueOf(const Unit (&units)[N], const char* what, const std::stri
 
 } // namespace
 
-std::string usualSpeedUnit(const std::string& text) {
+std::string canonicalSpeedUnit(const std::string& text) {
     static const std::pair<const char*, const char*> names[] = {{"m s-1", "m/s"},
                                                                 {"m s^-1", "m/s"},
                                                                 {"m s**-1", "m/s"},

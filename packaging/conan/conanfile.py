@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Builds the checkout that it lies in: conan create packaging/conan --build=missing"""
+"""Builds the checkout that contains it: conan create packaging/conan --build=missing"""
 
 import os
 import re
@@ -42,7 +42,7 @@ class OsgTreeWind(ConanFile):
 
     def validate(self):
         if self.settings.os != "Linux":
-            raise ConanInvalidConfiguration("osgTreeWind is for Linux so far")
+            raise ConanInvalidConfiguration("osgTreeWind supports only Linux")
 
     def requirements(self):
         self.requires("openscenegraph/3.6.5", transitive_headers=True, transitive_libs=True)
@@ -61,7 +61,7 @@ class OsgTreeWind(ConanFile):
             self.requires("nlohmann_json/[>=3.7 <4]")
 
     def system_requirements(self):
-        Apt(self).install(["libcsv-dev"])  # Conan has no package of it
+        Apt(self).install(["libcsv-dev"])  # Conan has no package for it
 
     def generate(self):
         CMakeDeps(self).generate()
@@ -85,6 +85,6 @@ class OsgTreeWind(ConanFile):
 
     def package_info(self):
         self.cpp_info.libs = ["osgTreeWind"]
-        self.cpp_info.set_property("cmake_find_mode", "none")  # the package brings its own osgTreeWindConfig.cmake
+        self.cpp_info.set_property("cmake_find_mode", "none")  # the package has its own osgTreeWindConfig.cmake
         self.cpp_info.builddirs.append(os.path.join("lib", "cmake", "osgTreeWind"))
         self.runenv_info.append_path("OSG_LIBRARY_PATH", os.path.join(self.package_folder, "lib"))

@@ -4,7 +4,6 @@
 
 #include <osgTreeWind/places/GridMapping.h>
 
-#include <cpl_conv.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
@@ -15,13 +14,13 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A number of a projection: as GDAL calls it and as CF does.
+/// The names of a parameter of a projection.
 struct Number {
-    const char *here, *there;
+    const char *gdalName, *cfName;
 };
 
 struct Projection {
-    const char *here, *there;
+    const char *gdalName, *cfName;
     std::array<Number, 6> numbers;
 };
 
@@ -65,29 +64,24 @@ Result<GridMapping> gridMappingOf(const Crs& crs) {
     const GdalErrors errors;
     const GdalCrs& map = parsed.value();
     GridMapping mapping;
-    char* written = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    OSRExportToWktEx(map.reference(), &written, options);
-    mapping.wkt = written ? written : "";
-    CPLFree(written);
-
+    mapping.wkt = map.wkt();
     const char* const stated = OSRGetAttrValue(map.reference(), "PROJECTION", 0);
     const std::string projection = stated ? stated : "";
     const auto* const known = std::find_if(std::begin(projections), std::end(projections),
-                                           [&](const Projection& p) { return projection == p.here; });
+                                           [&](const Projection& p) { return projection == p.gdalName; });
     if (known == std::end(projections))
         return mapping;
-    mapping.name = known->there;
+    mapping.name = known->cfName;
     mapping.numbers = {{"semi_major_axis", {OSRGetSemiMajor(map.reference(), nullptr)}},
                        {"inverse_flattening", {OSRGetInvFlattening(map.reference(), nullptr)}},
                        {"longitude_of_prime_meridian", {OSRGetPrimeMeridian(map.reference(), nullptr)}}};
     for (const Number& number : known->numbers) {
-        if (!number.here)
+        if (!number.gdalName)
             continue;
-        if (mapping.numbers.back().first != number.there)
-            mapping.numbers.push_back({number.there, {}});
+        if (mapping.numbers.back().first != number.cfName)
+            mapping.numbers.push_back({number.cfName, {}});
         mapping.numbers.back().second.push_back(
-            OSRGetNormProjParm(map.reference(), number.here, 0.0, nullptr));
+            OSRGetNormProjParm(map.reference(), number.gdalName, 0.0, nullptr));
     }
     return mapping;
 }

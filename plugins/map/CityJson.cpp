@@ -20,7 +20,7 @@
 #include <regex>
 #include <unordered_map>
 
-// GDAL has no driver for the format; its reader of JSON spares the library one of its own.
+// GDAL has no driver for CityJSON, but a JSON parser.
 namespace osgTreeWind {
 
 namespace {
@@ -32,8 +32,8 @@ bool isNumber(const CPLJSONObject& value) {
            value.GetType() == Type::Double;
 }
 
-/// Three numbers; empty for anything else.
-std::optional<glm::dvec3> vectorOf(const CPLJSONObject& value) {
+/// A vector from an array of three numbers; empty for other values.
+std::optional<glm::dvec3> parseVector(const CPLJSONObject& value) {
     const CPLJSONArray array = value.ToArray();
     if (!array.IsValid() || array.Size() < 3)
         return std::nullopt;
@@ -50,8 +50,8 @@ class CityReader {
 public:
     CityReader(const std::string& path, const CPLJSONObject& root)
         : _path(path), _root(root), _vertices(root.GetArray("vertices")) {
-        _scale = vectorOf(root.GetObj("transform/scale")).value_or(glm::dvec3(1.0));
-        _translation = vectorOf(root.GetObj("transform/translate")).value_or(glm::dvec3(0.0));
+        _scale = parseVector(root.GetObj("transform/scale")).value_or(glm::dvec3(1.0));
+        _translation = parseVector(root.GetObj("transform/translate")).value_or(glm::dvec3(0.0));
     }
 
     Result<std::shared_ptr<void>> read() {
@@ -68,8 +68,8 @@ public:
         for (const CPLJSONObject& object : _root.GetObj("CityObjects").GetChildren())
             if (object.GetString("type") == "SolitaryVegetationObject")
                 add(object);
-        if (!_taken)
-            return fileProblem(_path, "its features cannot be kept");
+        if (!_isComplete)
+            return fileProblem(_path, "its features do not fit into memory");
         return data;
     }
 
@@ -94,22 +94,22 @@ private:
                 OGR_F_SetFieldString(feature, field(attribute.GetName(), OFTString),
                                      attribute.ToString().c_str());
         OGR_F_SetFieldString(feature, 0, object.GetName().c_str());
-        if (const auto foot = footOf(object.GetArray("geometry"))) {
+        if (const auto foot = findFoot(object.GetArray("geometry"))) {
             const OGRGeometryH point = OGR_G_CreateGeometry(wkbPoint25D);
             OGR_G_SetPoint(point, 0, foot->x, foot->y, foot->z);
             OGR_F_SetGeometryDirectly(feature, point);
         }
-        _taken &= OGR_L_CreateFeature(_layer, feature) == OGRERR_NONE;
+        _isComplete &= OGR_L_CreateFeature(_layer, feature) == OGRERR_NONE;
         OGR_F_Destroy(feature);
     }
 
-    /// Where the first of its geometries stands: below the middle, or at the point of an instance.
-    std::optional<glm::dvec3> footOf(const CPLJSONArray& geometries) {
+    /// The foot of the first geometry: below the middle of its box, moved by the matrix of an instance.
+    std::optional<glm::dvec3> findFoot(const CPLJSONArray& geometries) {
         if (!geometries.IsValid() || geometries.Size() == 0)
             return std::nullopt;
         const CPLJSONObject geometry = geometries[0];
         _low.reset();
-        if (!take(geometry.GetObj("boundaries")) || !_low)
+        if (!expandBox(geometry.GetObj("boundaries")) || !_low)
             return std::nullopt;
         glm::dvec3 foot{0.5 * (_low->x + _high.x), 0.5 * (_low->y + _high.y), _low->z};
         const CPLJSONArray matrix = geometry.GetArray("transformationMatrix");
@@ -118,19 +118,19 @@ private:
         return foot;
     }
 
-    /// Widens the box by all vertices that nested boundaries name. False: one is none.
-    bool take(const CPLJSONObject& boundaries) {
+    /// Expands the box by the vertices of nested boundaries. @return false for an invalid vertex.
+    bool expandBox(const CPLJSONObject& boundaries) {
         if (boundaries.GetType() == Type::Array) {
             const CPLJSONArray parts = boundaries.ToArray();
             for (int i = 0; i < parts.Size(); ++i)
-                if (!take(parts[i]))
+                if (!expandBox(parts[i]))
                     return false;
             return true;
         }
         const int index = boundaries.ToInteger(-1);
         const auto stored = boundaries.GetType() == Type::Integer && index >= 0 && _vertices.IsValid() &&
                                     index < _vertices.Size()
-                                ? vectorOf(_vertices[index])
+                                ? parseVector(_vertices[index])
                                 : std::nullopt;
         if (!stored)
             return false;
@@ -146,8 +146,8 @@ private:
     glm::dvec3 _scale, _translation, _high{0.0};
     std::optional<glm::dvec3> _low;
     OGRLayerH _layer = nullptr;
-    std::unordered_map<std::string, int> _fields; ///< Their places in the layer.
-    bool _taken = true;
+    std::unordered_map<std::string, int> _fields; ///< Column by name.
+    bool _isComplete = true;
 };
 
 } // namespace

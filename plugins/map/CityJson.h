@@ -8,11 +8,11 @@
 
 namespace osgTreeWind {
 
-/// Whether a file says so.
+/// Whether a file is CityJSON, by its content.
 bool isCityJson(const std::string& path);
 
-/// Its SolitaryVegetationObjects as features of one layer: points at their feet, with their attributes and
-/// their `id`. @return a GDALDatasetH.
+/// Reads the SolitaryVegetationObjects as point features of one layer, at the feet of the trees, with their
+/// attributes and `id`. @return a GDALDatasetH.
 Result<std::shared_ptr<void>> readCityJson(const std::string& path);
 
 } // namespace osgTreeWind

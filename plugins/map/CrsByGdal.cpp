@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Of Crs and CrsWay what PROJ has to know, as the programs have it that link GDAL. In the library
-// places/MapsByProgram.cpp stands in place of this.
+// The functions of Crs and CrsTransform that need PROJ, for the programs that link GDAL. The library uses
+// places/MapProgramClient.cpp instead.
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 
 #include <ogr_srs_api.h>
 
@@ -27,36 +27,36 @@ bool Crs::isSame(const Crs& other) const {
     return mine && theirs && OSRIsSame(mine.value().reference(), theirs.value().reference());
 }
 
-Result<CrsWay> CrsWay::between(const Crs& from, const Crs& to) {
-    CrsWay way;
+Result<CrsTransform> CrsTransform::between(const Crs& from, const Crs& to) {
+    CrsTransform transform;
     if (from.text() == to.text())
-        return way;
+        return transform;
     const auto start = GdalCrs::parse(from.text()), end = GdalCrs::parse(to.text());
     if (!start || !end)
         return (start ? end : start).problems();
     const GdalErrors errors;
     if (OSRIsSame(start.value().reference(), end.value().reference()))
-        return way;
-    way._held.reset(OCTNewCoordinateTransformation(start.value().reference(), end.value().reference()),
-                    [](void* made) {
-                        if (made)
-                            OCTDestroyCoordinateTransformation(made);
-                    });
-    if (!way._held)
-        return keyProblem("crs", "no way from " + from.name() + " to " + to.name() + ": " +
+        return transform;
+    transform._handle.reset(
+        OCTNewCoordinateTransformation(start.value().reference(), end.value().reference()), [](void* made) {
+            if (made)
+                OCTDestroyCoordinateTransformation(made);
+        });
+    if (!transform._handle)
+        return keyProblem("crs", "no transformation from " + from.name() + " to " + to.name() + ": " +
                                      errors.textOr("PROJ knows none"));
-    way._from = from;
-    way._to = to;
-    return way;
+    transform._from = from;
+    transform._to = to;
+    return transform;
 }
 
-/// One by one: of several ways PROJ takes for each place the one that suits it.
-void CrsWay::go(std::vector<glm::dvec2>& places) const {
-    if (staysHere())
+/// One by one: PROJ selects the best of several transformations for each place.
+void CrsTransform::apply(std::vector<glm::dvec2>& places) const {
+    if (isIdentity())
         return;
     const GdalErrors errors;
     for (glm::dvec2& place : places)
-        if (!OCTTransform(transformation(), 1, &place.x, &place.y, nullptr) || !std::isfinite(place.x) ||
+        if (!OCTTransform(handle(), 1, &place.x, &place.y, nullptr) || !std::isfinite(place.x) ||
             !std::isfinite(place.y))
             place = glm::dvec2(std::numeric_limits<double>::quiet_NaN());
 }

@@ -23,12 +23,12 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Formats of files that stand on a disk by themselves. CSV has a reader of its own.
+/// The supported formats: those of files on a disk, except CSV, which the library reads.
 const char* const formats[] = {"GeoJSON",        "GeoJSONSeq", "TopoJSON", "ESRIJSON", "GPKG", "SQLite",
                                "FlatGeobuf",     "GML",        "LIBKML",   "KML",      "GPX",  "MapInfo File",
                                "ESRI Shapefile", "OSM",        "XLSX",     "ODS",      nullptr};
 
-/// Whether files of a format are called so (".shp"). Tables parted by tabs are called ".tab", too.
+/// Whether a supported format has an extension such as ".shp". Excludes ".tab", which tables use, too.
 bool isOfFormat(const std::string& extension) {
     if (extension.size() < 2 || extension == ".tab")
         return false;
@@ -42,12 +42,12 @@ bool isOfFormat(const std::string& extension) {
     return false;
 }
 
-/// What GDAL is to be told about a file of a format as it opens it.
+/// GDAL's open options for a format.
 const char* const* openOptions(const std::string& format) {
     static const char* const none[] = {nullptr};
-    static const char* const gml[] = {"WRITE_GFS=NO", nullptr}; // nothing beside other people's files
+    static const char* const gml[] = {"WRITE_GFS=NO", nullptr}; // do not write beside the user's files
     static const char* const osm[] = {"CONFIG_FILE=/vsimem/osmTags.ini", nullptr};
-    // The tags of nodes that are columns, in the form of GDAL's osmconf.ini.
+    // Tags of nodes to read as columns, in the format of GDAL's osmconf.ini.
     static std::string tags = "[points]\n"
                               "osm_id=yes\n"
                               "attributes=natural,species,taxon,genus,height,circumference,diameter,"
@@ -58,10 +58,10 @@ const char* const* openOptions(const std::string& format) {
     return format == "OSM" ? osm : format == "GML" ? gml : none;
 }
 
-/// The layer of an OpenStreetMap file in which trees are.
+/// The layer of OpenStreetMap files with the trees.
 const std::string nodes = "points";
 
-std::string nameOf(OGRLayerH layer) {
+std::string layerName(OGRLayerH layer) {
     return OGR_L_GetName(layer);
 }
 
@@ -71,7 +71,7 @@ Diagnostic problem(const std::string& message) {
     return keyProblem("", message);
 }
 
-Result<VectorPlace> placeOfPoint(OGRGeometryH point, const CrsWay& way) {
+Result<VectorPlace> placeOfPoint(OGRGeometryH point, const CrsTransform& transform) {
     VectorPlace place;
     glm::dvec2 flat{OGR_G_GetX(point, 0), OGR_G_GetY(point, 0)};
     place.position.z = OGR_G_GetZ(point, 0);
@@ -79,13 +79,13 @@ Result<VectorPlace> placeOfPoint(OGRGeometryH point, const CrsWay& way) {
     if (!std::isfinite(flat.x) || !std::isfinite(flat.y) || !std::isfinite(place.position.z))
         return problem("expected finite coordinates");
     const std::string was = numberText(flat.x) + ", " + numberText(flat.y);
-    if (!way.go(flat))
-        return problem("the place (" + was + ") cannot be brought into the crs of the forest");
+    if (!transform.apply(flat))
+        return problem("the place (" + was + ") cannot be transformed to the crs of the forest");
     place.position.x = flat.x, place.position.y = flat.y;
     return place;
 }
 
-/// Of all its points, and those of its parts.
+/// Whether all points of a geometry and of its parts are finite.
 bool isFinite(OGRGeometryH geometry) {
     for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
         if (!isFinite(OGR_G_GetGeometryRef(geometry, i)))
@@ -96,46 +96,46 @@ bool isFinite(OGRGeometryH geometry) {
     return true;
 }
 
-/// The centroid and the extents of what is given in any system.
-Result<VectorPlace> placeOfOutline(OGRGeometryH given, const CrsWay& way) {
+/// The centroid and the width of an outline.
+Result<VectorPlace> placeOfOutline(OGRGeometryH given, const CrsTransform& transform) {
     const GdalErrors errors;
     const Geometry outline(OGR_G_GetLinearGeometry(given, 0.0, nullptr), &OGR_G_DestroyGeometry),
         centre(OGR_G_CreateGeometry(wkbPoint), &OGR_G_DestroyGeometry);
-    if (way.transformation() && OGR_G_Transform(outline.get(), way.transformation()) != OGRERR_NONE)
-        return problem("its outline cannot be brought into the crs of the forest");
+    if (transform.handle() && OGR_G_Transform(outline.get(), transform.handle()) != OGRERR_NONE)
+        return problem("its outline cannot be transformed to the crs of the forest");
     OGREnvelope box{};
     OGR_G_GetEnvelope(outline.get(), &box);
     const double east = box.MaxX - box.MinX, north = box.MaxY - box.MinY;
     if (!isFinite(outline.get()))
         return problem("expected finite coordinates");
     if (OGR_G_Centroid(outline.get(), centre.get()) != OGRERR_NONE)
-        return problem("its outline has no middle: " + errors.textOr("GEOS finds none"));
+        return problem("its outline has no centroid: " + errors.textOr("GEOS finds none"));
     VectorPlace place;
     place.position = {OGR_G_GetX(centre.get(), 0), OGR_G_GetY(centre.get(), 0), 0.0};
     if (!(std::abs(place.position.x - 0.5 * (box.MinX + box.MaxX)) <= 0.5 * east &&
           std::abs(place.position.y - 0.5 * (box.MinY + box.MaxY)) <= 0.5 * north))
-        return problem("its outline crosses itself: the middle is outside");
+        return problem("its outline crosses itself: the centroid is outside");
     place.width = 0.5 * (east + north);
     return place;
 }
 
-/// Where an OGRGeometryH is, if it is a point or an outline; null is an error, too.
-Result<VectorPlace> placeOf(void* geometry, const CrsWay& way) {
+/// The place of an OGRGeometryH: a point or an outline. Null is an error.
+Result<VectorPlace> placeOf(void* geometry, const CrsTransform& transform) {
     if (!geometry || OGR_G_IsEmpty(geometry))
         return problem("it has no geometry");
     switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
     case wkbPoint:
-        return placeOfPoint(geometry, way);
+        return placeOfPoint(geometry, transform);
     case wkbMultiPoint:
     case wkbGeometryCollection:
         if (OGR_G_GetGeometryCount(geometry) == 1)
-            return placeOf(OGR_G_GetGeometryRef(geometry, 0), way);
+            return placeOf(OGR_G_GetGeometryRef(geometry, 0), transform);
         break;
     case wkbPolygon:
     case wkbMultiPolygon:
     case wkbCurvePolygon:
     case wkbMultiSurface:
-        return placeOfOutline(geometry, way);
+        return placeOfOutline(geometry, transform);
     default:
         break;
     }
@@ -145,27 +145,27 @@ Result<VectorPlace> placeOf(void* geometry, const CrsWay& way) {
 
 } // namespace
 
-int FeatureFile::count() const {
+int FeatureFile::layerCount() const {
     return GDALDatasetGetLayerCount(_data.get());
 }
 
-OGRLayerH FeatureFile::at(int index) const {
+OGRLayerH FeatureFile::layerAt(int index) const {
     return GDALDatasetGetLayer(_data.get(), index);
 }
 
-/// "layer "trees"", where there is something to tell apart.
+/// 'layer "trees"' for messages; empty if the file has only one layer.
 std::string FeatureFile::where() const {
-    return _layer && count() > 1 ? "layer " + inQuotes(nameOf(_layer)) : std::string();
+    return _layer && layerCount() > 1 ? "layer " + inQuotes(layerName(_layer)) : std::string();
 }
 
-std::string FeatureFile::described(const std::string& message) const {
+std::string FeatureFile::withLayer(const std::string& message) const {
     const std::string place = where();
     return place.empty() ? message : place + ": " + message;
 }
 
-bool FeatureFile::knows(const std::string& path) {
+bool FeatureFile::isSupported(const std::string& path) {
     registerGdal();
-    const GdalErrors unheard;
+    const GdalErrors ignored;
     return isOfFormat(lower(std::filesystem::path(path).extension().string())) ||
            GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) || isCityJson(path);
 }
@@ -189,10 +189,10 @@ Result<FeatureFile> FeatureFile::open(const std::string& path) {
             file._data.reset(data, [](void* opened) { GDALClose(opened); });
     }
     if (!file._data || !errors.text().empty())
-        return fileProblem(path, "cannot be read: " + errors.textOr("GDAL knows no such format"));
+        return fileProblem(path, "cannot be read: " + errors.textOr("GDAL does not support its format"));
     file._head.warnings = errors.warnings();
-    for (int i = 0; i < file.count(); ++i)
-        file._head.layers.push_back(nameOf(file.at(i)));
+    for (int i = 0; i < file.layerCount(); ++i)
+        file._head.layers.push_back(layerName(file.layerAt(i)));
     return file;
 }
 
@@ -203,7 +203,7 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
     const std::string& wanted = layer.empty() && isOsm ? nodes : layer;
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (names.empty())
-        return fileProblem(_path, "no layers in it");
+        return fileProblem(_path, "expected a layer, found none");
     const std::string known = std::to_string(names.size()) + " layers, of which " + inQuotes(names.front()) +
                               " is the first; ogrinfo lists them";
     if (wanted.empty() && names.size() > 1)
@@ -212,11 +212,11 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
         return fileProblem(_path, "no layer " + inQuotes(wanted) +
                                       (names.size() > 1 ? " among its " + known
                                                         : "; its only layer is " + inQuotes(names.front())));
-    _layer = at(wanted.empty() ? 0 : static_cast<int>(found - names.begin()));
-    if (isOsm) // the others need not be put together
+    _layer = layerAt(wanted.empty() ? 0 : static_cast<int>(found - names.begin()));
+    if (isOsm) // saves time for the other layers
         GDALDatasetExecuteSQL(_data.get(), ("SET interest_layers = " + wanted).c_str(), nullptr, nullptr);
     FeatureLayer chosen;
-    chosen.where = where();
+    chosen.messagePrefix = where();
     const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(_layer);
     for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
         chosen.columns.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
@@ -227,16 +227,16 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
     return chosen;
 }
 
-Result<MapDone> FeatureFile::rewind(CrsWay way, std::vector<std::size_t> columns) {
-    const GdalErrors unheard;
+Result<MapAcknowledgement> FeatureFile::rewind(CrsTransform transform, std::vector<std::size_t> columns) {
+    const GdalErrors ignored;
     OGR_L_ResetReading(_layer);
-    _way = std::move(way);
+    _transform = std::move(transform);
     _columns = std::move(columns);
     const int count = OGR_FD_GetFieldCount(OGR_L_GetLayerDefn(_layer));
     if (_columns.empty())
         for (int i = 0; i < count; ++i)
             _columns.push_back(static_cast<std::size_t>(i));
-    return MapDone();
+    return MapAcknowledgement();
 }
 
 FeatureBatch FeatureFile::next() {
@@ -248,7 +248,7 @@ FeatureBatch FeatureFile::next() {
         const std::unique_ptr<void, decltype(&OGR_F_Destroy)> feature(OGR_L_GetNextFeature(_layer),
                                                                       &OGR_F_Destroy);
         if (!errors.text().empty())
-            batch.problem = described("cannot be read on: " + errors.text());
+            batch.problem = withLayer("reading failed: " + errors.text());
         batch.isLast = !feature || !batch.problem.empty();
         if (batch.isLast)
             break;
@@ -259,9 +259,9 @@ FeatureBatch FeatureFile::next() {
 
 void FeatureFile::add(OGRFeatureH feature, FeatureBatch& batch) const {
     batch.ids.push_back(OGR_F_GetFID(feature));
-    const Result<VectorPlace> place = placeOf(OGR_F_GetGeometryRef(feature), _way);
+    const Result<VectorPlace> place = placeOf(OGR_F_GetGeometryRef(feature), _transform);
     if (!place)
-        batch.placeless.push_back({batch.ids.size() - 1, place.problems().front().message});
+        batch.placeProblems.push_back({batch.ids.size() - 1, place.problems().front().message});
     batch.places.push_back(place ? place.value() : VectorPlace());
     for (std::size_t i = 0; i < _columns.size(); ++i) {
         const int index = static_cast<int>(_columns[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/places/MapMessages.h>
 
 #include <gdal.h>
@@ -14,33 +14,33 @@
 
 namespace osgTreeWind {
 
-/// A file of map features while it is read: what VectorFile asks for.
+/// An open file of map features, which VectorFile reads through this program.
 class FeatureFile {
 public:
-    /// Whether a file is one, by its content or extension.
-    static bool knows(const std::string& path);
+    /// Whether a file has a supported format, by its content or extension.
+    static bool isSupported(const std::string& path);
     static Result<FeatureFile> open(const std::string& path);
 
-    const FeatureFileHead& head() const { return _head; }
-    /// @param layer empty: the only one.
+    const FeatureFileHeader& head() const { return _head; }
+    /// @param layer may be empty if the file has only one.
     Result<FeatureLayer> chooseLayer(const std::string& layer);
-    /// Makes the first feature the next one. @param columns empty: all.
-    Result<MapDone> rewind(CrsWay way, std::vector<std::size_t> columns);
+    /// Restarts at the first feature. @param columns empty: all.
+    Result<MapAcknowledgement> rewind(CrsTransform transform, std::vector<std::size_t> columns);
     /// The next features.
     FeatureBatch next();
 
 private:
-    int count() const;
-    OGRLayerH at(int index) const;
+    int layerCount() const;
+    OGRLayerH layerAt(int index) const;
     std::string where() const;
-    std::string described(const std::string& message) const;
+    std::string withLayer(const std::string& message) const;
     void add(OGRFeatureH feature, FeatureBatch& batch) const;
 
     std::string _path;
-    FeatureFileHead _head;
+    FeatureFileHeader _head;
     std::shared_ptr<void> _data; ///< GDALDatasetH.
     OGRLayerH _layer = nullptr;  ///< Of `_data`.
-    CrsWay _way;
+    CrsTransform _transform;
     std::vector<std::size_t> _columns;
 };
 

@@ -18,7 +18,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Whether PROJ would look into a file or ask the network for it.
+/// Whether PROJ would read a file or use the network for a text.
 bool isFileOrAddress(const std::string& text) {
     std::error_code ignored;
     return text.find("/vsi") != std::string::npos || std::filesystem::exists(text, ignored) ||
@@ -35,7 +35,7 @@ GdalCrs::GdalCrs(void* reference) : _reference(reference, [](void* held) { OSRRe
 Result<GdalCrs> GdalCrs::parse(const std::string& text) {
     const GdalErrors errors;
     const std::string expected =
-        "expected a coordinate reference system that PROJ knows, as EPSG:25832, found ";
+        "expected a coordinate reference system that PROJ knows, such as EPSG:25832, found ";
     if (text.empty() || isFileOrAddress(text))
         return keyProblem("crs", expected + inQuotes(text));
     std::unique_ptr<void, decltype(&OSRRelease)> read(OSRNewSpatialReference(nullptr), &OSRRelease);
@@ -54,7 +54,7 @@ std::string GdalCrs::problemOfMap() const {
     const std::string found = ", found " + name();
     if (!OSRIsProjected(reference()))
         return "expected a projected system in metres" + found +
-               (OSRIsGeographic(reference()) ? ", which is on degrees" : "");
+               (OSRIsGeographic(reference()) ? ", which uses degrees" : "");
     char* unit = nullptr;
     if (std::abs(OSRGetLinearUnits(reference(), &unit) - 1.0) > 1e-9)
         return "expected a projected system in metres" + found + " in " + orEmpty(unit);
@@ -78,6 +78,10 @@ std::string GdalCrs::text() const {
                       code = orEmpty(OSRGetAuthorityCode(reference(), nullptr));
     if (!authority.empty() && !code.empty())
         return authority + ':' + code;
+    return wkt();
+}
+
+std::string GdalCrs::wkt() const {
     char* written = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
     OSRExportToWktEx(reference(), &written, options);

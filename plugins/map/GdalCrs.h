@@ -14,13 +14,14 @@ public:
     static Result<GdalCrs> parse(const std::string& text);
 
     GdalCrs() = default;
-    /// @param reference an OGRSpatialReferenceH, which becomes its own; its order of axes counts, and nothing
-    /// that it says of heights.
+    /// @param reference an OGRSpatialReferenceH, whose ownership it takes. Uses its order of axes, and
+    /// removes its vertical part.
     explicit GdalCrs(void* reference);
 
-    /// The same as a value without GDAL.
+    /// The system as a value without GDAL.
     Crs crs() const;
     void* reference() const { return _reference.get(); }
+    std::string wkt() const; ///< WKT 2, on one line.
 
 private:
     std::string name() const;
@@ -30,7 +31,7 @@ private:
     std::shared_ptr<void> _reference;
 };
 
-/// A system as PROJ writes it; its name where that cannot.
+/// The PROJ string of a system, or its name if there is none.
 std::string projText(const Crs& crs);
 
 } // namespace osgTreeWind

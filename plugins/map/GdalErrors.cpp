@@ -13,21 +13,22 @@ namespace osgTreeWind {
 
 GdalErrors::GdalErrors() {
     CPLPushErrorHandlerEx(
-        [](CPLErr severity, CPLErrorNum number, const char* text) { hear(severity, number, text); }, this);
+        [](CPLErr severity, CPLErrorNum number, const char* text) { handleError(severity, number, text); },
+        this);
 }
 
 GdalErrors::~GdalErrors() {
     CPLPopErrorHandler();
 }
 
-void GdalErrors::hear(int severity, int, const char* text) {
-    constexpr std::size_t mostWarnings = 3;
+void GdalErrors::handleError(int severity, int, const char* text) {
+    constexpr std::size_t maxWarnings = 3;
     auto& self = *static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
     std::string line = printable(text ? text : "");
     if (severity >= CE_Failure) {
         if (self._error.empty())
             self._error = std::move(line);
-    } else if (severity == CE_Warning && self._warnings.size() < mostWarnings &&
+    } else if (severity == CE_Warning && self._warnings.size() < maxWarnings &&
                std::find(self._warnings.begin(), self._warnings.end(), line) == self._warnings.end())
         self._warnings.push_back(std::move(line));
 }

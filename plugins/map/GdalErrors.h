@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// Hears what GDAL says on this thread while it lives, so that nothing is printed.
+/// Collects the messages of GDAL in this thread during its lifetime, in place of printing them.
 class GdalErrors {
 public:
     GdalErrors();
@@ -14,21 +14,21 @@ public:
     GdalErrors& operator=(const GdalErrors&) = delete;
     ~GdalErrors();
 
-    /// The first error, on one line; empty: none.
+    /// The first error as one line; may be empty.
     const std::string& text() const { return _error; }
-    /// The same, or what to say where GDAL gave no reason.
+    /// text(), or another text if it is empty.
     std::string textOr(const char* otherwise) const { return _error.empty() ? otherwise : _error; }
     /// The first few warnings.
     const std::vector<std::string>& warnings() const { return _warnings; }
 
 private:
-    static void hear(int severity, int number, const char* text);
+    static void handleError(int severity, int number, const char* text);
 
     std::string _error;
     std::vector<std::string> _warnings;
 };
 
-/// Makes all of GDAL's formats known; needed before any file is opened.
+/// Registers all formats of GDAL. Call it before a file is opened.
 void registerGdal();
 
 } // namespace osgTreeWind

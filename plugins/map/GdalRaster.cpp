@@ -24,12 +24,12 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double mostCells = 4e8;
+constexpr double maxCells = 4e8;
 
-constexpr Range heightRange = within(-12000, 30000); // metres: what is none stands out
+constexpr Range heightRange = within(-12000, 30000); // metres: excludes common values for missing data
 
-/// Metres; nothing for a unit that is not known.
-std::optional<double> unitOfHeights(GDALRasterBandH band, OGRSpatialReferenceH reference) {
+/// Metres per unit of the heights; empty for an unknown unit.
+std::optional<double> metresPerUnit(GDALRasterBandH band, OGRSpatialReferenceH reference) {
     const std::string name = lower(GDALGetRasterUnitType(band));
     const auto isOneOf = [&](std::initializer_list<const char*> names) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -49,7 +49,7 @@ std::optional<double> unitOfHeights(GDALRasterBandH band, OGRSpatialReferenceH r
     return std::nullopt;
 }
 
-bool nameOfHeights(const std::string& name) {
+bool isHeightName(const std::string& name) {
     for (const char* const part : {"elevation", "altitude", "height", "dem", "dtm", "dsm"})
         if (name.find(part) != std::string::npos)
             return true;
@@ -59,15 +59,15 @@ bool nameOfHeights(const std::string& name) {
 } // namespace
 
 GdalRaster::GdalRaster(const std::string& path, std::string band)
-    : _path(path), _wanted(std::move(band)), _data(nullptr, [](void* opened) {
+    : _path(path), _bandName(std::move(band)), _data(nullptr, [](void* opened) {
           if (opened)
               GDALClose(opened);
       }) {
     registerGdal();
-    _refusal = problemOfRaster(path);
-    if (!_refusal.empty())
+    _formatProblem = problemOfRaster(path);
+    if (!_formatProblem.empty())
         return;
-    forgetOtherRasterFormats();
+    deregisterOtherRasterDrivers();
     _data.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                            rasterFormats().data(), nullptr, nullptr));
 }
@@ -76,28 +76,28 @@ Diagnostic GdalRaster::problem(const std::string& message) const {
     return fileProblem(_path, message);
 }
 
-Result<RasterHead> GdalRaster::head() {
-    if (!_refusal.empty())
-        return problem(_refusal);
+Result<RasterHeader> GdalRaster::head() {
+    if (!_formatProblem.empty())
+        return problem(_formatProblem);
     if (!_data || !_errors.text().empty())
-        return problem("cannot be read: " + _errors.textOr("GDAL knows no such format"));
-    RasterHead head;
+        return problem("cannot be read: " + _errors.textOr("GDAL does not support its format"));
+    RasterHeader head;
     head.columns = _columns = GDALGetRasterXSize(_data.get());
     head.rows = _rows = GDALGetRasterYSize(_data.get());
     if (const std::string bands = problemOfBands(); !bands.empty())
         return problem(bands);
-    if (static_cast<double>(_columns) * _rows > mostCells)
-        return problem("expected at most " + numberText(mostCells) + " cells, found " +
+    if (static_cast<double>(_columns) * _rows > maxCells)
+        return problem("expected at most " + numberText(maxCells) + " cells, found " +
                        std::to_string(_columns) + " x " + std::to_string(_rows) +
                        "; gdal_translate -projwin cuts a part out");
-    std::array<double, 6>& toPlace = head.toPlace;
-    if (GDALGetGeoTransform(_data.get(), toPlace.data()) != CE_None)
-        return problem("it does not say where it lies: expected a geotransform");
-    if (!std::all_of(toPlace.begin(), toPlace.end(), [](double x) { return std::isfinite(x); }) ||
-        !GDALInvGeoTransform(toPlace.data(), head.toCell.data()))
+    std::array<double, 6>& geotransform = head.geotransform;
+    if (GDALGetGeoTransform(_data.get(), geotransform.data()) != CE_None)
+        return problem("expected a geotransform, found none");
+    if (!std::all_of(geotransform.begin(), geotransform.end(), [](double x) { return std::isfinite(x); }) ||
+        !GDALInvGeoTransform(geotransform.data(), head.inverseGeotransform.data()))
         return problem("its cells have no extent");
     const OGRSpatialReferenceH reference = GDALGetSpatialRef(_data.get());
-    const auto unit = unitOfHeights(_band, reference);
+    const auto unit = metresPerUnit(_band, reference);
     if (!unit)
         return problem("expected heights in metres or feet, found the unit " +
                        inQuotes(GDALGetRasterUnitType(_band)));
@@ -108,17 +108,17 @@ Result<RasterHead> GdalRaster::head() {
     return head;
 }
 
-/// The band that the file names as ground.band. Without that key, the only band, or the only one that is
-/// named as heights are. Null where there is no such band.
-void* GdalRaster::chosenOf(const std::vector<void*>& bands) const {
+/// The band of the key ground.band. Without that key, the only band, or the only one with a name for heights.
+/// Null if there is no such band.
+void* GdalRaster::chooseBand(const std::vector<void*>& bands) const {
     std::vector<void*> called;
     for (void* const band : bands) {
         const std::string name = GDALGetDescription(band), small = lower(name);
-        if (_wanted.empty() ? nameOfHeights(small)
-                            : name == _wanted || std::to_string(GDALGetBandNumber(band)) == _wanted)
+        if (_bandName.empty() ? isHeightName(small)
+                              : name == _bandName || std::to_string(GDALGetBandNumber(band)) == _bandName)
             called.push_back(band);
     }
-    if (_wanted.empty() && bands.size() == 1)
+    if (_bandName.empty() && bands.size() == 1)
         return bands.front();
     return called.size() == 1 ? called.front() : nullptr;
 }
@@ -127,15 +127,15 @@ std::string GdalRaster::problemOfBands() {
     std::vector<GDALRasterBandH> bands;
     for (int i = 1; i <= GDALGetRasterCount(_data.get()); ++i)
         if (const GDALRasterBandH band = GDALGetRasterBand(_data.get(), i);
-            GDALGetRasterColorInterpretation(band) != GCI_AlphaBand || _wanted == std::to_string(i))
+            GDALGetRasterColorInterpretation(band) != GCI_AlphaBand || _bandName == std::to_string(i))
             bands.push_back(band);
-    _band = chosenOf(bands);
-    if (!_band && !_wanted.empty())
-        return "no band " + inQuotes(_wanted) + " among its " + std::to_string(bands.size()) +
+    _band = chooseBand(bands);
+    if (!_band && !_bandName.empty())
+        return "no band " + inQuotes(_bandName) + " among its " + std::to_string(bands.size()) +
                "; gdalinfo lists them";
     if (!_band)
         return "expected one band of heights, found " + std::to_string(bands.size()) +
-               "; ground.band says which, by its number or name (gdalinfo)";
+               "; select one by ground.band, its number or name (gdalinfo)";
     if (GDALGetRasterColorInterpretation(_band) == GCI_PaletteIndex)
         return "expected heights, found colours of a palette";
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(_band)))
@@ -143,7 +143,7 @@ std::string GdalRaster::problemOfBands() {
     return {};
 }
 
-/// Rows of whole blocks, as they lie in the file.
+/// Reads whole blocks of the file at a time.
 void GdalRaster::read(const std::function<bool(Result<std::vector<float>>)>& take) {
     constexpr int fewestRows = 64;
     int blockWidth = 0, blockHeight = 0;
@@ -161,14 +161,14 @@ void GdalRaster::read(const std::function<bool(Result<std::vector<float>>)>& tak
 Result<std::vector<float>> GdalRaster::rows(int first, int count) {
     std::vector<float> heights(static_cast<std::size_t>(_columns) * static_cast<std::size_t>(count));
     if (!readRows(_band, first, count, _columns, heights.data()) || !_errors.text().empty())
-        return problem("cannot be read on: " + _errors.textOr("it ends early"));
-    if (const std::string odd = inMetres(heights, first); !odd.empty())
+        return problem("reading failed: " + _errors.textOr("the file is truncated"));
+    if (const std::string odd = convertToMetres(heights, first); !odd.empty())
         return problem(odd);
     return heights;
 }
 
-/// Converts heights to metres.
-std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow) const {
+/// Converts heights to metres. @return a problem; empty on success.
+std::string GdalRaster::convertToMetres(std::vector<float>& heights, int firstRow) const {
     const auto columns = static_cast<std::size_t>(_columns);
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const double height = _scale * static_cast<double>(heights[i]) + _offset;
@@ -177,7 +177,7 @@ std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow) cons
             return "expected heights " + heightRange.text() + " metres, found " + numberText(height) +
                    " in column " + std::to_string(i % columns) + ", row " +
                    std::to_string(static_cast<std::size_t>(firstRow) + i / columns) +
-                   "; where that means that there is none, it has to be the file's nodata";
+                   "; a value for missing heights has to be the nodata value of the file";
         heights[i] = isHole ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(height);
     }
     return {};

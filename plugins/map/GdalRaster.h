@@ -12,36 +12,35 @@
 
 namespace osgTreeWind {
 
-/// Heights of a raster while they are read: what Raster asks for.
+/// An open raster of heights, which Raster reads through this program.
 class GdalRaster {
 public:
-    /// @param band name or number of the band of heights; empty: the only one, or the one that its name
-    /// tells.
+    /// @param band name or number; empty: the only band, or the only one with a name for heights.
     GdalRaster(const std::string& path, std::string band);
 
-    Result<RasterHead> head();
-    /// After a good head(): metres, some rows after others, NaN for a hole. Ends with a problem, or when
-    /// `take` is false or has all rows.
+    Result<RasterHeader> head();
+    /// Reads all rows in blocks, in metres, NaN for missing heights. Call it after head() succeeded. Stops at
+    /// a problem, or if `take` returns false.
     void read(const std::function<bool(Result<std::vector<float>>)>& take);
 
 private:
     Diagnostic problem(const std::string& message) const;
-    void* chosenOf(const std::vector<void*>& bands) const;
+    void* chooseBand(const std::vector<void*>& bands) const;
     std::string problemOfBands();
     Result<std::vector<float>> rows(int first, int count);
-    std::string inMetres(std::vector<float>& heights, int firstRow) const;
+    std::string convertToMetres(std::vector<float>& heights, int firstRow) const;
 
-    const std::string _path, _wanted; ///< The file; the band.
-    std::string _refusal;             ///< Why it is not opened at all.
-    const GdalErrors _errors;         ///< From now on.
+    const std::string _path, _bandName;
+    std::string _formatProblem; ///< Why the file was not opened.
+    const GdalErrors _errors;   ///< Of GDAL, from the opening on.
     std::unique_ptr<void, void (*)(void*)> _data;
     void* _band = nullptr; ///< GDALRasterBandH of the heights.
     int _columns = 0, _rows = 0;
     double _scale = 1.0, _offset = 0.0;
 };
 
-/// Reads rows of a band; NaN where its mask says that there is nothing. False where they cannot be read.
-/// @param values so many rows and columns of them.
+/// Reads rows of a band, with NaN where its mask has no data. @param values array of count x columns.
+/// @return false if reading failed.
 bool readRows(void* band, int first, int count, int columns, float* values);
 
 } // namespace osgTreeWind

@@ -19,7 +19,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The unit that a band has, or that the metadata of it or of its file name.
+/// The unit of a band, or the unit in the metadata of the band or the file.
 std::string unitOf(GDALDatasetH data, GDALRasterBandH band) {
     if (std::string unit = GDALGetRasterUnitType(band); !unit.empty())
         return unit;
@@ -35,26 +35,28 @@ std::string unitOf(GDALDatasetH data, GDALRasterBandH band) {
     return {};
 }
 
-/// What of the file is not as expected; empty: nothing.
-std::string problemOf(const std::string& path, GDALDatasetH data, const double (&toPlace)[6]) {
+/// Why a file is not supported; empty if it is.
+std::string problemOf(const std::string& path, GDALDatasetH data, const double (&geotransform)[6]) {
     constexpr int most = 100000;
     if (GDALGetRasterCount(data) != 1)
         return "expected one band, found " + std::to_string(GDALGetRasterCount(data));
     if (GDALGetRasterXSize(data) > most || GDALGetRasterYSize(data) > most)
         return "expected at most 100000 cells each way";
-    constexpr double bestRatio = 1100.0; // deflate cannot do better than 1032 to 1
+    constexpr double bestRatio = 1100.0; // deflate reaches at most 1032 to 1
     const double count = static_cast<double>(GDALGetRasterXSize(data)) * GDALGetRasterYSize(data);
     std::error_code ignored;
     if (count > bestRatio * static_cast<double>(std::filesystem::file_size(path, ignored)))
         return "the file is too short for " + numberText(count) + " cells";
-    if (toPlace[2] != 0.0 || toPlace[4] != 0.0 || !(toPlace[1] > 0.0) || !(toPlace[5] < 0.0))
+    if (geotransform[2] != 0.0 || geotransform[4] != 0.0 || !(geotransform[1] > 0.0) ||
+        !(geotransform[5] < 0.0))
         return "expected rows from the north southward, not turned";
-    if (std::abs(toPlace[1] + toPlace[5]) * GDALGetRasterYSize(data) > 1e-3 * toPlace[1])
-        return "expected square cells, found " + numberText(toPlace[1]) + " x " + numberText(-toPlace[5]);
+    if (std::abs(geotransform[1] + geotransform[5]) * GDALGetRasterYSize(data) > 1e-3 * geotransform[1])
+        return "expected square cells, found " + numberText(geotransform[1]) + " x " +
+               numberText(-geotransform[5]);
     return {};
 }
 
-/// Row by row from the south; false where they cannot be read.
+/// Reads the rows from south to north. @return false if reading failed.
 bool readCells(GDALRasterBandH band, MapCells& cells) {
     const int columns = cells.cells.x, rows = cells.cells.y;
     cells.values.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -77,23 +79,24 @@ Result<MapCells> readGeoTiffCells(const std::string& path) {
                    nullptr),
         &GDALClose);
     if (!data)
-        return fileProblem(path, "cannot be read: " + errors.textOr("no GeoTIFF"));
-    double toPlace[6];
-    if (GDALGetGeoTransform(data.get(), toPlace) != CE_None)
-        return fileProblem(path, "it does not say where it lies: expected a geotransform");
-    if (const std::string problem = problemOf(path, data.get(), toPlace); !problem.empty())
+        return fileProblem(path, "cannot be read: " + errors.textOr("not a GeoTIFF"));
+    double geotransform[6];
+    if (GDALGetGeoTransform(data.get(), geotransform) != CE_None)
+        return fileProblem(path, "expected a geotransform, found none");
+    if (const std::string problem = problemOf(path, data.get(), geotransform); !problem.empty())
         return fileProblem(path, problem);
     const GDALRasterBandH band = GDALGetRasterBand(data.get(), 1);
     MapCells cells;
     cells.cells = {GDALGetRasterXSize(data.get()), GDALGetRasterYSize(data.get())};
-    cells.cellSize = toPlace[1];
-    cells.south = {toPlace[0] + 0.5 * toPlace[1], toPlace[3] + (cells.cells.y - 0.5) * toPlace[5]};
+    cells.cellSize = geotransform[1];
+    cells.southWest = {geotransform[0] + 0.5 * geotransform[1],
+                       geotransform[3] + (cells.cells.y - 0.5) * geotransform[5]};
     if (const OGRSpatialReferenceH reference = GDALGetSpatialRef(data.get());
         reference && !OSRIsLocal(reference))
         cells.crs = GdalCrs(OSRClone(reference)).crs().text();
     cells.unit = unitOf(data.get(), band);
     if (!readCells(band, cells) || !errors.text().empty())
-        return fileProblem(path, "cannot be read on: " + errors.textOr("it ends early"));
+        return fileProblem(path, "reading failed: " + errors.textOr("the file is truncated"));
     return cells;
 }
 

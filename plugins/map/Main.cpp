@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // osgtreewind-map [FILE...]: reads rasters, map features and coordinate systems for the library, which runs
-// it and asks it one question after another, so that the library needs neither GDAL nor PROJ, and a damaged
-// file ends this process and not the one that has a forest. It ends with its standard input.
+// it and sends requests to its standard input. The library thus needs neither GDAL nor PROJ, and a damaged
+// file can crash only this process. It exits at the end of its standard input.
 #include <plugins/ReaderLimits.h>
 #include <plugins/map/FeatureFile.h>
 #include <plugins/map/GdalRaster.h>
@@ -21,18 +21,18 @@ namespace osgTreeWind {
 
 namespace {
 
-using Task = MapQuestion::Task;
+using Task = MapRequest::Task;
 
-/// Answers the questions of the library.
-class MapAnswers {
+/// Answers the requests of the library.
+class MapServer {
 public:
-    explicit MapAnswers(int descriptor) : _descriptor(descriptor) {}
+    explicit MapServer(int descriptor) : _descriptor(descriptor) {}
 
-    /// False where nobody hears it.
-    bool answer(const MapQuestion& question) {
-        const std::string first = question.texts.empty() ? std::string() : question.texts[0],
-                          second = question.texts.size() < 2 ? std::string() : question.texts[1];
-        switch (question.task) {
+    /// @return false if the answer could not be sent.
+    bool answer(const MapRequest& request) {
+        const std::string first = request.texts.empty() ? std::string() : request.texts[0],
+                          second = request.texts.size() < 2 ? std::string() : request.texts[1];
+        switch (request.task) {
         case Task::ParseCrs: {
             const auto crs = Crs::parse(first);
             return send(crs ? Result<Crs::Facts>(crs.value().facts()) : crs.problems());
@@ -41,19 +41,19 @@ public:
             const auto one = Crs::parse(first), other = Crs::parse(second);
             return send(Result<bool>(one && other && one.value().isSame(other.value())));
         }
-        case Task::FindWay: {
-            const auto way = wayFrom(first, second);
-            return send(way ? Result<bool>(!way.value().staysHere()) : way.problems());
+        case Task::FindTransform: {
+            const auto transform = findTransform(first, second);
+            return send(transform ? Result<bool>(!transform.value().isIdentity()) : transform.problems());
         }
-        case Task::BringPlaces: {
-            const auto way = wayFrom(first, second);
-            if (!way)
-                return send(Result<std::vector<glm::dvec2>>(way.problems()));
-            std::vector<glm::dvec2> places = question.places;
-            way.value().go(places);
+        case Task::TransformPoints: {
+            const auto transform = findTransform(first, second);
+            if (!transform)
+                return send(Result<std::vector<glm::dvec2>>(transform.problems()));
+            std::vector<glm::dvec2> places = request.places;
+            transform.value().apply(places);
             return send(Result<std::vector<glm::dvec2>>(std::move(places)));
         }
-        case Task::DescribeMap: {
+        case Task::DescribeGridMapping: {
             Crs::Facts map;
             map.text = first;
             return send(gridMappingOf(Crs(map)));
@@ -62,32 +62,35 @@ public:
             return sendRaster(first, second);
         case Task::ReadCells:
             return send(readGeoTiffCells(first));
-        case Task::KnowFeatures:
-            return send(Result<bool>(FeatureFile::knows(first)));
+        case Task::DetectFeatures:
+            return send(Result<bool>(FeatureFile::isSupported(first)));
         case Task::WriteTable: {
             PointTable table;
-            return Wire::receiver(_descriptor).pass(table) && send(done(writeGeoPackage(table, first)));
+            return Wire::receiver(_descriptor).transfer(table) && send(done(writeGeoPackage(table, first)));
         }
         default:
-            return answerOfFeatures(question, first, second);
+            return answerFeatureRequest(request, first, second);
         }
     }
 
 private:
-    bool answerOfFeatures(const MapQuestion& question, const std::string& first, const std::string& second) {
-        switch (question.task) {
+    bool answerFeatureRequest(const MapRequest& request, const std::string& first,
+                              const std::string& second) {
+        switch (request.task) {
         case Task::OpenFeatures: {
             auto opened = FeatureFile::open(first);
             if (!opened)
-                return send(Result<FeatureFileHead>(opened.problems()));
+                return send(Result<FeatureFileHeader>(opened.problems()));
             _features = std::move(opened.value());
-            return send(Result<FeatureFileHead>(_features.head()));
+            return send(Result<FeatureFileHeader>(_features.head()));
         }
         case Task::ChooseLayer:
             return send(_features.chooseLayer(first));
         case Task::RewindFeatures: {
-            const auto way = first.empty() ? Result<CrsWay>(CrsWay()) : wayFrom(first, second);
-            return send(way ? _features.rewind(way.value(), question.columns) : way.problems());
+            const auto transform =
+                first.empty() ? Result<CrsTransform>(CrsTransform()) : findTransform(first, second);
+            return send(transform ? _features.rewind(transform.value(), request.columns)
+                                  : transform.problems());
         }
         case Task::NextFeatures:
             return send(Result<FeatureBatch>(_features.next()));
@@ -96,32 +99,32 @@ private:
         }
     }
 
-    /// Ways are kept: to find one takes long.
-    Result<CrsWay> wayFrom(const std::string& from, const std::string& to) {
-        const auto known = _ways.find({from, to});
-        if (known != _ways.end())
+    /// Caches the transforms, as PROJ takes long to find them.
+    Result<CrsTransform> findTransform(const std::string& from, const std::string& to) {
+        const auto known = _transforms.find({from, to});
+        if (known != _transforms.end())
             return known->second;
         const auto start = Crs::parse(from), end = Crs::parse(to);
         if (!start || !end)
             return (start ? end : start).problems();
-        auto way = CrsWay::between(start.value(), end.value());
-        if (way)
-            _ways[{from, to}] = way.value();
-        return way;
+        auto transform = CrsTransform::between(start.value(), end.value());
+        if (transform)
+            _transforms[{from, to}] = transform.value();
+        return transform;
     }
 
     bool sendRaster(const std::string& path, const std::string& band) {
         GdalRaster raster(path, band);
-        Result<RasterHead> head = raster.head();
+        Result<RasterHeader> head = raster.head();
         const bool isGood = head.ok();
-        bool isTaken = send(std::move(head));
+        bool isSent = send(std::move(head));
         if (isGood)
-            raster.read([&](Result<std::vector<float>> rows) { return isTaken = send(std::move(rows)); });
-        return isTaken;
+            raster.read([&](Result<std::vector<float>> rows) { return isSent = send(std::move(rows)); });
+        return isSent;
     }
 
-    static Result<MapDone> done(const Diagnostics& problems) {
-        return problems.empty() ? Result<MapDone>(MapDone()) : problems;
+    static Result<MapAcknowledgement> done(const Diagnostics& problems) {
+        return problems.empty() ? Result<MapAcknowledgement>(MapAcknowledgement()) : problems;
     }
 
     template <typename T>
@@ -130,20 +133,20 @@ private:
     }
 
     const int _descriptor;
-    std::map<std::pair<std::string, std::string>, CrsWay> _ways;
+    std::map<std::pair<std::string, std::string>, CrsTransform> _transforms;
     FeatureFile _features;
 };
 
-/// Answers until nobody asks any more.
-bool serve(int descriptor, unsigned secondsForAnswer) {
-    MapAnswers answers(descriptor);
+/// Answers requests until the library closes the connection.
+bool serve(int descriptor, unsigned secondsPerAnswer) {
+    MapServer server(descriptor);
     for (;;) {
-        alarm(0); // however long nobody asks
-        MapQuestion question;
-        if (!Wire::receiver(descriptor).pass(question))
+        alarm(0); // no limit while waiting
+        MapRequest request;
+        if (!Wire::receiver(descriptor).transfer(request))
             return true;
-        alarm(secondsForAnswer);
-        if (!answers.answer(question))
+        alarm(secondsPerAnswer);
+        if (!server.answer(request))
             return false;
     }
 }
@@ -156,17 +159,17 @@ int main(int argc, char** argv) {
     using namespace osgTreeWind;
     if (isatty(STDIN_FILENO)) {
         std::cerr << "usage: osgtreewind-map [FILE...]\n"
-                     "osgTreeWind reads maps with this program. It talks to the library, not to people.\n";
+                     "osgTreeWind runs this program to read maps. It is not for direct use.\n";
         return 2;
     }
     const std::vector<std::string> files(argv + 1, argv + argc);
-    const unsigned seconds = limitReader(files, std::size_t(2) << 30, 300);
-    CPLSetConfigOption("GDAL_CACHEMAX", "64"); // megabytes: what is read is passed on
+    const unsigned seconds = limitResources(files, std::size_t(2) << 30, 300);
+    CPLSetConfigOption("GDAL_CACHEMAX", "64"); // megabytes: few, as data are not read twice
     const int descriptor = dup(STDIN_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of an answer
+    dup2(STDERR_FILENO, STDOUT_FILENO); // output of libraries must not mix with answers
     try {
-        _exit(serve(descriptor, seconds) ? 0 : 1); // at once: what was damaged is not tidied up
-    } catch (const std::exception&) {              // no memory is left, as a rule
+        _exit(serve(descriptor, seconds) ? 0 : 1); // without destructors, which damaged data may crash
+    } catch (const std::exception&) {              // usually std::bad_alloc
         _exit(1);
     }
 }

@@ -20,19 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 8; // VRTs in VRTs
+constexpr int maxDepth = 8; // VRTs in VRTs
 
-const char* const usual[] = {"GTiff", "COG",  "AAIGrid", "AIG",   "DTED", "SRTMHGT",
-                             "HFA",   "GSAG", "GSBG",    "GS7BG", "VRT"};
+const char* const defaultFormats[] = {"GTiff", "COG",  "AAIGrid", "AIG",   "DTED", "SRTMHGT",
+                                      "HFA",   "GSAG", "GSBG",    "GS7BG", "VRT"};
 
-bool isOpened(const char* format) {
+bool isAllowedFormat(const char* format) {
     const auto& formats = rasterFormats();
     return std::any_of(formats.begin(), formats.end() - 1,
                        [&](const char* known) { return EQUAL(known, format); });
 }
 
-/// The regular file in which a path of GDAL's lies; empty: none.
-std::string fileOf(std::string path) {
+/// The regular file with the data of a GDAL path, such as the archive of /vsizip/; empty if there is none.
+std::string findContainingFile(std::string path) {
     bool isPacked = false;
     for (const char* const prefix : {"/vsizip/", "/vsigzip/"})
         if (path.rfind(prefix, 0) == 0) {
@@ -48,7 +48,7 @@ std::string fileOf(std::string path) {
     return fs::is_regular_file(path, ignored) ? path : std::string();
 }
 
-/// One VRT, or one that another names.
+/// Checks a VRT and those it refers to.
 class Vrt {
 public:
     explicit Vrt(const std::string& path, int depth = 0) : _path(path), _depth(depth) {}
@@ -60,12 +60,12 @@ public:
     }
 
 private:
-    /// Of a node, what is in it and what follows it.
+    /// Checks a node, its children and its next siblings.
     std::string problemOf(const CPLXMLNode* first) const {
         for (const CPLXMLNode* node = first; node; node = node->psNext) {
             if (node->eType != CXT_Element)
                 continue;
-            std::string problem = problemOfElement(*node);
+            std::string problem = elementProblem(*node);
             if (problem.empty())
                 problem = problemOf(node->psChild);
             if (!problem.empty())
@@ -74,34 +74,34 @@ private:
         return {};
     }
 
-    std::string problemOfElement(const CPLXMLNode& node) const {
+    std::string elementProblem(const CPLXMLNode& node) const {
         const std::string kind = CPLGetXMLValue(&node, "subClass", "VRTSourcedRasterBand");
         if ((EQUAL(node.pszValue, "VRTDataset") || EQUAL(node.pszValue, "VRTRasterBand")) &&
             kind != "VRTSourcedRasterBand")
-            return "expected a VRT that puts files together, found one with " + inQuotes(kind);
+            return "expected a VRT that combines files, found one with " + inQuotes(kind);
         if (EQUAL(node.pszValue, "Group"))
-            return "expected a VRT of one band, found one of many dimensions";
+            return "expected a VRT of bands, found a multidimensional one";
         if (EQUAL(node.pszValue, "SourceFilename") || EQUAL(node.pszValue, "SourceDataset"))
-            return problemOfSource(CPLGetXMLValue(&node, nullptr, ""),
-                                   std::atoi(CPLGetXMLValue(&node, "relativeToVRT", "0")) != 0);
+            return sourceProblem(CPLGetXMLValue(&node, nullptr, ""),
+                                 std::atoi(CPLGetXMLValue(&node, "relativeToVRT", "0")) != 0);
         return {};
     }
 
-    std::string problemOfSource(const std::string& name, bool isRelative) const {
+    std::string sourceProblem(const std::string& name, bool isRelative) const {
         const std::string folder = fs::path(_path).parent_path().string(),
-                          path = isRelative ? (fs::path(folder) / name).string() : name, file = fileOf(path),
-                          named = "its source " + inQuotes(name) + ' ';
+                          path = isRelative ? (fs::path(folder) / name).string() : name,
+                          file = findContainingFile(path), named = "its source " + inQuotes(name) + ' ';
         if (file.empty())
-            return named + "is no file";
+            return named + "is not a file";
         if (const std::string problem = problemOfTrust(file, {folder}); !problem.empty())
             return named + problem;
         const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
         const char* const format = driver ? GDALGetDriverShortName(driver) : "";
-        if (!isOpened(format))
-            return named + "is of no format that is read as ground";
+        if (!isAllowedFormat(format))
+            return named + "has a format that is not supported for ground";
         if (!EQUAL(format, "VRT"))
             return {};
-        return _depth < deepest ? Vrt(path, _depth + 1).problem() : named + "is the VRT of too many others";
+        return _depth < maxDepth ? Vrt(path, _depth + 1).problem() : named + "is a VRT nested too deeply";
     }
 
     std::string _path;
@@ -111,15 +111,15 @@ private:
 } // namespace
 
 const std::vector<const char*>& rasterFormats() {
-    static std::vector<std::string> further;
+    static std::vector<std::string> extraFormats;
     static const std::vector<const char*> formats = [] {
         const char* const named = std::getenv("OSGTREEWIND_GDAL_DRIVERS");
         std::istringstream names(named ? named : "");
         for (std::string name; std::getline(names, name, ',');)
             if (!name.empty())
-                further.push_back(name);
-        std::vector<const char*> all(std::begin(usual), std::end(usual));
-        for (const std::string& name : further)
+                extraFormats.push_back(name);
+        std::vector<const char*> all(std::begin(defaultFormats), std::end(defaultFormats));
+        for (const std::string& name : extraFormats)
             all.push_back(name.c_str());
         all.push_back(nullptr);
         return all;
@@ -127,12 +127,12 @@ const std::vector<const char*>& rasterFormats() {
     return formats;
 }
 
-void forgetOtherRasterFormats() {
+void deregisterOtherRasterDrivers() {
     for (int i = GDALGetDriverCount() - 1; i >= 0; --i) {
         const GDALDriverH driver = GDALGetDriver(i);
         if (GDALGetMetadataItem(driver, GDAL_DCAP_RASTER, nullptr) &&
             !GDALGetMetadataItem(driver, GDAL_DCAP_VECTOR, nullptr) &&
-            !isOpened(GDALGetDriverShortName(driver)))
+            !isAllowedFormat(GDALGetDriverShortName(driver)))
             GDALDeregisterDriver(driver);
     }
 }
@@ -140,9 +140,9 @@ void forgetOtherRasterFormats() {
 std::string problemOfRaster(const std::string& path) {
     const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
     const char* const format = driver ? GDALGetDriverShortName(driver) : "";
-    if (driver && !isOpened(format))
-        return std::string("expected another format than ") + format +
-               ", of those in docs/treewind.md; gdal_translate makes a GeoTIFF of it";
+    if (driver && !isAllowedFormat(format))
+        return std::string("expected a format of docs/treewind.md, found ") + format +
+               "; gdal_translate converts it to GeoTIFF";
     return EQUAL(format, "VRT") ? Vrt(path).problem() : std::string();
 }
 

@@ -6,15 +6,15 @@
 
 namespace osgTreeWind {
 
-/// GDAL's names of the formats of rasters that are opened, ending with null: those that docs/treewind.md
-/// names, and those that the environment variable OSGTREEWIND_GDAL_DRIVERS names, parted by commas.
+/// GDAL's names of the supported raster formats, with a final null: those of docs/treewind.md, and those of
+/// the environment variable OSGTREEWIND_GDAL_DRIVERS, separated by commas.
 const std::vector<const char*>& rasterFormats();
 
-/// Has GDAL forget all other formats that are of rasters alone: a VRT opens no others. Needs registerGdal().
-void forgetOtherRasterFormats();
+/// Deregisters GDAL's other drivers for rasters only, so that a VRT cannot use them. Needs registerGdal().
+void deregisterOtherRasterDrivers();
 
-/// Why a file is not opened; empty: GDAL may try. It is of another format, or a VRT that does more than put
-/// files of rasterFormats() together: computes cells, reads raw bytes, or fetches from the net.
+/// Why a file must not be opened; empty if GDAL may try. Rejects other formats, and VRTs that do more than
+/// combine files of rasterFormats(): those that compute cells, read raw bytes or use the network.
 std::string problemOfRaster(const std::string& path);
 
 } // namespace osgTreeWind

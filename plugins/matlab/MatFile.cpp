@@ -8,16 +8,15 @@ namespace osgTreeWind {
 
 namespace {
 
-void (*failed)(const std::string& reason) = nullptr;
+void (*failHandler)(const std::string& reason) = nullptr;
 
-void takeMessage(int level, char* message) {
+void handleLogMessage(int level, char* message) {
     if (level == MATIO_LOG_LEVEL_ERROR || level == (MATIO_LOG_LEVEL_CRITICAL))
-        failed(message ? message : "no memory is left for it");
+        failHandler(message ? message : "out of memory");
 }
 
-/// Whether a file of version 5 ends where a variable ends, which libmatio does not tell from the end of a
-/// file that was cut.
-bool endsWithAVariable(const std::string& path) {
+/// Whether a file of version 5 ends at the end of a variable. libmatio does not detect truncated files.
+bool endsAtVariableBoundary(const std::string& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const auto size = static_cast<std::uint64_t>(file.tellg());
     unsigned char order[2] = {}, tag[8];
@@ -37,8 +36,8 @@ bool endsWithAVariable(const std::string& path) {
 }
 
 template <typename T>
-std::vector<double> copied(const matvar_t& variable) {
-    const std::size_t count = elements(variable);
+std::vector<double> toDoubles(const matvar_t& variable) {
+    const std::size_t count = elementCount(variable);
     if (!variable.data || variable.isComplex || variable.nbytes / sizeof(T) < count)
         return {};
     const T* values = static_cast<const T*>(variable.data);
@@ -48,12 +47,12 @@ std::vector<double> copied(const matvar_t& variable) {
 } // namespace
 
 MatFile::MatFile(const std::string& path, void (*fail)(const std::string& reason)) {
-    failed = fail;
-    Mat_LogInitFunc("osgtreewind-matlab", takeMessage);
+    failHandler = fail;
+    Mat_LogInitFunc("osgtreewind-matlab", handleLogMessage);
     _file.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
     if (!_file)
         fail("it cannot be opened");
-    if (Mat_GetVersion(_file.get()) == MAT_FT_MAT5 && !endsWithAVariable(path))
+    if (Mat_GetVersion(_file.get()) == MAT_FT_MAT5 && !endsAtVariableBoundary(path))
         fail("it ends in the middle of a variable");
     while (matvar_t* next = Mat_VarReadNext(_file.get()))
         _variables.emplace_back(next);
@@ -73,7 +72,7 @@ matvar_t* MatFile::variable(const std::string& name) const {
     return nullptr;
 }
 
-std::size_t elements(const matvar_t& variable) {
+std::size_t elementCount(const matvar_t& variable) {
     std::size_t count = variable.rank > 0 ? 1 : 0;
     for (int i = 0; i < variable.rank; ++i)
         if (__builtin_mul_overflow(count, variable.dims[i], &count))
@@ -84,25 +83,25 @@ std::size_t elements(const matvar_t& variable) {
 std::vector<double> numbers(const matvar_t& variable) {
     switch (variable.class_type) {
     case MAT_C_DOUBLE:
-        return copied<double>(variable);
+        return toDoubles<double>(variable);
     case MAT_C_SINGLE:
-        return copied<float>(variable);
+        return toDoubles<float>(variable);
     case MAT_C_INT8:
-        return copied<std::int8_t>(variable);
+        return toDoubles<std::int8_t>(variable);
     case MAT_C_UINT8:
-        return copied<std::uint8_t>(variable);
+        return toDoubles<std::uint8_t>(variable);
     case MAT_C_INT16:
-        return copied<std::int16_t>(variable);
+        return toDoubles<std::int16_t>(variable);
     case MAT_C_UINT16:
-        return copied<std::uint16_t>(variable);
+        return toDoubles<std::uint16_t>(variable);
     case MAT_C_INT32:
-        return copied<std::int32_t>(variable);
+        return toDoubles<std::int32_t>(variable);
     case MAT_C_UINT32:
-        return copied<std::uint32_t>(variable);
+        return toDoubles<std::uint32_t>(variable);
     case MAT_C_INT64:
-        return copied<std::int64_t>(variable);
+        return toDoubles<std::int64_t>(variable);
     case MAT_C_UINT64:
-        return copied<std::uint64_t>(variable);
+        return toDoubles<std::uint64_t>(variable);
     default:
         return {};
     }

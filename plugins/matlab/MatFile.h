@@ -13,12 +13,12 @@ namespace osgTreeWind {
 /// All variables of a .mat file.
 class MatFile {
 public:
-    /// @param fail is told what is wrong, from within libmatio, which would go on for long where a number is
-    /// damaged or memory ended: it does not return.
+    /// @param fail called with the reason of a failure; it must not return, because libmatio may go on for
+    /// long with a damaged number or without memory.
     MatFile(const std::string& path, void (*fail)(const std::string& reason));
 
     std::vector<matvar_t*> variables() const;
-    /// Null for none of this name.
+    /// The variable of this name; null if there is none.
     matvar_t* variable(const std::string& name) const;
 
 private:
@@ -31,9 +31,9 @@ private:
     std::vector<std::unique_ptr<matvar_t, Free>> _variables;
 };
 
-/// How many elements a variable has: the product of its sizes.
-std::size_t elements(const matvar_t& variable);
-/// Its real numbers, column after column; none where they are no numbers, or not there.
+/// Number of elements of a variable: the product of its dimensions.
+std::size_t elementCount(const matvar_t& variable);
+/// Values of a real numeric variable, column by column; empty for any other variable.
 std::vector<double> numbers(const matvar_t& variable);
 
 } // namespace osgTreeWind

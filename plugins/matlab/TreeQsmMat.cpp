@@ -11,22 +11,22 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr MatCylinders::Names names{"radius", "length", "start", "axis", "parent"},
-    oldNames{"Rad", "Len", "Sta", "Axe", "CPar"};
+constexpr MatCylinders::Names fieldNames{"radius", "length", "start", "axis", "parent"},
+    version2Names{"Rad", "Len", "Sta", "Axe", "CPar"};
 
-/// Finds trees in variables. The first problem is kept.
+/// Finds the trees in variables, up to the first problem.
 class TreeFinder {
 public:
     explicit TreeFinder(const std::string& path) : _path(path) {}
 
-    /// Takes all trees in a variable: of its cells, or its structs. @param depth of `variable` in the file's.
+    /// Finds all trees in the cells or structs of a variable. @param depth nesting level of `variable`.
     void find(matvar_t* variable, const std::string& name, int depth = 0) {
-        if (!variable || !variable->data || depth > mostDepth)
+        if (!variable || !variable->data || depth > maxDepth)
             return;
         const bool isCell = variable->class_type == MAT_C_CELL;
         if (!isCell && variable->class_type != MAT_C_STRUCT)
             return;
-        const std::size_t count = elements(*variable);
+        const std::size_t count = elementCount(*variable);
         if (count > variable->nbytes / sizeof(matvar_t*))
             return;
         for (std::size_t i = 0; i < count && good(); ++i) {
@@ -40,9 +40,9 @@ public:
         }
     }
 
-    void take(const MatCylinders::Arrays& arrays, const MatCylinders::Names& called,
-              const std::string& holder) {
-        Result<ScanCylinders> tree = MatCylinders(arrays, called, _path, holder).read();
+    void addTree(const MatCylinders::FindArray& findArray, const MatCylinders::Names& names,
+                 const std::string& prefix) {
+        Result<ScanCylinders> tree = MatCylinders(findArray, names, _path, prefix).read();
         if (!tree)
             _problem = tree.problems().front();
         else if ((_cylinders += tree.value().size()) > maxScanCylinders)
@@ -56,16 +56,17 @@ public:
         if (!good())
             return _problem;
         if (_scan.trees.empty())
-            return fileProblem(_path, "expected TreeQSM's cylinders, as in QSM.cylinder; found none");
+            return fileProblem(_path, "expected TreeQSM's cylinders, for example QSM.cylinder; found none");
         return std::move(_scan);
     }
 
 private:
-    static constexpr int mostDepth = 4;
+    static constexpr int maxDepth = 4;
 
     static bool hasField(const matvar_t& variable, const std::string& name) {
         char* const* fields = Mat_VarGetStructFieldnames(&variable);
-        const unsigned count = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable)); // it only looks
+        const unsigned count =
+            Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable)); // does not modify it
         return fields && std::find(fields, fields + count, name) != fields + count;
     }
 
@@ -73,8 +74,8 @@ private:
 
     void findInStruct(matvar_t* variable, std::size_t i, const std::string& name, int depth) {
         const auto field = [&](const char* of) { return Mat_VarGetStructFieldByName(variable, of, i); };
-        if (field(names.radius) && field(names.start))
-            return take(field, names, name + '.');
+        if (field(fieldNames.radius) && field(fieldNames.start))
+            return addTree(field, fieldNames, name + '.');
         const std::size_t known = _scan.trees.size();
         find(field("cylinder"), name + ".cylinder", depth + 1);
         if (good() && known == _scan.trees.size() && hasField(*variable, "cylinder"))
@@ -92,8 +93,8 @@ private:
 
 Result<ScanFile> readTreeQsmMat(const MatFile& file, const std::string& path) {
     TreeFinder trees(path);
-    if (file.variable(oldNames.radius) && file.variable(oldNames.start))
-        trees.take([&](const char* name) { return file.variable(name); }, oldNames, {});
+    if (file.variable(version2Names.radius) && file.variable(version2Names.start))
+        trees.addTree([&](const char* name) { return file.variable(name); }, version2Names, {});
     for (matvar_t* variable : file.variables())
         trees.find(variable, variable->name ? variable->name : "");
     return trees.result();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/ForestTechnique.h>
 #include <osgTreeWind/forest/ForestDescription.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -12,23 +12,23 @@
 
 #include <sstream>
 
-// A Forest is written to .osgt, .osgb and .osgx as the .treewind document that says what it is now, and grown
-// again when it is read: kilobytes in place of its geometry, and the wind comes along. Children that are not
-// its own, and a technique of a host, are written as they are.
+// Writes a Forest to .osgt, .osgb and .osgx as a .treewind document of its current state, with its wind, from
+// which the reader builds it again: kilobytes instead of the geometry. The host's children and technique are
+// written as OSG objects.
 namespace {
 
 using osgTreeWind::Forest;
 
-/// Runs an entry of osgDB, which is not to get an exception.
+/// Runs a function that osgDB calls, without exceptions.
 template <typename Entry>
 bool guarded(const Entry& entry) {
-    const osgTreeWind::EntryGuard guard;
+    const osgTreeWind::ExceptionGuard guard;
     return guard.run("a Forest cannot be written or read", entry);
 }
 
-/// The forest as it is now. Without its wind or its ground, with a warning, where no file can say them; a
-/// problem where it cannot be written at all.
-osgTreeWind::Result<std::string> documentOf(const Forest& forest) {
+/// The .treewind document of a forest. Omits a wind or a ground that has no file form, with a warning.
+/// Returns a problem if the forest cannot be written at all.
+osgTreeWind::Result<std::string> writeDocumentText(const Forest& forest) {
     osgTreeWind::ForestDescription now = forest.getSimulation().describe();
     for (;;) {
         std::ostringstream document;
@@ -57,7 +57,7 @@ bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
         output << output.PROPERTY("Folder");
         output.writeWrappedString(forest.getDescription().folder);
         output << std::endl << output.PROPERTY("Source");
-        const osgTreeWind::Result<std::string> document = documentOf(forest);
+        const osgTreeWind::Result<std::string> document = writeDocumentText(forest);
         if (!document)
             output.throwException("a Forest cannot be written: " + document.problems().front().text());
         output.writeWrappedString(document ? document.value() : std::string());
@@ -65,8 +65,8 @@ bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
     });
 }
 
-/// What it was; an empty forest, with a warning, where its document cannot be read: the rest of the scene is
-/// still good.
+/// Builds the forest of a document. If that fails, the forest stays empty, with a warning, so that the rest
+/// of the scene can be used.
 void readForestInto(Forest& forest, const std::string& source, const osgTreeWind::ForestFileOptions& where) {
     std::istringstream document(source);
     osgTreeWind::Result<osgTreeWind::ForestDescription> description =
@@ -74,7 +74,7 @@ void readForestInto(Forest& forest, const std::string& source, const osgTreeWind
     const osgTreeWind::Diagnostics problems =
         description ? forest.setDescription(std::move(description.value())) : description.problems();
     if (!problems.empty())
-        OSG_WARN << "osgTreeWind: " << linesOf(problems) << std::endl;
+        OSG_WARN << "osgTreeWind: " << toString(problems) << std::endl;
 }
 
 bool readDocument(osgDB::InputStream& input, Forest& forest) {
@@ -87,12 +87,12 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
         input.readWrappedString(source);
         input >> input.END_BRACKET;
     });
-    if (isRead && !source.empty()) // else what it was could not be written
+    if (isRead && !source.empty()) // empty if the forest could not be written
         guarded([&] { readForestInto(forest, source, where); });
     return isRead;
 }
 
-/// Whether a child is written: one that the document does not bring back, or a host's technique.
+/// Whether a child is written as an object: a child of the host, or a technique of the host.
 bool isWritten(const Forest& forest, const osg::Node& child) {
     const bool isUsual = child.libraryName() == std::string("osgTreeWind");
     return !forest.isOwnChild(&child) || (&child == forest.getTechnique() && !isUsual);
@@ -134,7 +134,7 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
     });
 }
 
-// Releases before 2.0 wrote how branches and leaves are drawn, of which they had two ways each.
+// Releases before 2.0 wrote two modes of drawing, which do not exist any more.
 bool checkBranchwiseDrawing(const Forest&) {
     return false;
 }
@@ -151,7 +151,7 @@ bool readBranchwiseDrawing(osgDB::InputStream& input, Forest&) {
 
 } // namespace
 
-// Not an osg::Group here: the trees are grown again, not stored.
+// Without osg::Group, whose wrapper would write the children.
 REGISTER_OBJECT_WRAPPER(osgTreeWind_Forest, new osgTreeWind::Forest, osgTreeWind::Forest,
                         "osg::Object osg::Node osgTreeWind::Forest") {
     ADD_USER_SERIALIZER(Document);

@@ -4,7 +4,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <plugins/treewind/StatisticsOfViewer.h>
+#include <plugins/treewind/StatisticsLinesCallback.h>
 
 #include <osg/MatrixTransform>
 
@@ -20,14 +20,14 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// Reads .treewind files (docs/treewind.md) as a Forest, and writes one as it is now. Stateless, so that
-/// pager threads may share it.
+/// Reads .treewind files (docs/treewind.md) as a Forest, and writes the current state of a Forest. Stateless,
+/// so that threads of pagers may share it.
 class ReaderWriterTreewind : public osgDB::ReaderWriter {
 public:
     ReaderWriterTreewind() {
         supportsExtension("treewind", "osgTreeWind forest description");
         supportsOption("treewind.KEY=VALUE",
-                       "a key of the file to be other than it says, as treewind.wind.speed=15");
+                       "overrides a key of the file, for example treewind.wind.speed=15");
     }
 
     const char* className() const override { return "osgTreeWind forest reader and writer"; }
@@ -46,18 +46,19 @@ public:
             const std::string path = osgDB::findDataFile(file, options);
             if (path.empty())
                 return ReadResult::FILE_NOT_FOUND;
-            return forestNode(readForestFile(path, ForestFileOptions().mostTrees, settingsOf(options)), path);
+            return makeForestNode(readForestFile(path, ForestFileOptions().maxTrees, findSettings(options)),
+                                  path);
         });
     }
 
-    /// Relative paths are looked for in the first folder of the options' database paths.
+    /// Relative paths start at the first folder of the options' database paths.
     ReadResult readNode(std::istream& input, const Options* options) const override {
         return guarded<ReadResult>([&] {
             ForestFileOptions where;
-            where.settings = settingsOf(options);
+            where.settings = findSettings(options);
             if (options && !options->getDatabasePathList().empty())
                 where.folder = options->getDatabasePathList().front();
-            return forestNode(readForest(input, where), where.file);
+            return makeForestNode(readForest(input, where), where.file);
         });
     }
 
@@ -87,17 +88,17 @@ public:
     }
 
 private:
-    /// What an entry answers; an error where it throws.
-    template <typename Answer, typename Entry>
-    static Answer guarded(const Entry& entry) {
-        Answer answer((std::string()));
-        const std::string problem = runGuarded([&] { answer = entry(); });
-        return problem.empty() ? answer : Answer("osgTreeWind: " + problem);
+    /// The result of a function that osgDB calls; an error if it throws.
+    template <typename ResultType, typename Function>
+    static ResultType guarded(const Function& function) {
+        ResultType result((std::string()));
+        const std::string problem = runGuarded([&] { result = function(); });
+        return problem.empty() ? result : ResultType("osgTreeWind: " + problem);
     }
 
-    /// Of the words of an options string those that begin with "treewind.", without it: `-O
-    /// "treewind.season=autumn"`.
-    static std::vector<std::string> settingsOf(const Options* options) {
+    /// The words of an options string that begin with "treewind.", without this prefix, as in
+    /// `-O "treewind.season=autumn"`.
+    static std::vector<std::string> findSettings(const Options* options) {
         const std::string prefix = "treewind.";
         std::vector<std::string> settings;
         std::istringstream words(options ? options->getOptionString() : "");
@@ -107,9 +108,9 @@ private:
         return settings;
     }
 
-    static ReadResult forestNode(Result<ForestDescription> forest, const std::string& file) {
+    static ReadResult makeForestNode(Result<ForestDescription> forest, const std::string& file) {
         if (!forest)
-            return ReadResult(linesOf(forest.problems()));
+            return ReadResult(toString(forest.problems()));
         const std::vector<std::string> notes = forest.value().notes;
         Result<osg::ref_ptr<Forest>> node = Forest::create(std::move(forest.value()));
         if (!node) {
@@ -119,18 +120,18 @@ private:
         }
         for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
-        node.value()->setEventCallback(new StatisticsOfViewer);
+        node.value()->setEventCallback(new StatisticsLinesCallback);
         node.value()->setName(osgDB::getSimpleFileName(file));
-        return onHostMap(*node.value());
+        return placeOnMap(*node.value());
     }
 
-    /// The forest, below a transform where it says which map the host's scene is in.
-    static ReadResult onHostMap(Forest& forest) {
+    /// The forest, below a transform to the map of the host if the file names one.
+    static ReadResult placeOnMap(Forest& forest) {
         if (forest.getDescription().hostCrs.empty())
             return &forest;
-        const Result<glm::dmat4> place = placeOnHostMap(forest.getDescription());
+        const Result<glm::dmat4> place = hostMapTransform(forest.getDescription());
         if (!place)
-            return ReadResult(linesOf(place.problems()));
+            return ReadResult(toString(place.problems()));
         osg::ref_ptr<osg::MatrixTransform> transform =
             new osg::MatrixTransform(osg::Matrixd(&place.value()[0][0]));
         transform->setName(forest.getName());
@@ -138,18 +139,18 @@ private:
         return transform.get();
     }
 
-    /// The forest of what onHostMap() gave.
-    static const osg::Node& withoutPlace(const osg::Node& node) {
+    /// The forest in the result of placeOnMap().
+    static const osg::Node& removeMapTransform(const osg::Node& node) {
         const osg::Group* const group = node.asTransform();
         const auto forest =
             group && group->getNumChildren() == 1 ? dynamic_cast<const Forest*>(group->getChild(0)) : nullptr;
         return forest && !forest->getDescription().hostCrs.empty() ? *forest : node;
     }
 
-    /// A Forest with nothing else below it.
+    /// Writes a Forest without children of the host.
     template <typename Writer>
     static WriteResult write(const osg::Node& node, const Writer& writer) {
-        const auto forest = dynamic_cast<const Forest*>(&withoutPlace(node));
+        const auto forest = dynamic_cast<const Forest*>(&removeMapTransform(node));
         if (!forest)
             return WriteResult(std::string("a .treewind file holds a Forest, not a ") + node.className());
         for (unsigned i = 0; i < forest->getNumChildren(); ++i)
@@ -158,7 +159,7 @@ private:
                                    forest->getChild(i)->getName());
         ForestDescription now = forest->getSimulation().describe();
         const Diagnostics problems = writer(now);
-        return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(linesOf(problems));
+        return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(toString(problems));
     }
 };
 

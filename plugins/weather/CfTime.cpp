@@ -22,16 +22,15 @@ struct CfDate {
     int year = 1970, month = 1, day = 1;
 };
 
-/// A calendar of the CF conventions: its dates, counted in days from 1970-01-01 of the Gregorian one, or from
-/// its own 1 January 0000 where its years have another length.
+/// A calendar of the CF conventions. Days are counted from 1970-01-01 Gregorian, or from 1 January 0000 in
+/// calendars with years of a fixed length.
 class CfCalendar {
 public:
-    /// The calendar of a CF name such as "noleap" or "360_day"; nothing for an unknown name. An empty name
-    /// means the standard calendar.
+    /// The calendar with a CF name such as "noleap"; no name means the standard one. Empty if unknown.
     static std::optional<CfCalendar> named(const std::string& name);
 
-    /// Whether its days are those that we live by.
-    bool isUsual() const { return _kind == Kind::Standard || _kind == Kind::Proleptic; }
+    /// Whether its dates are those of the Gregorian (before 1582, Julian) calendar.
+    bool isCivil() const { return _kind == Kind::Standard || _kind == Kind::Proleptic; }
     bool has(const CfDate& date) const;
     std::int64_t dayOf(const CfDate& date) const;
     CfDate dateOf(std::int64_t day) const;
@@ -46,11 +45,11 @@ private:
     Kind _kind;
 };
 
-constexpr std::int64_t daysToEpoch = 719468;        // from 1 March 0000, where counting leap days is easy
+constexpr std::int64_t daysToEpoch = 719468;        // from 1 March 0000, so that a leap day ends a year
 constexpr std::int64_t firstGregorianDay = -141427; // 15 October 1582
 constexpr std::int64_t firstJulianDay = -719470;    // 1 March 0000 of the Julian calendar
 
-std::int64_t quotient(std::int64_t number, std::int64_t divisor) {
+std::int64_t floorDivide(std::int64_t number, std::int64_t divisor) {
     return number / divisor - (number % divisor < 0 ? 1 : 0);
 }
 
@@ -58,7 +57,7 @@ std::int64_t dayOfMarchYear(const CfDate& date) {
     return (153 * ((date.month + 9) % 12) + 2) / 5 + date.day - 1;
 }
 
-/// @param year that begins in March. @param day of it.
+/// @param year begins in March. @param day of that year, from 0.
 CfDate dateInMarchYear(std::int64_t year, std::int64_t day) {
     const auto month = static_cast<int>((5 * day + 2) / 153);
     return {static_cast<int>(year) + (month < 10 ? 0 : 1), month < 10 ? month + 3 : month - 9,
@@ -97,7 +96,7 @@ bool CfCalendar::has(const CfDate& date) const {
 }
 
 std::int64_t CfCalendar::dayOf(const CfDate& date) const {
-    if (!isUsual()) {
+    if (!isCivil()) {
         std::int64_t day = date.day - 1;
         for (int month = 1; month < date.month; ++month)
             day += daysIn(date.year, month);
@@ -105,16 +104,16 @@ std::int64_t CfCalendar::dayOf(const CfDate& date) const {
         return std::int64_t(perYear) * date.year + day;
     }
     const std::int64_t year = date.month > 2 ? date.year : date.year - 1,
-                       days = 365 * year + quotient(year, 4) + dayOfMarchYear(date);
+                       days = 365 * year + floorDivide(year, 4) + dayOfMarchYear(date);
     if (isJulian(date))
         return days + firstJulianDay;
-    return days - quotient(year, 100) + quotient(year, 400) - daysToEpoch;
+    return days - floorDivide(year, 100) + floorDivide(year, 400) - daysToEpoch;
 }
 
 CfDate CfCalendar::dateOf(std::int64_t day) const {
-    if (!isUsual()) {
+    if (!isCivil()) {
         const int perYear = _kind == Kind::Days360 ? 360 : _kind == Kind::NoLeap ? 365 : 366;
-        CfDate date{static_cast<int>(quotient(day, perYear)), 1, 1};
+        CfDate date{static_cast<int>(floorDivide(day, perYear)), 1, 1};
         day -= std::int64_t(perYear) * date.year;
         for (; day >= daysIn(date.year, date.month); ++date.month)
             day -= daysIn(date.year, date.month);
@@ -122,23 +121,23 @@ CfDate CfCalendar::dateOf(std::int64_t day) const {
         return date;
     }
     if (_kind == Kind::Standard && day < firstGregorianDay) {
-        const std::int64_t days = day - firstJulianDay, cycle = quotient(days, 1461),
+        const std::int64_t days = day - firstJulianDay, cycle = floorDivide(days, 1461),
                            rest = days - 1461 * cycle, year = rest == 1460 ? 3 : rest / 365;
         return dateInMarchYear(4 * cycle + year, rest - 365 * year);
     }
-    const std::int64_t days = day + daysToEpoch, era = quotient(days, 146097), rest = days - 146097 * era,
+    const std::int64_t days = day + daysToEpoch, era = floorDivide(days, 146097), rest = days - 146097 * era,
                        year = (rest - rest / 1460 + rest / 36524 - rest / 146096) / 365;
     return dateInMarchYear(400 * era + year, rest - (365 * year + year / 4 - year / 100));
 }
 
-/// A moment of some calendar.
+/// A date and time in any calendar.
 struct Moment {
     CfDate date;
-    double seconds = 0.0; ///< From its midnight in UTC.
+    double seconds = 0.0; ///< Since midnight, UTC.
 };
 
-/// Seconds in a unit of time such as "hours" or "Hour"; nothing for another.
-std::optional<double> secondsOf(const std::string& unit) {
+/// Seconds in a unit of time such as "hours" or "Hour"; empty if unknown.
+std::optional<double> secondsInUnit(const std::string& unit) {
     static const std::pair<const char*, double> units[] = {
         {"s", 1.0},     {"sec", 1.0},     {"second", 1.0}, {"min", 60.0},    {"minute", 60.0},  {"h", 3600.0},
         {"hr", 3600.0}, {"hour", 3600.0}, {"d", 86400.0},  {"day", 86400.0}, {"week", 604800.0}};
@@ -149,8 +148,8 @@ std::optional<double> secondsOf(const std::string& unit) {
     return std::nullopt;
 }
 
-/// "1900-01-01 00:00:00.0 +1:00", and shorter.
-std::optional<Moment> momentOf(const std::string& text) {
+/// Parses "1900-01-01 00:00:00.0 +1:00" and shorter forms.
+std::optional<Moment> parseMoment(const std::string& text) {
     static const std::regex form(R"(\s*(\d{1,4})-(\d{1,2})-(\d{1,2}))"
                                  R"((?:[T _]+(\d{1,2})(?::(\d{1,2})(?::(\d{1,2}(?:\.\d*)?))?)?)?)"
                                  R"(\s*(?:Z|UTC|GMT|([+-])(\d{1,2})(?::?(\d{2}))?)?\s*)",
@@ -166,7 +165,7 @@ std::optional<Moment> momentOf(const std::string& text) {
     return Moment{{whole(1), whole(2), whole(3)}, 3600.0 * number(4) + 60.0 * number(5) + number(6) - zone};
 }
 
-/// The moment so many seconds later: in ISO 8601 where the calendar is a usual one.
+/// Text of a moment plus some seconds: ISO 8601, or in other calendars date, time and calendar name.
 std::string textOf(const Moment& moment, double seconds, const CfCalendar& calendar,
                    const std::string& name) {
     const double all = std::round(moment.seconds + seconds), days = std::floor(all / 86400.0);
@@ -174,7 +173,7 @@ std::string textOf(const Moment& moment, double seconds, const CfCalendar& calen
         return {};
     const CfDate date = calendar.dateOf(calendar.dayOf(moment.date) + static_cast<std::int64_t>(days));
     const auto rest = static_cast<int>(all - 86400.0 * days);
-    const bool usual = calendar.isUsual() && date.year >= 1;
+    const bool usual = calendar.isCivil() && date.year >= 1;
     char text[64];
     std::snprintf(text, sizeof text,
                   usual ? "%04d-%02d-%02dT%02d:%02d:%02dZ" : "%04d-%02d-%02d %02d:%02d:%02d", date.year,
@@ -184,11 +183,11 @@ std::string textOf(const Moment& moment, double seconds, const CfCalendar& calen
 
 } // namespace
 
-Result<CfTimes> cfTimes(const std::vector<double>& numbers, const std::string& unit,
-                        const std::string& calendarName) {
+Result<CfTimes> decodeCfTimes(const std::vector<double>& numbers, const std::string& unit,
+                              const std::string& calendarName) {
     constexpr std::string_view since = " since ";
     const std::size_t end = lower(unit).find(since);
-    const auto scale = secondsOf(unit.substr(0, end));
+    const auto scale = secondsInUnit(unit.substr(0, end));
     if (!scale || numbers.empty())
         return fileProblem({}, expectedFound("times in seconds, minutes, hours, days or weeks", unit));
     CfTimes times;
@@ -201,7 +200,7 @@ Result<CfTimes> cfTimes(const std::vector<double>& numbers, const std::string& u
         return fileProblem({}, expectedFound("a calendar (standard, gregorian, proleptic_gregorian, noleap, "
                                              "365_day, all_leap, 366_day or 360_day)",
                                              calendarName));
-    const auto moment = momentOf(unit.substr(end + since.size()));
+    const auto moment = parseMoment(unit.substr(end + since.size()));
     if (!moment || !calendar->has(moment->date))
         return fileProblem({}, expectedFound("times since a date and time, as hours since 1900-01-01 "
                                              "00:00:00",

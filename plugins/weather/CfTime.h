@@ -8,16 +8,16 @@
 
 namespace osgTreeWind {
 
-/// When the steps of a file are.
+/// Times of the steps of a file.
 struct CfTimes {
-    std::vector<double> seconds; ///< Since the first.
+    std::vector<double> seconds; ///< Since the first step.
     std::string start;           ///< As WindSummary::start.
 };
 
-/// What numbers mean in a unit of time as the CF conventions have it: "hours since 1900-01-01 00:00:00.0", or
-/// without a date. A problem has a message only.
-/// @param calendar its attribute; empty where there is none.
-Result<CfTimes> cfTimes(const std::vector<double>& numbers, const std::string& unit,
-                        const std::string& calendar);
+/// Decodes times of the CF conventions. A problem has only a message.
+/// @param unit such as "hours since 1900-01-01 00:00:00.0", or without a date.
+/// @param calendar the attribute; empty if there is none.
+Result<CfTimes> decodeCfTimes(const std::vector<double>& numbers, const std::string& unit,
+                              const std::string& calendar);
 
 } // namespace osgTreeWind

@@ -26,7 +26,7 @@ std::string textOf(Quantity quantity, const GribLevel& level, double time) {
     return nameOf(quantity) + " at " + nameOf(level) + " at " + isoTimeText(time);
 }
 
-/// One kind of level upward; its order by numbers.
+/// Orders levels of the same kind upward.
 bool isLower(const GribLevel& a, const GribLevel& b) {
     if (a.type != b.type && a.kind == GribLevelKind::Other)
         return a.type < b.type;
@@ -41,8 +41,8 @@ class Chooser {
 public:
     Chooser(const std::vector<GribField>& fields, std::string file) : _file(std::move(file)) {
         for (const GribField& field : fields)
-            if (const Meaning meaning = GribMeaning::of(field); !field.momentary)
-                _hasLasting = _hasLasting || meaning.quantity == Quantity::East;
+            if (const Meaning meaning = GribMeaning::of(field); !field.isInstantaneous)
+                _hasAveragedWind = _hasAveragedWind || meaning.quantity == Quantity::East;
             else
                 (field.problem.empty() ? _items : _undecodable).push_back({meaning, &field});
     }
@@ -55,7 +55,7 @@ public:
         chooseUp();
         chooseHeights();
         for (const Item& item : _undecodable)
-            if (_problem || isAsked(item.meaning))
+            if (_problem || isNeeded(item.meaning))
                 return fileProblem(_file, item.field->problem);
         if (_problem)
             return fileProblem(_file, *_problem);
@@ -82,7 +82,7 @@ private:
         if (has(Quantity::Speed) && has(Quantity::Direction)) {
             _first = Quantity::Speed;
             _second = Quantity::Direction;
-            _choice.polar = true;
+            _choice.isPolar = true;
             return;
         }
         std::string found;
@@ -91,9 +91,9 @@ private:
             if (has(quantity))
                 found += (found.empty() ? "" : " and ") + nameOf(quantity);
         fail("expected fields of wind: U and V, or its speed and direction; found " +
-             (!found.empty() ? "only " + found
-              : _hasLasting  ? "only such as hold for a span of time"
-                             : "none"));
+             (!found.empty()     ? "only " + found
+              : _hasAveragedWind ? "only fields averaged over a time span"
+                                 : "none"));
     }
 
     void chooseKind() {
@@ -126,8 +126,8 @@ private:
                         listOf(pairs));
         pairs.erase(_kind);
         if (!pairs.empty())
-            _choice.notes.push_back("the wind at " + nameOf(_kind) + " is taken; that at " + listOf(pairs) +
-                                    " is left out");
+            _choice.notes.push_back("the wind at " + nameOf(_kind) + " is used; that at " + listOf(pairs) +
+                                    " is ignored");
     }
 
     static std::string listOf(const std::set<GribLevelKind>& kinds) {
@@ -157,9 +157,8 @@ private:
             if (isWind(item) && item.meaning.quantity == _first)
                 older += item.field->reference < _references.at(item.field->valid);
         if (older > 0)
-            _choice.notes.push_back("of several forecasts for one time the latest is taken; " +
-                                    std::to_string(older) + " fields of " + nameOf(_first) +
-                                    " from earlier ones are left out");
+            _choice.notes.push_back("the latest forecast for each time is used; " + std::to_string(older) +
+                                    " fields of " + nameOf(_first) + " from earlier forecasts are ignored");
         for (const auto& [time, reference] : _references)
             _choice.times.push_back(time);
         std::vector<GribLevel>& levels = _choice.levels;
@@ -176,8 +175,8 @@ private:
                (item.meaning.quantity == _first || item.meaning.quantity == _second);
     }
 
-    /// Whether a field would be read, as far as its quantity and the kind of its level tell.
-    bool isAsked(const Meaning& meaning) const {
+    /// Whether a field of this meaning would be read.
+    bool isNeeded(const Meaning& meaning) const {
         const Quantity quantity = meaning.quantity;
         if (quantity == Quantity::Height)
             return _kind != GribLevelKind::AboveGround &&
@@ -186,7 +185,7 @@ private:
                (quantity == _first || quantity == _second || quantity == Quantity::Up);
     }
 
-    /// The fields of a quantity for each time and level; null where there is none.
+    /// The fields of a quantity for each time and level; null if missing.
     std::vector<const GribField*> tableOf(Quantity quantity) {
         const std::vector<double>& times = _choice.times;
         const std::vector<GribLevel>& levels = _choice.levels;
@@ -204,14 +203,14 @@ private:
                                       static_cast<std::size_t>(level - levels.begin()))];
             if (place)
                 fail(osgTreeWind::textOf(*item.field) +
-                     " is there twice, as with the members of an ensemble; expected one of each");
+                     " occurs twice, as in an ensemble; expected one field for each");
             place = item.field;
         }
         return table;
     }
 
-    /// The same, with a problem where one is missing.
-    std::vector<const GribField*> wholeTableOf(Quantity quantity) {
+    /// The same; a missing field is a problem.
+    std::vector<const GribField*> completeTableOf(Quantity quantity) {
         std::vector<const GribField*> table = tableOf(quantity);
         if (const auto missing = std::find(table.begin(), table.end(), nullptr); missing != table.end()) {
             const auto at = static_cast<std::size_t>(missing - table.begin());
@@ -225,13 +224,13 @@ private:
     void chooseWind() {
         if (_problem)
             return;
-        _choice.east = wholeTableOf(_first);
-        _choice.north = wholeTableOf(_second);
+        _choice.east = completeTableOf(_first);
+        _choice.north = completeTableOf(_second);
         if (_kind == GribLevelKind::AboveGround || _kind == GribLevelKind::AboveSea || hasHeights())
             return;
         if (_choice.levels.size() == 1)
-            _choice.notes.push_back("the wind is that at " + nameOf(_choice.levels.front()) +
-                                    ", of which the file gives no height; it is taken for all heights");
+            _choice.notes.push_back("the file gives no height for " + nameOf(_choice.levels.front()) +
+                                    "; its wind is used at all heights");
         else
             fail("expected the geopotential heights of the " + std::to_string(_choice.levels.size()) +
                  " levels of wind at " + nameOf(_kind));
@@ -248,12 +247,12 @@ private:
         _choice.up = tableOf(Quantity::Up);
         const auto missing = std::count(_choice.up.begin(), _choice.up.end(), nullptr);
         if (missing > 0 && static_cast<std::size_t>(missing) < _choice.up.size())
-            _choice.notes.emplace_back("W is not there at all levels and times, and is left out");
+            _choice.notes.emplace_back("W is not available at all levels and times and is ignored");
         if (missing > 0)
             _choice.up.clear();
         const std::vector<const GribField*> omega = tableOf(Quantity::PressureChange);
         if (missing > 0 && std::count(omega.begin(), omega.end(), nullptr) < std::ptrdiff_t(omega.size()))
-            _choice.notes.emplace_back("vertical velocities in Pa/s are left out");
+            _choice.notes.emplace_back("vertical velocities in Pa/s are ignored");
     }
 
     void chooseHeights() {
@@ -261,9 +260,9 @@ private:
             return;
         if (hasHeights()) {
             _choice.height = tableOf(Quantity::Height);
-            takeLastingHeights();
+            repeatConstantHeights();
             if (!_problem && std::count(_choice.height.begin(), _choice.height.end(), nullptr) > 0)
-                wholeTableOf(Quantity::Height);
+                completeTableOf(Quantity::Height);
         } else if (_kind != GribLevelKind::AboveSea)
             return;
         for (const Item& item : _items)
@@ -271,13 +270,13 @@ private:
                 item.meaning.level.kind == GribLevelKind::Surface)
                 _choice.ground = item.field;
         _choice.notes.emplace_back(
-            _choice.ground ? "heights are those above the model's own ground"
-                           : "the file does not give the height of the model's ground; heights are those "
-                             "above sea level");
+            _choice.ground
+                ? "heights are above the terrain of the model"
+                : "the file does not contain the terrain of the model; heights are above sea level");
     }
 
-    /// Heights of model levels that are there once hold for all times.
-    void takeLastingHeights() {
+    /// Heights of model levels that occur only once apply to all times.
+    void repeatConstantHeights() {
         if (_kind != GribLevelKind::Model)
             return;
         for (std::size_t level = 0; level < _choice.levels.size(); ++level) {
@@ -296,17 +295,17 @@ private:
 
     std::string _file;
     std::vector<Item> _items, _undecodable;
-    bool _hasLasting = false;
+    bool _hasAveragedWind = false;
     Quantity _first = Quantity::East, _second = Quantity::North;
     GribLevelKind _kind = GribLevelKind::Other;
-    std::map<double, double> _references; ///< The latest for each time.
+    std::map<double, double> _references; ///< Start of the latest forecast for each time.
     GribChoice _choice;
     std::optional<std::string> _problem;
 };
 
 } // namespace
 
-std::vector<const GribField*> GribChoice::all() const {
+std::vector<const GribField*> GribChoice::allFields() const {
     std::vector<const GribField*> fields;
     for (const auto* part : {&east, &north, &up, &height})
         fields.insert(fields.end(), part->begin(), part->end());

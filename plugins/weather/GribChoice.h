@@ -11,31 +11,31 @@
 
 namespace osgTreeWind {
 
-/// Which fields of a file are its wind.
+/// The fields of a GRIB file that make up its wind.
 struct GribChoice {
     std::vector<double> times;     ///< Seconds since 1970, increasing.
-    std::vector<GribLevel> levels; ///< All of one kind; upward, as far as their numbers tell.
+    std::vector<GribLevel> levels; ///< All of the same kind, upward as far as their values tell.
 
-    /// For each time and in it each level.
+    /// One for each time and level; see indexOf().
     std::vector<const GribField*> east, north;
-    std::vector<const GribField*> up;     ///< Empty: it has none.
-    std::vector<const GribField*> height; ///< Heights of the levels above sea level; empty: levels say.
-    const GribField* ground = nullptr;    ///< Height of the model's ground; null: none, or not needed.
+    std::vector<const GribField*> up;     ///< Empty if the file has no vertical velocity.
+    std::vector<const GribField*> height; ///< Above sea level; empty if the levels are heights.
+    const GribField* ground = nullptr;    ///< Terrain height of the model; null if unavailable or not needed.
 
-    bool polar = false; ///< `east` is a speed, `north` the direction it comes from.
+    bool isPolar = false; ///< `east` is the speed, `north` the direction the wind comes from.
     std::vector<std::string> notes;
 
     std::size_t indexOf(std::size_t time, std::size_t level) const { return time * levels.size() + level; }
-    /// All that is to be read.
-    std::vector<const GribField*> all() const;
+    /// All fields to be read.
+    std::vector<const GribField*> allFields() const;
 };
 
-/// Takes heights above ground before isobaric levels, those before model levels, and those before heights
-/// above sea level; isobaric and model levels only where their heights are known. Where several forecasts
-/// hold at one time the latest is taken. A problem where something is missing or there twice.
+/// Chooses the wind at heights above ground, otherwise at isobaric levels, model levels or heights above sea
+/// level; isobaric and model levels only if their heights are known. Of several forecasts for the same time
+/// the latest is used. A missing or duplicate field is a problem.
 Result<GribChoice> chooseGribWind(const std::vector<GribField>& fields, const std::string& file);
 
-/// "U at 850 hPa at 2017-06-03T18:00:00Z".
+/// Name for messages: "U at 850 hPa at 2017-06-03T18:00:00Z".
 std::string textOf(const GribField& field);
 
 } // namespace osgTreeWind

@@ -18,7 +18,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// What is wrong with a message.
+/// The problem of a message, if any.
 using Problem = std::optional<std::string>;
 
 constexpr std::string_view start = "GRIB", end = "7777";
@@ -42,7 +42,7 @@ constexpr LevelRow levelRows[] = {
     {2, 119, GribLevelKind::Model},  // hybrid pressure
     {2, 150, GribLevelKind::Model}}; // height that follows the ground
 
-/// Its row; null for a level of another kind.
+/// The row of a level type; null if unknown.
 const LevelRow* rowOf(int edition, int type) {
     const auto row = std::find_if(std::begin(levelRows), std::end(levelRows), [&](const LevelRow& each) {
         return each.edition == edition && each.type == type;
@@ -54,14 +54,14 @@ double valueOf(const GribLevel& level, const GribHandle& handle, int edition) {
     if (edition == 1) {
         const LevelRow* row = rowOf(edition, level.type);
         return (row ? row->unit : 1.0) *
-               static_cast<double>(handle.whole(level.type == 110 ? "topLevel" : "level").value_or(0));
+               static_cast<double>(handle.integer(level.type == 110 ? "topLevel" : "level").value_or(0));
     }
-    const auto value = handle.whole("scaledValueOfFirstFixedSurface");
-    const auto scale = handle.whole("scaleFactorOfFirstFixedSurface").value_or(0);
+    const auto value = handle.integer("scaledValueOfFirstFixedSurface");
+    const auto scale = handle.integer("scaleFactorOfFirstFixedSurface").value_or(0);
     return value ? static_cast<double>(*value) * std::pow(10.0, -static_cast<double>(scale)) : 0.0;
 }
 
-/// Seconds of a unit of time; nothing for months, years and what is unknown.
+/// Seconds in a unit of time; empty for months, years and unknown units.
 std::optional<double> secondsOfUnit(int edition, int unit) {
     struct Unit {
         int edition, number; // edition 0: both
@@ -78,9 +78,9 @@ std::optional<double> secondsOfUnit(int edition, int unit) {
 
 constexpr int analysis = 1, ofP1 = 0, ofTwoOctets = 10; // time ranges of edition 1
 
-/// Sets what its times are. False for a date that does not exist.
+/// Sets the times of a field. @return false if the date does not exist.
 bool readTimes(const GribHandle& handle, GribField& field) {
-    const auto part = [&](const char* key) { return static_cast<int>(handle.whole(key).value_or(0)); };
+    const auto part = [&](const char* key) { return static_cast<int>(handle.integer(key).value_or(0)); };
     const int date = part("dataDate");
     std::array<char, 80> text{};
     std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d:%02dZ", date / 10000, date / 100 % 100,
@@ -89,11 +89,11 @@ bool readTimes(const GribHandle& handle, GribField& field) {
     if (!reference)
         return false;
     field.reference = field.valid = *reference;
-    if (!field.momentary)
+    if (!field.isInstantaneous)
         return true;
     const int edition = field.parameter.edition, range = part("timeRangeIndicator");
     const auto unit = secondsOfUnit(edition, part("indicatorOfUnitOfTimeRange"));
-    field.momentary = unit || (edition == 1 && range == analysis);
+    field.isInstantaneous = unit || (edition == 1 && range == analysis);
     if (unit && edition == 2)
         field.valid += *unit * part("forecastTime");
     else if (unit && range != analysis)
@@ -103,10 +103,10 @@ bool readTimes(const GribHandle& handle, GribField& field) {
 
 struct GridRow {
     const char *type, *name;
-    bool even = false;
+    bool isEven = false;
 };
 
-/// By ecCodes' gridType.
+/// Grids by gridType of ecCodes.
 constexpr GridRow gridRows[] = {{"regular_ll", "latitude and longitude", true},
                                 {"rotated_ll", "rotated latitude and longitude"},
                                 {"stretched_ll", "stretched latitude and longitude"},
@@ -130,29 +130,29 @@ GribGrid gridOf(const GribHandle& handle, int edition, std::string_view section)
     for (const GridRow& row : gridRows)
         if (type == row.type) {
             grid.kind = row.name;
-            grid.even = row.even;
+            grid.isEven = row.isEven;
         }
     const auto sizeOf = [&](const char* degrees, const char* metres) {
-        const auto size = handle.whole(degrees);
-        return static_cast<std::uint64_t>((size ? size : handle.whole(metres)).value_or(0));
+        const auto size = handle.integer(degrees);
+        return static_cast<std::uint64_t>((size ? size : handle.integer(metres)).value_or(0));
     };
     grid.columns = sizeOf("Ni", "Nx");
     grid.rows = sizeOf("Nj", "Ny");
     constexpr int toGridFlag = 0x08;
     const char* const key = "resolutionAndComponentFlags";
-    grid.relativeToGrid = handle.whole(key).value_or(0) & toGridFlag;
+    grid.relativeToGrid = handle.integer(key).value_or(0) & toGridFlag;
     const auto flags = handle.offset(key);
-    const auto begin = handle.whole(edition == 1 ? "offsetSection2" : "offsetSection3");
+    const auto begin = handle.integer(edition == 1 ? "offsetSection2" : "offsetSection3");
     if (const std::size_t at = flags && begin ? *flags - static_cast<std::size_t>(*begin) : 0;
         at > 0 && at < section.size())
         grid.definition[at] = static_cast<char>(grid.definition[at] & ~toGridFlag);
     return grid;
 }
 
-/// A file from one message to the next, and from one section to the next.
-class Walk {
+/// Scans the messages of a file and their sections.
+class MessageScanner {
 public:
-    explicit Walk(std::string_view bytes) : _bytes(bytes) {}
+    explicit MessageScanner(std::string_view bytes) : _bytes(bytes) {}
 
     Result<std::vector<GribField>> read(const std::string& file) {
         while ((_at = _bytes.find(start, _at)) != std::string_view::npos) {
@@ -161,8 +161,8 @@ public:
             if (const Problem problem = readMessage())
                 return fileProblem(file, place() + *problem);
         }
-        if (_met == 0)
-            return fileProblem(file, "holds no field of GRIB");
+        if (_fieldCount == 0)
+            return fileProblem(file, "contains no GRIB field");
         return std::move(_fields);
     }
 
@@ -171,7 +171,7 @@ private:
         return "message " + std::to_string(_message) + ", at byte " + std::to_string(_begin) + ": ";
     }
 
-    /// A whole number, the most significant octet first.
+    /// A big-endian integer.
     std::uint64_t number(std::size_t at, std::size_t count) const {
         std::uint64_t value = 0;
         for (std::size_t i = at; i < at + count; ++i)
@@ -181,7 +181,7 @@ private:
 
     Problem readMessage() {
         if (_bytes.size() - _at < 16)
-            return "cut in its first section";
+            return "truncated in its first section";
         const auto edition = static_cast<int>(number(_at + 7, 1));
         if (edition != 1 && edition != 2)
             return "expected edition 1 or 2, found " + std::to_string(edition);
@@ -191,8 +191,8 @@ private:
                    std::to_string(_bytes.size() - _at);
         _end = _at + static_cast<std::size_t>(size);
         if (size < 20 || _bytes.substr(_end - end.size(), end.size()) != end)
-            return "it does not end where it says, after " + std::to_string(size) + " bytes";
-        _metBefore = _met;
+            return "expected its end after " + std::to_string(size) + " bytes";
+        _previousFieldCount = _fieldCount;
         _edition = edition;
         _sections = {};
         _sections[0] = _bytes.substr(_at, edition == 1 ? 8 : 16);
@@ -203,11 +203,11 @@ private:
         return problem;
     }
 
-    /// The next section, whose length its first octets say.
-    Problem take(std::size_t section, std::size_t lengthOctets) {
+    /// Reads the next section, which begins with its length.
+    Problem readSection(std::size_t section, std::size_t lengthOctets) {
         const std::uint64_t length = number(_at, lengthOctets);
         if (length < lengthOctets + 1 || length > _end - _at)
-            return "section " + std::to_string(section) + " is longer than what is left of the message";
+            return "section " + std::to_string(section) + " is longer than the rest of the message";
         _sections[section] = _bytes.substr(_at, static_cast<std::size_t>(length));
         _at += static_cast<std::size_t>(length);
         return {};
@@ -218,13 +218,13 @@ private:
         constexpr std::uint64_t hasGrid = 0x80, hasBitmap = 0x40;
         for (const std::size_t section : {1u, 2u, 3u, 4u})
             if ((section != 2 || present & hasGrid) && (section != 3 || present & hasBitmap))
-                if (Problem problem = take(section, 3))
+                if (Problem problem = readSection(section, 3))
                     return problem;
         addField(_sections[2].substr(0, gridEnd1()));
         return {};
     }
 
-    /// Where the grid of section 2 of edition 1 ends, after which there may be vertical coordinates.
+    /// End of the grid definition in section 2 of edition 1; vertical coordinates may follow.
     std::size_t gridEnd1() const {
         const int numbers = octet(2, 3), begin = octet(2, 4);
         return numbers > 0 && begin > 28 && begin != 255 ? static_cast<std::size_t>(begin - 1)
@@ -238,7 +238,7 @@ private:
             if (section < 1 || section > 7)
                 return "expected a section 1 to 7, found " + std::to_string(section);
             const std::string_view bitmap = _sections[6];
-            if (Problem problem = take(section, 4))
+            if (Problem problem = readSection(section, 4))
                 return problem;
             constexpr unsigned char asBefore = 254;
             if (section == 6 && !bitmap.empty() && _sections[6].size() > 5 &&
@@ -248,32 +248,32 @@ private:
             if (section != 7)
                 continue;
             if (_sections[1].empty() || _sections[3].empty() || _sections[4].empty())
-                return "numbers without sections 1, 3 and 4";
+                return "section 7 without sections 1, 3 and 4";
             addField(_sections[3]);
         }
-        return hasProduct ? Problem("section 4 without numbers") : Problem();
+        return hasProduct ? Problem("section 4 without section 7") : Problem();
     }
 
-    /// The octet of a section at a place counted from 0. Beyond the end of the section it is 255, "missing".
+    /// The octet of a section at an offset; 255 ("missing") beyond its end.
     int octet(std::size_t section, std::size_t at) const {
         return at < _sections[section].size() ? static_cast<unsigned char>(_sections[section][at]) : 255;
     }
 
-    /// What a field is: its octets say so, whatever its grid and its packing are.
-    GribField fieldOfOctets() const {
+    /// Reads quantity and level from octets, which works with any grid and packing.
+    GribField identifyField() const {
         GribField field;
         int type = 0;
         bool isLayer = false;
         if (_edition == 1) {
             field.parameter = {1, octet(1, 4), octet(1, 3), 0, octet(1, 8)};
             const int range = octet(1, 20);
-            field.momentary = range == analysis || range == ofP1 || range == ofTwoOctets;
+            field.isInstantaneous = range == analysis || range == ofP1 || range == ofTwoOctets;
             type = octet(1, 9);
         } else {
-            constexpr int lastMomentary =
-                2; // templates: a forecast, that of a member, one made of all members
+            constexpr int lastInstantaneous =
+                2; // templates 0 to 2: forecast, ensemble member, derived from members
             field.parameter = {2, 0, octet(0, 6), octet(4, 9), octet(4, 10)};
-            field.momentary = octet(4, 7) == 0 && octet(4, 8) <= lastMomentary;
+            field.isInstantaneous = octet(4, 7) == 0 && octet(4, 8) <= lastInstantaneous;
             type = octet(4, 22);
             isLayer = octet(4, 28) != 255; // from one level to another
         }
@@ -284,9 +284,9 @@ private:
     }
 
     void addField(std::string_view grid) {
-        const bool isOnly = _edition == 1 || (_met == _metBefore && _at == _end);
-        ++_met;
-        GribField field = fieldOfOctets();
+        const bool isOnly = _edition == 1 || (_fieldCount == _previousFieldCount && _at == _end);
+        ++_fieldCount;
+        GribField field = identifyField();
         if (GribMeaning::of(field).quantity == GribMeaning::Quantity::None)
             return;
         if (isOnly)
@@ -304,11 +304,11 @@ private:
         const GribHandle handle(field.parts);
         if (!handle)
             return "ecCodes cannot decode it";
-        if (_edition == 2 && !handle.whole("parameterNumber"))
+        if (_edition == 2 && !handle.integer("parameterNumber"))
             return "ecCodes cannot decode its grid, of template " +
-                   std::to_string(handle.whole("gridDefinitionTemplateNumber").value_or(0));
+                   std::to_string(handle.integer("gridDefinitionTemplateNumber").value_or(0));
         if (handle.text("gridType").empty())
-            return "ecCodes cannot decode how its numbers are packed";
+            return "ecCodes cannot decode the packing of its values";
         field.level.value = valueOf(field.level, handle, _edition);
         if (!readTimes(handle, field))
             return "section 1 has a date that does not exist";
@@ -320,7 +320,7 @@ private:
 
     std::string_view _bytes;
     std::size_t _at = 0, _begin = 0, _end = 0, _message = 0;
-    std::size_t _met = 0, _metBefore = 0; ///< Fields, and those in the messages before.
+    std::size_t _fieldCount = 0, _previousFieldCount = 0; ///< All fields; fields in previous messages.
     int _edition = 2;
     std::array<std::string_view, 8> _sections;
     std::vector<GribField> _fields;
@@ -329,7 +329,7 @@ private:
 } // namespace
 
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file) {
-    return Walk(bytes).read(file);
+    return MessageScanner(bytes).read(file);
 }
 
 } // namespace osgTreeWind

@@ -11,50 +11,51 @@
 
 namespace osgTreeWind {
 
-/// What the points of a field lie on, as its sections define it.
+/// The grid of a field, as its sections define it.
 struct GribGrid {
-    std::string kind;            ///< For people: "Lambert conformal".
-    bool even = false;           ///< Points are even on a map, or on longitudes and latitudes.
-    bool relativeToGrid = false; ///< Components of vectors are along the grid, not toward east and north.
+    std::string kind;    ///< Name for messages: "Lambert conformal".
+    bool isEven = false; ///< Points are evenly spaced in longitude and latitude or in a map projection.
+    bool relativeToGrid = false; ///< Vector components are along the grid axes, not toward east and north.
     std::uint64_t columns = 0, rows = 0;
-    std::string definition; ///< Bytes that are the same for the same grid, whatever its components are.
+    std::string definition; ///< Bytes to compare grids, without `relativeToGrid`.
 };
 
-/// What a level counts.
+/// What the value of a level means.
 enum class GribLevelKind { AboveGround, AboveSea, Isobaric, Model, Surface, Other };
 
-/// A level: metres, Pa, or a number of its own.
+/// A vertical level.
 struct GribLevel {
     GribLevelKind kind = GribLevelKind::Other;
-    int type = 0; ///< As its edition numbers it.
-    double value = 0.0;
+    int type = 0;       ///< Number in the tables of its edition.
+    double value = 0.0; ///< Metres, Pa or a number.
 };
 
-/// Which quantity a field is, as its edition numbers them.
+/// The quantity of a field, as numbers of its edition.
 struct GribParameter {
     int edition = 2;
-    int centre = 0;   ///< Edition 1.
-    int table = 0;    ///< Edition 1: the version of its table. Edition 2: its discipline.
-    int category = 0; ///< Edition 2.
+    int centre = 0;   ///< Edition 1 only.
+    int table = 0;    ///< Edition 1: version of the table; edition 2: discipline.
+    int category = 0; ///< Edition 2 only.
     int number = 0;
 };
 
-/// One field of a file: what its sections say of it, but for its numbers.
+/// The description of a field of a file, without its values.
 struct GribField {
-    std::vector<std::string_view> parts; ///< As GribHandle has them.
+    std::vector<std::string_view> parts; ///< The message, as for GribHandle.
     GribParameter parameter;
     GribLevel level;
-    bool momentary = false; ///< It holds at one time: no mean, no maximum and no probability.
-    double reference = 0.0; ///< Seconds since 1970, when its forecast began.
-    double valid = 0.0;     ///< Seconds since 1970, when it holds.
+    bool isInstantaneous = false; ///< At a single time: not a mean, maximum or probability.
+    double reference = 0.0;       ///< Start of the forecast, seconds since 1970.
+    double valid = 0.0;           ///< Time of the field, seconds since 1970.
     GribGrid grid;
-    std::string problem; ///< Why it cannot be decoded, its times, level and grid neither; empty: it can.
+    std::string problem; ///< Why it cannot be decoded, with times, level and grid unset; empty if it can.
 };
 
-/// The fields of a file of GRIB, both editions, in its order, that GribMeaning knows; what is between
-/// messages is skipped. A message that is cut, or whose sections contradict its length, is a problem that
-/// names it and its byte. One that ecCodes cannot decode is a problem for those only who need it.
-/// @param bytes of the file, to which the fields refer.
+/// Reads the fields of a GRIB file, edition 1 or 2, whose quantities GribMeaning knows, in the order of the
+/// file. Bytes between messages are skipped. A truncated message, or one whose sections contradict its
+/// length, is a problem with message number and byte; a message that ecCodes cannot decode only sets
+/// GribField::problem.
+/// @param bytes of the file; must outlive the fields.
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file);
 
 } // namespace osgTreeWind

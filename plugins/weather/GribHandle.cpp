@@ -25,13 +25,14 @@ GribHandle::GribHandle(const std::vector<std::string_view>& parts) : _handle(nul
         for (const std::string_view part : parts)
             _copy += part;
         message = _copy;
-        for (std::size_t octet = 0; octet < 8; ++octet) // its length, which was that of all fields together
+        for (std::size_t octet = 0; octet < 8;
+             ++octet) // the length was that of a message with several fields
             _copy[8 + octet] = static_cast<char>(_copy.size() >> (8 * (7 - octet)) & 0xff);
     }
     _handle.reset(codes_handle_new_from_message(quietContext(), message.data(), message.size()));
 }
 
-std::optional<long> GribHandle::whole(const char* key) const {
+std::optional<long> GribHandle::integer(const char* key) const {
     long value = 0;
     int error = 0;
     if (codes_get_long(_handle.get(), key, &value) != CODES_SUCCESS ||
@@ -59,7 +60,7 @@ std::optional<std::size_t> GribHandle::offset(const char* key) const {
     return at;
 }
 
-std::string GribHandle::emptied(std::size_t numbers) const {
+std::string GribHandle::withZeroValues(std::size_t numbers) const {
     const Owned copy(codes_handle_clone(_handle.get()), codes_handle_delete);
     std::size_t count = 0, length = 0;
     const void* message = nullptr;
@@ -73,8 +74,8 @@ std::string GribHandle::emptied(std::size_t numbers) const {
     return {static_cast<const char*>(message), length};
 }
 
-std::optional<std::string> GribHandle::read(std::vector<double>& numbers) const {
-    constexpr double missing = 1e35; // no wind and no height
+std::optional<std::string> GribHandle::readValues(std::vector<double>& numbers) const {
+    constexpr double missing = 1e35; // not a valid wind or height
     std::size_t count = 0;
     int error = codes_get_size(_handle.get(), "values", &count);
     if (error == CODES_SUCCESS && count != numbers.size())

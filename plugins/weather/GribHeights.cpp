@@ -8,9 +8,9 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float leastStep = 0.01f; // metres; floats tell it apart up to 100 km
+constexpr float minStep = 0.01f; // metres; resolved by floats up to 100 km
 
-/// A column of points above one place at one time.
+/// The points above one place at one time.
 struct PointColumn {
     GridWind::Grid& grid;
     std::size_t first, layerStep, layers;
@@ -33,16 +33,16 @@ struct PointColumn {
         if (known == layers)
             height(known = 0) = 0.0f;
         for (std::size_t layer = known; layer > 0; --layer)
-            height(layer - 1) = height(layer) - leastStep;
+            height(layer - 1) = height(layer) - minStep;
         for (std::size_t layer = known + 1; layer < layers; ++layer)
-            if (const float least = height(layer - 1) + leastStep; !(height(layer) >= least))
+            if (const float least = height(layer - 1) + minStep; !(height(layer) >= least))
                 height(layer) = least;
     }
 };
 
 } // namespace
 
-void settleHeights(GridWind::Grid& grid) {
+void makeHeightsIncrease(GridWind::Grid& grid) {
     const auto layers = static_cast<std::size_t>(grid.points.z);
     const std::size_t perLayer =
         static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);

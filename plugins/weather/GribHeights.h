@@ -5,12 +5,12 @@
 
 namespace osgTreeWind {
 
-/// Makes heights that a file gives for each point and time increase upward in each column, as GridWind needs
-/// them. A level without height, or not above the one below it, comes 1 cm above that one.
+/// Makes heights increase upward in each column, as GridWind requires. A level that has no height, or is not
+/// above the previous one, is placed 1 cm above it.
 ///
-/// Where heights count from the model's ground, levels below it, which a model only makes up, get the wind of
-/// the lowest level above it; so do those without height.
-/// @param grid with heights, NaN where there are none, and values for each point and time.
-void settleHeights(GridWind::Grid& grid);
+/// If heights are above ground, levels below the ground (extrapolated by the model) or without a height get
+/// the wind of the lowest level above the ground.
+/// @param grid with heights (NaN if missing) and values for each point and time.
+void makeHeightsIncrease(GridWind::Grid& grid);
 
 } // namespace osgTreeWind

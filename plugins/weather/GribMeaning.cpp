@@ -7,14 +7,14 @@ namespace osgTreeWind::GribMeaning {
 
 namespace {
 
-constexpr double ofGeopotential = 1.0 / 9.80665; // m of a m^2/s^2
+constexpr double ofGeopotential = 1.0 / 9.80665; // metres per m^2/s^2
 
-/// One parameter. @param height metres above ground that it means itself; 0: none.
+/// A parameter of a table.
 struct Row {
     int table, category, number;
     Quantity quantity;
     double metres = 1.0;
-    double height = 0.0;
+    double height = 0.0; ///< Height above ground implied by the parameter, metres; 0 if there is none.
 };
 
 constexpr int noCategory = 0;
@@ -31,7 +31,7 @@ constexpr Row rows2[] = {{0, 2, 2, Quantity::East},
                          {0, 3, 4, Quantity::Height, ofGeopotential},
                          {2, 0, 7, Quantity::Height}};
 
-/// Edition 1, tables 1 to 3 of all centres.
+/// Edition 1: tables 1 to 3, which all centres share.
 constexpr Row rows1[] = {{1, noCategory, 33, Quantity::East},
                          {1, noCategory, 34, Quantity::North},
                          {1, noCategory, 40, Quantity::Up},
@@ -42,7 +42,7 @@ constexpr Row rows1[] = {{1, noCategory, 33, Quantity::East},
                          {1, noCategory, 8, Quantity::Height},
                          {1, noCategory, 6, Quantity::Height, ofGeopotential}};
 
-/// Edition 1, tables of ECMWF.
+/// Edition 1: tables of ECMWF.
 constexpr Row rowsOfEcmwf[] = {{128, noCategory, 131, Quantity::East},
                                {128, noCategory, 132, Quantity::North},
                                {128, noCategory, 135, Quantity::PressureChange},
@@ -65,10 +65,10 @@ const Row* rowOf(const Row (&rows)[N], int table, int category, int number) {
 }
 
 const Row* rowOf(const GribParameter& parameter) {
-    constexpr int ecmwf = 98, lastOfAll = 3;
+    constexpr int ecmwf = 98, lastSharedTable = 3;
     if (parameter.edition == 2)
         return rowOf(rows2, parameter.table, parameter.category, parameter.number);
-    if (parameter.table <= lastOfAll)
+    if (parameter.table <= lastSharedTable)
         return rowOf(rows1, 1, noCategory, parameter.number);
     return parameter.centre == ecmwf ? rowOf(rowsOfEcmwf, parameter.table, noCategory, parameter.number)
                                      : nullptr;

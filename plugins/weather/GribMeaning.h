@@ -5,16 +5,16 @@
 
 #include <string>
 
-/// What fields of GRIB are to someone who looks for wind.
+/// Interprets GRIB fields as quantities of wind.
 namespace osgTreeWind::GribMeaning {
 
 enum class Quantity { None, East, North, Up, PressureChange, Speed, Direction, Height };
 
-/// A quantity, and where it was wanted.
+/// Quantity and level of a field.
 struct Meaning {
     Quantity quantity = Quantity::None;
-    double metres = 1.0; ///< Of a Height: what one of its unit is.
-    GribLevel level;     ///< That of the field, or the one its parameter means.
+    double metres = 1.0; ///< Metres per unit of a Height.
+    GribLevel level;     ///< Level of the field, or implied by its parameter.
 };
 
 Meaning of(const GribField& field);

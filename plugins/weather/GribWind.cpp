@@ -3,8 +3,8 @@
 
 #include <plugins/weather/GribChoice.h>
 #include <plugins/weather/GribHeights.h>
-#include <plugins/weather/GribNumbers.h>
-#include <plugins/weather/TurnToMap.h>
+#include <plugins/weather/GribValues.h>
+#include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
@@ -28,17 +28,17 @@ namespace osgTreeWind {
 namespace {
 
 using Numbers = std::vector<float>;
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr float missingValue = std::numeric_limits<float>::quiet_NaN();
 
 class GribReader {
 public:
     GribReader(std::string path, double bytes, GribChoice choice, const WindRequest& request)
         : _path(std::move(path)), _bytes(bytes), _choice(std::move(choice)), _request(request),
-          _numbers(_path) {}
+          _values(_path) {}
 
     Result<WindContent> read() {
         checkGrids();
-        place();
+        setGrid();
         readHeights();
         readVelocities();
         turn();
@@ -67,7 +67,7 @@ private:
     }
 
     void checkGrids() {
-        for (const GribField* field : _choice.all())
+        for (const GribField* field : _choice.allFields())
             if (field->grid.definition != first().grid.definition)
                 fail(fileProblem(_path, textOf(first()) + " and " + textOf(*field) +
                                             " lie on different grids, " + sizeOf(first()) + " and " +
@@ -75,9 +75,10 @@ private:
         for (const auto* component : {&_choice.east, &_choice.north})
             for (const GribField* field : *component)
                 if (field->grid.relativeToGrid != first().grid.relativeToGrid)
-                    fail(fileProblem(_path, textOf(first()) + " and " + textOf(*field) +
-                                                " count from different norths: one from true north, one from "
-                                                "the grid's"));
+                    fail(
+                        fileProblem(_path, textOf(first()) + " and " + textOf(*field) +
+                                               " are relative to different norths: one to true north, one to "
+                                               "the grid's north"));
     }
 
     static std::string sizeOf(const GribField& field) {
@@ -85,25 +86,25 @@ private:
                std::to_string(field.grid.rows);
     }
 
-    void place() {
+    void setGrid() {
         if (_problem)
             return;
-        constexpr double mostPoints = 1u << 27; // of a field, which ecCodes reads as a whole
+        constexpr double maxPoints = 1u << 27; // per field, which ecCodes reads at once
         const GribGrid& grid = first().grid;
-        if (grid.even && static_cast<double>(grid.columns) * static_cast<double>(grid.rows) > mostPoints)
-            return fail(fileProblem(_path, "expected at most " + numberText(mostPoints) + " points, found " +
+        if (grid.isEven && static_cast<double>(grid.columns) * static_cast<double>(grid.rows) > maxPoints)
+            return fail(fileProblem(_path, "expected at most " + numberText(maxPoints) + " points, found " +
                                                sizeOf(first())));
-        const Result<GribPlace> place = _numbers.place(first());
-        if (!place)
-            return fail(place.problems().front());
-        _crs = place.value().crs;
+        const Result<GribGeoreference> found = _values.georeference(first());
+        if (!found)
+            return fail(found.problems().front());
+        _crs = found.value().crs;
         _content.summary.crs = _crs.text();
-        _content.summary.coordinates = place.value().name;
+        _content.summary.coordinates = found.value().name;
         const Result<GridPart> part =
-            partFor(_request, _content.summary.crs, place.value().x, place.value().y);
+            gridPartFor(_request, _content.summary.crs, found.value().x, found.value().y);
         if (!part)
             return fail({_path, 0, 0, part.problems().front().key, part.problems().front().message});
-        _content.whole = part.value().whole;
+        _content.fileExtent = part.value().fileExtent;
         _x = part.value().x;
         _y = part.value().y;
         checkSize();
@@ -113,7 +114,7 @@ private:
         _grid.cell = {_x.step, _y.step, 1.0};
     }
 
-    /// Before memory is asked for, of which the program has so much.
+    /// Checks the size before memory is allocated.
     void checkSize() {
         const double points = static_cast<double>(_x.indices.size()) *
                               static_cast<double>(_y.indices.size()) * static_cast<double>(layers()) *
@@ -132,7 +133,7 @@ private:
     Numbers numbersOf(const GribField& field) {
         if (_problem)
             return {};
-        Result<Numbers> numbers = _numbers.read(field, _x, _y);
+        Result<Numbers> numbers = _values.read(field, _x, _y);
         if (!numbers) {
             fail(numbers.problems().front());
             return {};
@@ -190,7 +191,7 @@ private:
         return count > 0.0 ? sum / count : 0.0;
     }
 
-    /// Of a layer counted upward.
+    /// Index in GribChoice of a layer counted upward.
     std::size_t indexOf(std::size_t step, std::size_t layer) const {
         return _choice.indexOf(step, _downward ? layers() - 1 - layer : layer);
     }
@@ -203,7 +204,7 @@ private:
             for (std::size_t layer = 0; layer < layers() && !_problem; ++layer)
                 readLayer(indexOf(step, layer));
         if (!_problem && _hasHeightsOfPoints)
-            spreadHeights();
+            repeatHeights();
     }
 
     void readLayer(std::size_t index) {
@@ -212,33 +213,33 @@ private:
                       w = _choice.up.empty() ? Numbers(a.size(), 0.0f) : numbersOf(*_choice.up[index]);
         for (std::size_t i = 0; i < a.size() && !_problem; ++i) {
             glm::vec3 velocity(a[i], b[i], w[i]);
-            if (_choice.polar && (a[i] < 0.0f || std::abs(b[i]) > maxDirection))
+            if (_choice.isPolar && (a[i] < 0.0f || std::abs(b[i]) > maxDirection))
                 fail({_path, 0, 0, textOf(north),
                       "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a[i]) +
                           " and " + numberText(b[i])});
             else if (std::isnan(a[i]) || std::isnan(b[i]) || std::isnan(w[i]))
-                velocity = glm::vec3(none);
-            else if (_choice.polar)
+                velocity = glm::vec3(missingValue);
+            else if (_choice.isPolar)
                 velocity = windVelocity({a[i], b[i]}, DirectionSense::From);
             _grid.values.insert(_grid.values.end(), {velocity.x, velocity.y, velocity.z});
         }
     }
 
-    /// One height for each velocity, so that both can be settled together.
-    void spreadHeights() {
+    /// Repeats heights for all times, so that makeHeightsIncrease() can change each column.
+    void repeatHeights() {
         const std::size_t once = layers() * perLayer();
         for (std::size_t step = 1; step < steps() && _grid.heights.size() < steps() * once; ++step)
             _grid.heights.insert(_grid.heights.end(), _grid.heights.begin(),
                                  _grid.heights.begin() + static_cast<std::ptrdiff_t>(once));
-        settleHeights(_grid);
+        makeHeightsIncrease(_grid);
     }
 
-    /// From true north to the y axis of the map, or a note of what that would be. Directions always count
-    /// from true north.
+    /// Turns velocities from true north to the y axis of the projection, or only adds a note if they are
+    /// wanted as stored. Directions are always relative to true north.
     void turn() {
-        const bool fromTrueNorth = _choice.polar || !first().grid.relativeToGrid || _crs.isDegrees();
+        const bool fromTrueNorth = _choice.isPolar || !first().grid.relativeToGrid || _crs.isDegrees();
         std::string& direction = _content.summary.direction;
-        direction = _choice.polar   ? "from, degrees clockwise from true north"
+        direction = _choice.isPolar ? "from, degrees clockwise from true north"
                     : fromTrueNorth ? "components toward true east, true north and up"
                                     : "components toward x (east), y (north) and up";
         if (_problem || !fromTrueNorth || _crs.isDegrees())
@@ -246,14 +247,14 @@ private:
         if (const auto note = turnFromTrueNorth(_grid, _crs, _request.asStored))
             _content.summary.notes.push_back(*note);
         else
-            fail({_path, 0, 0, textOf(first()), "its map does not hold its points"});
+            fail({_path, 0, 0, textOf(first()), "its CRS does not cover its points"});
     }
 
     std::string _path;
     double _bytes;
     GribChoice _choice;
     const WindRequest& _request;
-    GribNumbers _numbers;
+    GribValues _values;
     Crs _crs;
     AxisPart _x, _y;
     bool _downward = false, _hasHeightsOfPoints = false;
@@ -262,7 +263,7 @@ private:
     std::optional<Diagnostic> _problem;
 };
 
-/// The bytes of a file, without a copy.
+/// A memory-mapped file.
 class MappedFile {
 public:
     explicit MappedFile(const std::string& path)
@@ -275,7 +276,7 @@ public:
         if (_memory)
             _bytes = {static_cast<const char*>(CPLVirtualMemGetAddr(_memory.get())), size};
     }
-    std::string_view bytes() const { return _bytes; } ///< None where it cannot be read.
+    std::string_view bytes() const { return _bytes; } ///< Empty if it cannot be read.
 
 private:
     std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> _file;
@@ -287,9 +288,9 @@ private:
 
 Result<WindContent> readGribWind(const std::string& path, const WindRequest& request) {
     std::vector<std::string> paths = {path};
-    if (!request.also.empty())
-        paths.push_back(request.also);
-    std::vector<MappedFile> files; // which the fields look into
+    if (!request.secondFile.empty())
+        paths.push_back(request.secondFile);
+    std::vector<MappedFile> files; // must outlive the fields
     std::vector<GribField> fields;
     double size = 0.0;
     for (const std::string& each : paths) {

@@ -9,8 +9,9 @@
 
 namespace osgTreeWind {
 
-/// Wind of a file of GRIB, edition 1 or 2, on longitudes and latitudes or on the file's own map. What counts
-/// from true north is turned to the y axis of the map, unless wanted as stored.
+/// Reads the wind of a GRIB file, edition 1 or 2, in longitude and latitude or the file's own projection.
+/// Velocities relative to true north are turned to the y axis of the projection, unless WindRequest::asStored
+/// is set.
 Result<WindContent> readGribWind(const std::string& path, const WindRequest& request);
 
 } // namespace osgTreeWind

@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/WholeTurns.h>
+#include <osgTreeWind/places/LongitudeWrap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,54 +19,55 @@ std::string unitOf(const NetCdfArray& array) {
     return array.unit.empty() ? array.text("units") : array.unit;
 }
 
-/// Metres in a unit of length; nothing for another.
+/// Metres in a unit of length; empty for other units.
 std::optional<double> metresIn(const std::string& unit) {
-    if (among(unit, {"", "m", "meter", "meters", "metre", "metres", "gpm"}))
+    if (isOneOf(unit, {"", "m", "meter", "meters", "metre", "metres", "gpm"}))
         return 1.0;
-    if (among(unit, {"km", "kilometer", "kilometers", "kilometre", "kilometres"}))
+    if (isOneOf(unit, {"km", "kilometer", "kilometers", "kilometre", "kilometres"}))
         return 1000.0;
-    if (among(unit, {"ft", "foot", "feet", "international_feet", "international_foot"}))
+    if (isOneOf(unit, {"ft", "foot", "feet", "international_feet", "international_foot"}))
         return 0.3048;
-    if (among(unit, {"us_survey_foot", "us_survey_feet"}))
+    if (isOneOf(unit, {"us_survey_foot", "us_survey_feet"}))
         return 1200.0 / 3937.0;
     return std::nullopt;
 }
 
 bool isTimeUnit(const std::string& unit) {
     return unit.find(" since ") != std::string::npos ||
-           among(unit, {"s", "sec", "second", "seconds", "min", "minute", "minutes", "h", "hr", "hour",
-                        "hours", "day", "days", "week", "weeks"});
+           isOneOf(unit, {"s", "sec", "second", "seconds", "min", "minute", "minutes", "h", "hr", "hour",
+                          "hours", "day", "days", "week", "weeks"});
 }
 
 NetCdfMeasure byStandardName(const std::string& name) {
-    if (among(name, {"longitude", "grid_longitude"}))
+    if (isOneOf(name, {"longitude", "grid_longitude"}))
         return NetCdfMeasure::Longitude;
-    if (among(name, {"latitude", "grid_latitude"}))
+    if (isOneOf(name, {"latitude", "grid_latitude"}))
         return NetCdfMeasure::Latitude;
     if (name == "air_pressure")
         return NetCdfMeasure::Pressure;
-    if (begins(name, {"atmosphere_", "model_level"}))
+    if (startsWithAny(name, {"atmosphere_", "model_level"}))
         return NetCdfMeasure::Model;
     return name == "time" ? NetCdfMeasure::Time : NetCdfMeasure::None;
 }
 
 NetCdfMeasure byUnit(const std::string& unit, const std::string& name) {
-    if (begins(unit, {"degrees_e", "degree_e", "degreee", "degreese"}))
+    if (startsWithAny(unit, {"degrees_e", "degree_e", "degreee", "degreese"}))
         return NetCdfMeasure::Longitude;
-    if (begins(unit, {"degrees_n", "degree_n", "degreen", "degreesn"}))
+    if (startsWithAny(unit, {"degrees_n", "degree_n", "degreen", "degreesn"}))
         return NetCdfMeasure::Latitude;
-    if (among(unit, {"pa", "hpa", "mbar", "mb", "millibar", "millibars", "hectopascal"}))
+    if (isOneOf(unit, {"pa", "hpa", "mbar", "mb", "millibar", "millibars", "hectopascal"}))
         return NetCdfMeasure::Pressure;
     if (isTimeUnit(unit))
         return NetCdfMeasure::Time;
-    const bool isAngle = unit.empty() || begins(unit, {"deg"});
-    if (isAngle && begins(name, {"lon", "rlon", "grid_lon"}))
+    const bool isAngle = unit.empty() || startsWithAny(unit, {"deg"});
+    if (isAngle && startsWithAny(name, {"lon", "rlon", "grid_lon"}))
         return NetCdfMeasure::Longitude;
-    if (isAngle && begins(name, {"lat", "rlat", "grid_lat"}))
+    if (isAngle && startsWithAny(name, {"lat", "rlat", "grid_lat"}))
         return NetCdfMeasure::Latitude;
-    if (begins(name, {"isobaric", "pressure", "plev"}))
+    if (startsWithAny(name, {"isobaric", "pressure", "plev"}))
         return NetCdfMeasure::Pressure;
-    if (begins(name, {"hybrid", "sigma", "model_level", "ml"}) || among(unit, {"1", "level", "sigma_level"}))
+    if (startsWithAny(name, {"hybrid", "sigma", "model_level", "ml"}) ||
+        isOneOf(unit, {"1", "level", "sigma_level"}))
         return NetCdfMeasure::Model;
     return !unit.empty() && metresIn(unit) ? NetCdfMeasure::Metres : NetCdfMeasure::None;
 }
@@ -75,9 +76,9 @@ bool isLevel(NetCdfMeasure measure) {
     return measure == NetCdfMeasure::Pressure || measure == NetCdfMeasure::Model;
 }
 
-/// The role that the file says a dimension has; null where it does not.
-std::optional<std::size_t>* stated(const NetCdfFile& file, const NetCdfDimension& dimension,
-                                   NetCdfRoles& roles) {
+/// The role that attributes and units give a dimension; null if they do not.
+std::optional<std::size_t>* explicitRole(const NetCdfFile& file, const NetCdfDimension& dimension,
+                                         NetCdfRoles& roles) {
     const std::string name = lower(dimension.name);
     const NetCdfMeasure measure = measureOf(file, dimension);
     const NetCdfFile::Array found = file.array(dimension.coordinates);
@@ -89,9 +90,9 @@ std::optional<std::size_t>* stated(const NetCdfFile& file, const NetCdfDimension
         return &roles.x;
     if (measure == NetCdfMeasure::Latitude || axis == "Y" || standard == "projection_y_coordinate")
         return &roles.y;
-    if (isLevel(measure) || axis == "Z" || among(standard, {"height", "altitude"}))
+    if (isLevel(measure) || axis == "Z" || isOneOf(standard, {"height", "altitude"}))
         return &roles.level;
-    if (measure == NetCdfMeasure::Time || dimension.temporal || (!name.empty() && name[0] == 't'))
+    if (measure == NetCdfMeasure::Time || dimension.isTime || (!name.empty() && name[0] == 't'))
         return &roles.time;
     return nullptr;
 }
@@ -113,7 +114,7 @@ NetCdfRoles rolesOf(const NetCdfFile& file, const NetCdfArray& array) {
     NetCdfRoles roles;
     std::vector<std::size_t> unknown; // innermost first
     for (std::size_t d = array.dimensions.size(); d-- > 0;) {
-        std::optional<std::size_t>* const role = stated(file, array.dimensions[d], roles);
+        std::optional<std::size_t>* const role = explicitRole(file, array.dimensions[d], roles);
         if (role && !*role)
             *role = d;
         else
@@ -121,7 +122,7 @@ NetCdfRoles rolesOf(const NetCdfFile& file, const NetCdfArray& array) {
     }
     for (const std::size_t d : unknown) {
         const NetCdfDimension& dimension = array.dimensions[d];
-        const bool isHeight = begins(lower(dimension.name), {"z", "lev", "h", "alt", "k", "bottom"}) ||
+        const bool isHeight = startsWithAny(lower(dimension.name), {"z", "lev", "h", "alt", "k", "bottom"}) ||
                               measureOf(file, dimension) == NetCdfMeasure::Metres;
         if (!roles.x)
             roles.x = d;
@@ -163,7 +164,7 @@ NetCdfAxis axisOf(NetCdfFile& file, const NetCdfDimension& dimension) {
     if (axis.measure == NetCdfMeasure::Longitude) {
         axis.points.period = 360.0;
         for (std::size_t i = 1; i < at.size(); ++i) // 179, 180, -179
-            at[i] += wholeTurns(at[i], at[i - 1]);
+            at[i] += longitudeWrap(at[i], at[i - 1]);
     }
     const double most = axis.measure == NetCdfMeasure::Latitude    ? 90.001
                         : axis.measure == NetCdfMeasure::Longitude ? 1080.0
@@ -204,14 +205,15 @@ NetCdfMatch matchOf(const NetCdfAxis& a, const NetCdfAxis& b) {
     return std::abs(off - 0.5) < 0.02 ? NetCdfMatch::Midway : NetCdfMatch::Neither;
 }
 
-NetCdfPlaces placesAmong(const std::vector<double>& coordinates, const std::vector<double>& targets) {
+NetCdfInterpolation interpolationBetween(const std::vector<double>& coordinates,
+                                         const std::vector<double>& targets) {
     const double sign = coordinates.size() > 1 && coordinates.back() < coordinates.front() ? -1.0 : 1.0;
     std::vector<double> upward;
     for (const double coordinate : coordinates)
         upward.push_back(sign * coordinate);
     const std::size_t last = upward.size() - 1;
     std::vector<std::size_t> lower;
-    NetCdfPlaces places;
+    NetCdfInterpolation places;
     for (const double target : targets) {
         const auto above = std::upper_bound(upward.begin(), upward.end(), sign * target);
         const std::size_t at =
@@ -230,13 +232,13 @@ NetCdfPlaces placesAmong(const std::vector<double>& coordinates, const std::vect
     return places;
 }
 
-std::vector<float> atPlaces(const std::vector<float>& numbers, std::size_t stride,
-                            const NetCdfPlaces& places) {
+std::vector<float> interpolate(const std::vector<float>& numbers, std::size_t stride,
+                               const NetCdfInterpolation& places) {
     if (places.lower.empty())
         return numbers;
     const std::size_t count = places.indices.size(), blocks = numbers.size() / (count * stride);
-    std::vector<float> there;
-    there.reserve(blocks * places.lower.size() * stride);
+    std::vector<float> interpolated;
+    interpolated.reserve(blocks * places.lower.size() * stride);
     for (std::size_t block = 0; block < blocks; ++block)
         for (std::size_t i = 0; i < places.lower.size(); ++i) {
             const std::size_t low = places.lower[i], high = std::min(low + 1, count - 1);
@@ -244,10 +246,10 @@ std::vector<float> atPlaces(const std::vector<float>& numbers, std::size_t strid
             for (std::size_t k = 0; k < stride; ++k) {
                 const float a = numbers[(block * count + low) * stride + k],
                             b = numbers[(block * count + high) * stride + k];
-                there.push_back(std::isnan(a) ? b : std::isnan(b) ? a : a + fraction * (b - a));
+                interpolated.push_back(std::isnan(a) ? b : std::isnan(b) ? a : a + fraction * (b - a));
             }
         }
-    return there;
+    return interpolated;
 }
 
 } // namespace osgTreeWind

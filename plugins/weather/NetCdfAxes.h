@@ -11,25 +11,25 @@
 
 namespace osgTreeWind {
 
-/// What a coordinate measures.
+/// The kind of quantity of a coordinate.
 enum class NetCdfMeasure { None, Metres, Longitude, Latitude, Pressure, Model, Time };
 
-/// Which dimension of an array runs where; of any other, one index is read.
+/// Indices of the dimensions of an array by role. Only the first index of other dimensions is read.
 struct NetCdfRoles {
     std::optional<std::size_t> time, level, y, x;
-    std::optional<std::size_t> version; ///< ERA5's expver: what is final, and what is not yet.
+    std::optional<std::size_t> version; ///< ERA5's expver: final and preliminary data.
 };
 
-/// The roles by attributes and units; otherwise by name, then by order: (time, level, y, x).
+/// Finds roles by attributes and units, otherwise by name, then by order (time, level, y, x).
 NetCdfRoles rolesOf(const NetCdfFile& file, const NetCdfArray& array);
-/// What the array of its coordinates counts; None where there is none, or it does not say.
+/// Kind of the coordinates of a dimension; None if it has no coordinates or they are unknown.
 NetCdfMeasure measureOf(const NetCdfFile& file, const NetCdfDimension& dimension);
 NetCdfMeasure measureOf(const NetCdfArray& coordinates);
 
-/// Coordinates along a dimension: metres, degrees, or what else the file counts in. Empty where it has none.
+/// Coordinates along a dimension in metres, degrees or other units of the file; empty if it has none.
 std::vector<double> coordinatesOf(NetCdfFile& file, const NetCdfDimension& dimension);
 
-/// A direction of the grid.
+/// An axis of the grid.
 struct NetCdfAxis {
     std::string name;
     EvenAxis points;
@@ -40,26 +40,27 @@ struct NetCdfAxis {
     }
 };
 
-/// Fails where its coordinates are missing, or not even.
+/// Reads an axis. Fails if its coordinates are missing or not evenly spaced.
 NetCdfAxis axisOf(NetCdfFile& file, const NetCdfDimension& dimension);
 
-/// Whether points of two axes are the same, or lie midway between.
+/// Whether the points of two axes are the same or midway between each other.
 enum class NetCdfMatch { Same, Midway, Neither };
 NetCdfMatch matchOf(const NetCdfAxis& a, const NetCdfAxis& b);
 
-/// Where points of a grid lie among those of an array: linear between two of them.
-struct NetCdfPlaces {
-    std::vector<std::size_t> indices; ///< To be read.
-    std::vector<std::size_t>
-        lower; ///< For each grid point, its lower neighbour in `indices`; empty: no interpolation.
-    std::vector<float> fraction; ///< To the next.
+/// Linear interpolation from the points of an array to those of a grid.
+struct NetCdfInterpolation {
+    std::vector<std::size_t> indices; ///< Indices in the array to be read.
+    /// Lower neighbour in `indices` of each grid point; empty: no interpolation.
+    std::vector<std::size_t> lower;
+    std::vector<float> fraction; ///< Weight of the upper neighbour.
 };
 
-/// @param targets of the grid, @param coordinates of the array; both upward or downward throughout.
-NetCdfPlaces placesAmong(const std::vector<double>& coordinates, const std::vector<double>& targets);
-/// Takes numbers of blocks of places.indices.size() * stride to the points of the grid; where one of two
-/// neighbours has no data the other counts.
-std::vector<float> atPlaces(const std::vector<float>& numbers, std::size_t stride,
-                            const NetCdfPlaces& places);
+/// @param coordinates of the array. @param targets coordinates of the grid. Both are monotonic.
+NetCdfInterpolation interpolationBetween(const std::vector<double>& coordinates,
+                                         const std::vector<double>& targets);
+/// Interpolates blocks of places.indices.size() * stride numbers to the points of the grid. If one neighbour
+/// has no data, the other is used.
+std::vector<float> interpolate(const std::vector<float>& numbers, std::size_t stride,
+                               const NetCdfInterpolation& places);
 
 } // namespace osgTreeWind

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/CfTime.h>
+#include <plugins/weather/NetCdfCrs.h>
 #include <plugins/weather/NetCdfLevels.h>
-#include <plugins/weather/NetCdfPlace.h>
-#include <plugins/weather/TurnToMap.h>
+#include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using Array = NetCdfFile::Array;
 
-/// Which array holds what, on which axes.
+/// Reads files of the CF conventions.
 class CfReader {
 public:
     CfReader(NetCdfFile& file, const WindRequest& request) : _file(file), _request(request) {}
@@ -40,24 +40,14 @@ public:
 private:
     WindSummary& summary() { return _content.summary; }
 
-    /// All arrays of wind; never null.
-    std::vector<Array> arrays() const {
-        std::vector<Array> all;
-        for (const NetCdfWindPair& pair : _winds.pairs)
-            all.insert(all.end(), {pair.first, pair.second});
-        if (_winds.up)
-            all.push_back(_winds.up);
-        return all;
-    }
-
     void findPoints() {
         const NetCdfArray &first = *_winds.pairs.front().first, &second = *_winds.pairs.front().second;
         const NetCdfRoles roles = rolesOf(_file, first);
         summary().direction = _winds.direction;
         summary().unit = _winds.unit;
         summary().notes = _winds.notes;
-        _crs = mapOf(_file, first, _points, summary());
-        takeColumnsOf(second);
+        _crs = readCrs(_file, first, _points, summary());
+        useCentredColumns(second);
         if (!_file.good())
             return;
         chooseWindow();
@@ -67,8 +57,8 @@ private:
         noteOtherDimensions(first, roles);
     }
 
-    /// Components on the faces of cells: x of the one on the faces toward y, y of the one toward x.
-    void takeColumnsOf(const NetCdfArray& second) {
+    /// Staggered components: takes x from the array that is staggered in y, which is centred in x.
+    void useCentredColumns(const NetCdfArray& second) {
         const NetCdfRoles roles = rolesOf(_file, second);
         if (!_file.good() || !roles.x)
             return;
@@ -78,32 +68,33 @@ private:
     }
 
     void chooseWindow() {
-        const Result<GridPart> part =
-            partFor(_request, summary().crs, _points.xAxis.points, _points.yAxis.points, _points.onMap);
+        const Result<GridPart> part = gridPartFor(_request, summary().crs, _points.xAxis.points,
+                                                  _points.yAxis.points, _points.mapOffset);
         if (!part)
             return _file.fail({}, part.problems().front().message);
-        AxisPart wholeX = wholeOf(_points.xAxis.points), wholeY = wholeOf(_points.yAxis.points);
+        AxisPart wholeX = wholeAxis(_points.xAxis.points), wholeY = wholeAxis(_points.yAxis.points);
         _points.x = part.value().x;
         _points.y = part.value().y;
-        for (const Array& array : arrays()) {
+        for (const Array& array : _winds.arrays()) {
             const NetCdfRoles roles = rolesOf(_file, *array);
-            const auto keep = [&](const std::optional<std::size_t>& dimension, const NetCdfAxis& axis,
+            const auto clip = [&](const std::optional<std::size_t>& dimension, const NetCdfAxis& axis,
                                   AxisPart& wanted, AxisPart& whole) {
                 if (!dimension)
                     return;
                 const NetCdfAxis own = axisOf(_file, array->dimensions[*dimension]);
-                keepWithin(own, axis, wanted);
-                keepWithin(own, axis, whole);
+                clipToAxis(own, axis, wanted);
+                clipToAxis(own, axis, whole);
             };
-            keep(roles.x, _points.xAxis, _points.x, wholeX);
-            keep(roles.y, _points.yAxis, _points.y, wholeY);
+            clip(roles.x, _points.xAxis, _points.x, wholeX);
+            clip(roles.y, _points.yAxis, _points.y, wholeY);
         }
-        _content.whole = extentOf(wholeX, _points.xAxis.points, wholeY, _points.yAxis.points, _points.onMap);
-        _grid.origin = {_points.x.first + _points.onMap.x, _points.y.first + _points.onMap.y, 0.0};
+        _content.fileExtent =
+            extentOf(wholeX, _points.xAxis.points, wholeY, _points.yAxis.points, _points.mapOffset);
+        _grid.origin = {_points.x.first + _points.mapOffset.x, _points.y.first + _points.mapOffset.y, 0.0};
         _grid.cell = {_points.x.step, _points.y.step, 1.0};
     }
 
-    /// Times of a dimension, by the array of that name or by another that says since when.
+    /// The array of times of a dimension: its coordinates, or another array with a reference date.
     Array timesOf(const NetCdfDimension& dimension) const {
         Array own = _file.array(dimension.coordinates);
         if (own && own->unit.find(" since ") != std::string::npos)
@@ -131,7 +122,7 @@ private:
             });
         if (times) {
             const Result<CfTimes> known =
-                cfTimes(_file.coordinates(*times), times->unit, times->text("calendar"));
+                decodeCfTimes(_file.coordinates(*times), times->unit, times->text("calendar"));
             if (!known)
                 return _file.fail(times->name, known.problems().front().message);
             summary().start = known.value().start;
@@ -142,7 +133,7 @@ private:
             _file.fail(_points.time->name, "expected times of this dimension");
     }
 
-    /// Says what is left out: months without a date, members of an ensemble.
+    /// Notes ignored dimensions: months without a date, members of an ensemble.
     void noteOtherDimensions(const NetCdfArray& wind, const NetCdfRoles& roles) {
         for (std::size_t d = 0; d < wind.dimensions.size(); ++d) {
             const bool known =
@@ -151,10 +142,9 @@ private:
             if (!known && dimension.size == 0)
                 _file.fail(dimension.name, "expected at least 1 of this dimension");
             if (!known && dimension.size > 1)
-                summary().notes.push_back("of the " + std::to_string(dimension.size) + " of " +
+                summary().notes.push_back("only the first of " + std::to_string(dimension.size) + " along " +
                                           dimension.name +
-                                          ", which says neither times nor places, the first "
-                                          "is read");
+                                          " is read, because this dimension is neither time nor space");
         }
     }
 
@@ -174,12 +164,12 @@ private:
             turnToGrid();
     }
 
-    /// @param layer the first that the arrays of the pair have; others follow where they have levels.
+    /// @param layer the first layer of the pair; more follow if its arrays have levels.
     void addPair(const NetCdfWindPair& pair, std::size_t layer, std::size_t layers) {
-        const std::vector<float> first = numbersAt(_file, *pair.first, _points),
-                                 second = numbersAt(_file, *pair.second, _points),
-                                 up =
-                                     _winds.up ? numbersAt(_file, *_winds.up, _points) : std::vector<float>();
+        const std::vector<float> first = readAtPoints(_file, *pair.first, _points),
+                                 second = readAtPoints(_file, *pair.second, _points),
+                                 up = _winds.up ? readAtPoints(_file, *_winds.up, _points)
+                                                : std::vector<float>();
         if (!_file.good())
             return;
         const auto expectAll = [&](const Array& array, const std::vector<float>& numbers) {
@@ -202,7 +192,7 @@ private:
     }
 
     glm::vec3 velocityOf(const NetCdfWindPair& pair, float a, float b, float up) {
-        if (!_winds.polar)
+        if (!_winds.isPolar)
             return {a, b, up};
         if (a < 0.0f || std::abs(b) > maxDirection)
             _file.fail(pair.second->name,
@@ -212,14 +202,14 @@ private:
                                               : windVelocity({a, b}, _winds.sense);
     }
 
-    /// From true north to the y axis of the grid, or a note of what that would be.
+    /// Turns velocities from true north to the y axis of the grid, or only adds a note.
     void turnToGrid() {
         std::vector<std::string>& notes = summary().notes;
         if (!_crs) {
-            notes.emplace_back(_request.asStored
-                                   ? "the file counts from true north and names no projection; in a "
-                                     "forest its y is taken as true north"
-                                   : "the file names no projection; its y is taken as true north");
+            notes.emplace_back(
+                _request.asStored ? "velocities are relative to true north and the file gives no projection; "
+                                    "in a forest its y axis is assumed to be true north"
+                                  : "the file gives no projection; its y axis is assumed to be true north");
             return;
         }
         if (_crs->isDegrees() && !isRotated(*_crs))
@@ -227,10 +217,11 @@ private:
         if (const auto note = turnFromTrueNorth(_grid, *_crs, _request.asStored))
             notes.push_back(*note);
         else if (_request.asStored)
-            notes.emplace_back("the file counts from true north; its projection does not hold its points");
+            notes.emplace_back(
+                "velocities are relative to true north; the projection does not cover the points");
         else
             _file.fail(_winds.pairs.front().first->name,
-                       "the projection of this array does not hold its points");
+                       "the projection of this array does not cover its points");
     }
 
     NetCdfFile& _file;

@@ -22,9 +22,9 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double bestRatio = 1100.0;     // deflate cannot do better than 1032 to 1
-constexpr double mostNumbers = 1u << 29; // of one array
-constexpr float endOfNumbers = 9.9e36f;  // what the NetCDF library fills in begins here
+constexpr double maxDeflateRatio = 1100.0; // the limit of deflate is 1032
+constexpr double maxNumbers = 1u << 29;    // of one array
+constexpr float minFillValue = 9.9e36f;    // default fill values of the NetCDF library are larger
 
 using Kind =
     std::unique_ptr<std::remove_pointer_t<GDALExtendedDataTypeH>, decltype(&GDALExtendedDataTypeRelease)>;
@@ -48,10 +48,10 @@ bool readInto(const NetCdfArray& array, const NetCdfBlock& block, GDALDataType t
                            kind.get(), numbers, numbers, bytes) != 0;
 }
 
-/// What GDAL said last.
+/// The last message of GDAL.
 std::string reason() {
-    const std::string said = CPLGetLastErrorMsg();
-    return said.empty() ? "damaged, or of a kind that it does not know" : said;
+    const std::string message = CPLGetLastErrorMsg();
+    return message.empty() ? "damaged or unsupported" : message;
 }
 
 std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
@@ -62,7 +62,7 @@ std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
         NetCdfDimension dimension;
         dimension.name = orEmpty(GDALDimensionGetName(handles[i]));
         dimension.size = static_cast<std::size_t>(GDALDimensionGetSize(handles[i]));
-        dimension.temporal = orEmpty(GDALDimensionGetType(handles[i])) == GDAL_DIM_TYPE_TEMPORAL;
+        dimension.isTime = orEmpty(GDALDimensionGetType(handles[i])) == GDAL_DIM_TYPE_TEMPORAL;
         const GDALMDArrayH indexing = GDALDimensionGetIndexingVariable(handles[i]);
         dimension.coordinates = indexing ? orEmpty(GDALMDArrayGetName(indexing)) : dimension.name;
         GDALMDArrayRelease(indexing);
@@ -76,7 +76,7 @@ std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
 
 NetCdfArray::Attribute NetCdfArray::attribute(const char* name) const {
     std::size_t count = 0;
-    const char* const options[] = {"SHOW_ALL=YES", nullptr}; // those too that GDAL has understood
+    const char* const options[] = {"SHOW_ALL=YES", nullptr}; // also attributes that GDAL interprets itself
     GDALAttributeH* const all = GDALMDArrayGetAttributes(handle.get(), &count, options);
     Attribute found(nullptr, &GDALAttributeRelease);
     for (std::size_t i = 0; i < count; ++i) {
@@ -112,13 +112,13 @@ bool NetCdfArray::is32BitFloat() const {
     return GDALExtendedDataTypeGetNumericDataType(kindOf(*this).get()) == GDT_Float32;
 }
 
-NetCdfFile::NetCdfFile(const std::string& path, const std::string& also)
+NetCdfFile::NetCdfFile(const std::string& path, const std::string& secondFile)
     : _root(nullptr, &GDALGroupRelease), _path(path) {
     GDALAllRegister();
     _isClassic = std::ifstream(path, std::ios::binary).get() == 'C';
     _root = open(path);
-    if (_root && !also.empty())
-        open(also);
+    if (_root && !secondFile.empty())
+        open(secondFile);
 }
 
 NetCdfFile::Group NetCdfFile::open(const std::string& path) {
@@ -130,7 +130,7 @@ NetCdfFile::Group NetCdfFile::open(const std::string& path) {
     Group root(_datasets.back() ? GDALDatasetGetRootGroup(_datasets.back().get()) : nullptr,
                &GDALGroupRelease);
     if (!root) {
-        fail({}, "no NetCDF file that GDAL can read: " + reason());
+        fail({}, "GDAL cannot read this NetCDF file: " + reason());
         return root;
     }
     const char* const options[] = {"SHOW_ZERO_DIM=YES", nullptr};
@@ -173,7 +173,7 @@ std::optional<double> NetCdfFile::number(const char* name) const {
     return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
-double NetCdfFile::positive(const char* name) {
+double NetCdfFile::positiveNumber(const char* name) {
     const double value = number(name).value_or(0.0);
     if (value > 0.0 && value < 1e9)
         return value;
@@ -186,17 +186,18 @@ std::string NetCdfFile::text(const char* name) const {
     return found ? orEmpty(GDALAttributeReadAsString(found.get())) : "";
 }
 
-/// A classic file holds every number of an array as it is; a compressed one leaves out what was never
-/// written, so that only what is read of it tells.
-bool NetCdfFile::holds(const NetCdfArray& array, const NetCdfSelection& selection) {
+/// A classic file stores all numbers of an array. A compressed file omits chunks that were never written, so
+/// only the numbers to be read can be checked.
+bool NetCdfFile::canHold(const NetCdfArray& array, const NetCdfSelection& selection) {
     double count = 1.0;
     for (const auto& indices : selection)
         count *= static_cast<double>(indices.size());
-    if (count > mostNumbers)
-        fail(array.name, "expected at most " + numberText(mostNumbers) + " numbers to read, found " +
-                             numberText(count) + "; a smaller area has fewer");
-    const bool isShort = GDALExtendedDataTypeGetSize(kindOf(array).get()) <= 2; // a byte, to GDAL, may be two
-    const double stored = _isClassic ? countOf(array) * (isShort ? 1.0 : 4.0) : 2.0 * count / bestRatio;
+    if (count > maxNumbers)
+        fail(array.name, "expected at most " + numberText(maxNumbers) + " numbers to read, found " +
+                             numberText(count) + "; choose a smaller area");
+    const bool isShort =
+        GDALExtendedDataTypeGetSize(kindOf(array).get()) <= 2; // GDAL may read bytes as 16 bits
+    const double stored = _isClassic ? countOf(array) * (isShort ? 1.0 : 4.0) : 2.0 * count / maxDeflateRatio;
     if (stored > _bytes)
         fail(array.name,
              "the file is too short for " + numberText(_isClassic ? countOf(array) : count) + " numbers");
@@ -204,7 +205,7 @@ bool NetCdfFile::holds(const NetCdfArray& array, const NetCdfSelection& selectio
 }
 
 std::vector<float> NetCdfFile::read(const NetCdfArray& array, const NetCdfSelection& selection) {
-    if (!good() || !holds(array, selection))
+    if (!good() || !canHold(array, selection))
         return {};
     std::vector<float> numbers;
     const auto read = [&](const NetCdfBlock& block, float* into) {
@@ -223,13 +224,13 @@ void NetCdfFile::unpack(const NetCdfArray& array, std::vector<float>& numbers) c
     const GDALMDArrayH handle = array.handle.get();
     const double scale = GDALMDArrayGetScale(handle, &packed),
                  offset = GDALMDArrayGetOffset(handle, &shifted);
-    // Not by GDAL, which takes a fill value of NaN for 0 where numbers are packed.
+    // GDAL treats a fill value of NaN as 0 in packed numbers.
     const std::optional<double> filled = array.number("_FillValue"), missing = array.number("missing_value");
-    const auto is = [](float number, const std::optional<double>& mark) {
-        return mark && number == static_cast<float>(*mark);
+    const auto is = [](float number, const std::optional<double>& code) {
+        return code && number == static_cast<float>(*code);
     };
     for (float& number : numbers) {
-        if (is(number, filled) || is(number, missing) || std::abs(number) > endOfNumbers)
+        if (is(number, filled) || is(number, missing) || std::abs(number) > minFillValue)
             number = std::numeric_limits<float>::quiet_NaN();
         else if (packed || shifted)
             number = static_cast<float>(number * (packed ? scale : 1.0) + (shifted ? offset : 0.0));
@@ -238,7 +239,7 @@ void NetCdfFile::unpack(const NetCdfArray& array, std::vector<float>& numbers) c
 
 std::vector<double> NetCdfFile::coordinates(const NetCdfArray& array) {
     const double count = countOf(array);
-    if (!good() || array.dimensions.size() > 1 || count > bestRatio * _bytes) {
+    if (!good() || array.dimensions.size() > 1 || count > maxDeflateRatio * _bytes) {
         fail(array.name, "expected an array of one dimension");
         return {};
     }
@@ -256,7 +257,7 @@ std::vector<double> NetCdfFile::coordinates(const NetCdfArray& array) {
     for (double& number : numbers) {
         if (packed || shifted)
             number = number * (packed ? scale : 1.0) + (shifted ? offset : 0.0);
-        if (!std::isfinite(number) || std::abs(number) > endOfNumbers)
+        if (!std::isfinite(number) || std::abs(number) > minFillValue)
             fail(array.name, "expected finite coordinates");
     }
     return good() ? numbers : std::vector<double>();
@@ -265,7 +266,7 @@ std::vector<double> NetCdfFile::coordinates(const NetCdfArray& array) {
 std::string NetCdfFile::speedUnitOf(const std::vector<Array>& arrays) {
     std::string unit;
     for (const Array& array : arrays) {
-        const std::string found = usualSpeedUnit(array->unit);
+        const std::string found = canonicalSpeedUnit(array->unit);
         if (array != arrays.front() && found != unit)
             fail(array->name, expectedFound("the unit of the other components, " + unit, found));
         unit = found;

@@ -14,26 +14,26 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double standardGravity = 9.80665; // which the unit of geopotential height is made of
+constexpr double standardGravity = 9.80665; // defines geopotential height
 
-/// Metres in one of its numbers: of a height, or of geopotential; 0 for another unit.
+/// Metres per unit of an array of heights or geopotential; 0 for other units.
 double metresIn(const NetCdfArray& array) {
     const std::string unit = lower(array.unit);
-    if (among(unit, {"m", "gpm", "meter", "meters", "metre", "metres", "geopotential meters"}))
+    if (isOneOf(unit, {"m", "gpm", "meter", "meters", "metre", "metres", "geopotential meters"}))
         return 1.0;
-    return among(unit, {"m2 s-2", "m**2 s**-2", "m^2 s^-2", "m2/s2", "m^2/s^2", "m2.s-2", "j kg-1"})
+    return isOneOf(unit, {"m2 s-2", "m**2 s**-2", "m^2 s^-2", "m2/s2", "m^2/s^2", "m2.s-2", "j kg-1"})
                ? 1.0 / standardGravity
                : 0.0;
 }
 
-/// A column of levels at one point and time: heights, and velocities with as many numbers between.
+/// The levels at one point and time. `stride` is the number of points between levels.
 struct LevelColumn {
     float* heights;
     float* values;
     std::size_t levels, stride;
 };
 
-/// Heights without data go on as those above or below; where there are none at all, there is no wind either.
+/// Extrapolates missing heights in steps of 1 m; without any height the wind becomes NaN.
 void completeHeights(const LevelColumn& column) {
     const auto height = [&](std::size_t z) -> float& { return column.heights[z * column.stride]; };
     std::size_t known = 0;
@@ -51,8 +51,8 @@ void completeHeights(const LevelColumn& column) {
             height(z) = height(z - 1) + 1.0f;
 }
 
-/// Winds at or below 0 become that of the lowest level above. @return how many.
-std::size_t holdBelowGround(const LevelColumn& column) {
+/// Replaces winds at heights of 0 or less by that of the lowest level above. @return their number.
+std::size_t fillBelowGround(const LevelColumn& column) {
     std::size_t lowest = 0;
     while (lowest < column.levels && column.heights[lowest * column.stride] <= 0.0f)
         ++lowest;
@@ -68,7 +68,7 @@ std::size_t holdBelowGround(const LevelColumn& column) {
 NetCdfLevels::NetCdfLevels(NetCdfFile& file, const NetCdfWinds& winds, NetCdfPoints& points) {
     points.levels = {0};
     if (points.level) {
-        measure(file, *winds.pairs.front().first, points);
+        findLevels(file, *winds.pairs.front().first, points);
         return;
     }
     for (const NetCdfWindPair& pair : winds.pairs)
@@ -77,7 +77,7 @@ NetCdfLevels::NetCdfLevels(NetCdfFile& file, const NetCdfWinds& winds, NetCdfPoi
     _aboveGround = !_heights.empty();
 }
 
-void NetCdfLevels::measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points) {
+void NetCdfLevels::findLevels(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points) {
     const NetCdfDimension& level = *points.level;
     const NetCdfFile::Array coordinates = file.array(level.coordinates);
     const NetCdfMeasure measure = measureOf(file, level);
@@ -90,9 +90,9 @@ void NetCdfLevels::measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoin
         findGeopotential(file, wind);
     if (!isHeight && !_geopotential)
         return file.fail(level.name,
-                         "expected heights of these levels, which are of " +
-                             std::string(measure == NetCdfMeasure::Pressure ? "pressure" : "the model") +
-                             ": an array of geopotential (z, zg or gh) on the same dimensions");
+                         "expected heights of these " +
+                             std::string(measure == NetCdfMeasure::Pressure ? "pressure" : "model") +
+                             " levels: an array of geopotential (z, zg or gh) on the same dimensions");
     if (!isHeight)
         findGround(file);
     if (isHeight ? points.levelsAt.front() > points.levelsAt.back() : !isUpward(file, points)) {
@@ -103,10 +103,10 @@ void NetCdfLevels::measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoin
         return;
     _heights.assign(points.levelsAt.begin(), points.levelsAt.end());
     _aboveGround = coordinates && (coordinates->text("standard_name") == "height" ||
-                                   begins(lower(coordinates->name), {"height"}));
+                                   startsWithAny(lower(coordinates->name), {"height"}));
     if (_aboveGround)
         return;
-    _origin = file.number("origin_z").value_or(0.0); // of PALM
+    _origin = file.number("origin_z").value_or(0.0); // PALM
     for (float& height : _heights)
         height += static_cast<float>(_origin);
 }
@@ -119,9 +119,9 @@ void NetCdfLevels::findGeopotential(const NetCdfFile& file, const NetCdfArray& w
         if (array.dimensions.size() < 3 || !roles.level || array.dimensions[*roles.level].name != level ||
             metresIn(array) == 0.0)
             return false;
-        return byStandardName ? among(array.text("standard_name"),
-                                      {"geopotential", "geopotential_height", "height", "altitude"})
-                              : among(lower(array.name), {"z", "zg", "gh", "phi", "hgt", "geopotential"});
+        return byStandardName ? isOneOf(array.text("standard_name"),
+                                        {"geopotential", "geopotential_height", "height", "altitude"})
+                              : isOneOf(lower(array.name), {"z", "zg", "gh", "phi", "hgt", "geopotential"});
     };
     for (const bool byStandardName : {true, false})
         if (!_geopotential)
@@ -136,15 +136,15 @@ void NetCdfLevels::findGround(const NetCdfFile& file) {
         const std::size_t flat = 2 + (roles.time ? 1 : 0);
         if (array.dimensions.size() != flat || !roles.x || !roles.y || metresIn(array) == 0.0)
             return false;
-        return among(array.text("standard_name"), {"surface_geopotential", "surface_altitude"}) ||
-               among(lower(array.name), {"z", "zsfc", "z_sfc", "zs", "phis", "orog", "orography", "hsurf",
-                                         "topography", "hgt", "surface_geopotential", "hgt_surface"});
+        return isOneOf(array.text("standard_name"), {"surface_geopotential", "surface_altitude"}) ||
+               isOneOf(lower(array.name), {"z", "zsfc", "z_sfc", "zs", "phis", "orog", "orography", "hsurf",
+                                           "topography", "hgt", "surface_geopotential", "hgt_surface"});
     });
     if (_ground)
         _groundScale = metresIn(*_ground);
 }
 
-/// By the first point and time; levels of pressure by their coordinates.
+/// Checks the first point and time; for pressure levels, the coordinates.
 bool NetCdfLevels::isUpward(NetCdfFile& file, const NetCdfPoints& points) const {
     if (measureOf(file, *points.level) == NetCdfMeasure::Pressure && points.levelsAt.size() > 1)
         return points.levelsAt.front() > points.levelsAt.back();
@@ -152,21 +152,21 @@ bool NetCdfLevels::isUpward(NetCdfFile& file, const NetCdfPoints& points) const 
     one.times.resize(1);
     one.y.indices.resize(1);
     one.x.indices.resize(1);
-    const std::vector<float> column = numbersAt(file, *_geopotential, one);
+    const std::vector<float> column = readAtPoints(file, *_geopotential, one);
     return column.size() < 2 || column.front() <= column.back();
 }
 
 void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, GridWind::Grid& grid,
                               WindSummary& summary) const {
     if (_origin != 0.0)
-        summary.notes.push_back("heights count from the model's origin_z, " + numberText(_origin) + " m");
+        summary.notes.push_back("heights include the model's origin_z, " + numberText(_origin) + " m");
     grid.heights = _heights;
     grid.aboveGround = _aboveGround;
     if (!_geopotential)
         return;
-    const std::vector<float> geopotential = numbersAt(file, *_geopotential, points),
+    const std::vector<float> geopotential = readAtPoints(file, *_geopotential, points),
                              ground =
-                                 _ground ? numbersAt(file, *_ground, points, true) : std::vector<float>(1);
+                                 _ground ? readAtPoints(file, *_ground, points, true) : std::vector<float>(1);
     if (!file.good())
         return;
     grid.aboveGround = _ground != nullptr;
@@ -183,7 +183,7 @@ void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, Grid
             const LevelColumn column{&grid.heights[at], &grid.values[3 * at], points.levels.size(),
                                      points.perLevel()};
             completeHeights(column);
-            held += grid.aboveGround ? holdBelowGround(column) : 0;
+            held += grid.aboveGround ? fillBelowGround(column) : 0;
         }
     for (std::size_t i = points.perLevel(); i < grid.heights.size(); ++i)
         if (i % points.perTime() >= points.perLevel() &&
@@ -192,15 +192,17 @@ void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, Grid
                                                       numberText(grid.heights[i - points.perLevel()]) +
                                                       " m below " + numberText(grid.heights[i]) + " m");
     const std::string how = _geopotential->name + (_geopotentialScale == 1.0 ? "" : " over 9.80665");
-    summary.notes.push_back(_ground ? "heights are " + how + " less the model's own ground, " +
-                                          _ground->name + ", of each point and time"
-                                    : "heights are " + how +
-                                          ", metres above sea level, of each point and time; the file has no "
-                                          "ground of its model");
+    summary.notes.push_back(_ground
+                                ? "heights are " + how + " minus the terrain of the model, " + _ground->name +
+                                      ", at each point and time"
+                                : "heights are " + how +
+                                      ", metres above sea level, at each point and time; the file does not "
+                                      "contain the terrain of the model");
     if (held > 0)
-        summary.notes.push_back(std::to_string(held) + " of " + std::to_string(points.count()) +
-                                " velocities lie below the model's ground and are those of the lowest level "
-                                "above it");
+        summary.notes.push_back(
+            std::to_string(held) + " of " + std::to_string(points.count()) +
+            " velocities are below the terrain of the model and replaced by those of the lowest "
+            "level above it");
 }
 
 } // namespace osgTreeWind

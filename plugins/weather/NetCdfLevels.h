@@ -10,27 +10,26 @@
 
 namespace osgTreeWind {
 
-/// How high the levels of a file are.
+/// Heights of the levels of a file.
 class NetCdfLevels {
 public:
-    /// Which of its arrays tell; puts its levels upward into the points. Fails where no heights can be told:
-    /// levels of pressure or of the model without geopotential.
+    /// Finds the arrays with heights, and sets the levels of the points in upward order. Fails for pressure
+    /// or model levels without geopotential.
     NetCdfLevels(NetCdfFile& file, const NetCdfWinds& winds, NetCdfPoints& points);
 
-    /// Puts heights into a grid that has its velocities. Levels below the model's ground get the wind of the
-    /// lowest above it.
+    /// Sets the heights of a grid with velocities; levels below the terrain get the lowest wind above it.
     void setHeights(NetCdfFile& file, const NetCdfPoints& points, GridWind::Grid& grid,
                     WindSummary& summary) const;
 
 private:
-    void measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points);
+    void findLevels(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points);
     void findGeopotential(const NetCdfFile& file, const NetCdfArray& wind);
     void findGround(const NetCdfFile& file);
     bool isUpward(NetCdfFile& file, const NetCdfPoints& points) const;
 
-    std::vector<float> _heights; ///< Of the layers, where they are the same at all points.
+    std::vector<float> _heights; ///< Heights of layers that are the same at all points.
     bool _aboveGround = false;
-    double _origin = 0.0; ///< Metres above its vertical datum, of the 0 of a model with an origin of its own.
+    double _origin = 0.0; ///< Height of the model's zero above its vertical datum, metres.
     NetCdfFile::Array _geopotential, _ground;
     double _geopotentialScale = 1.0, _groundScale = 1.0;
 };

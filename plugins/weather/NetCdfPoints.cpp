@@ -18,8 +18,8 @@ std::vector<double> coordinatesOf(const EvenAxis& axis) {
     return at;
 }
 
-/// A coordinate as an axis that goes round has it.
-double asOn(const EvenAxis& axis, double coordinate) {
+/// A coordinate shifted by whole periods into the range of a periodic axis.
+double wrapToAxis(const EvenAxis& axis, double coordinate) {
     const double middle = axis.first + 0.5 * axis.step * static_cast<double>(axis.count - 1);
     return axis.period > 0.0 ? coordinate - axis.period * std::round((coordinate - middle) / axis.period)
                              : coordinate;
@@ -29,11 +29,11 @@ double coordinateAt(const AxisPart& part, std::size_t i) {
     return part.first + part.step * static_cast<double>(i);
 }
 
-/// One array at the points.
-class Reading {
+/// Reads one array at the points.
+class ArrayReader {
 public:
-    Reading(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points, bool flat)
-        : _file(file), _array(array), _points(points), _roles(rolesOf(file, array)), _flat(flat),
+    ArrayReader(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points, bool isFlat)
+        : _file(file), _array(array), _points(points), _roles(rolesOf(file, array)), _isFlat(isFlat),
           _selection(array.dimensions.size(), {0}) {}
 
     std::vector<float> read() {
@@ -45,13 +45,13 @@ public:
         chooseAlong(_roles.x, _points.xAxis, _points.x, _x);
         if (!_file.good())
             return {};
-        std::vector<float> numbers = inOrder(_file.read(_array, _selection));
+        std::vector<float> numbers = inGridOrder(_file.read(_array, _selection));
         if (!_file.good())
             return {};
         const std::size_t columns = sizeOf(_roles.x), rows = sizeOf(_roles.y);
-        numbers = atPlaces(numbers, rows * columns, _levels);
-        numbers = atPlaces(numbers, columns, _y);
-        return atPlaces(numbers, 1, _x);
+        numbers = interpolate(numbers, rows * columns, _levels);
+        numbers = interpolate(numbers, columns, _y);
+        return interpolate(numbers, 1, _x);
     }
 
 private:
@@ -79,7 +79,7 @@ private:
     }
 
     void chooseLevels() {
-        if (_flat || !_points.level) {
+        if (_isFlat || !_points.level) {
             if (_roles.level && _array.dimensions[*_roles.level].size > 1)
                 _file.fail(_array.name, "expected one level, as the other arrays of wind, found those of " +
                                             _array.dimensions[*_roles.level].name);
@@ -95,11 +95,11 @@ private:
         const std::vector<double> at = osgTreeWind::coordinatesOf(_file, own);
         if (at.size() != own.size || at.empty() || !between(at))
             return expectAs(*_points.level, own.name);
-        _levels = placesAmong(at, _points.levelsAt);
+        _levels = interpolationBetween(at, _points.levelsAt);
         _selection[*_roles.level] = _levels.indices;
     }
 
-    /// Whether levels of the points lie between these, or at most half a layer beyond.
+    /// Whether the levels of the points are between these, or at most a layer beyond.
     bool between(const std::vector<double>& at) const {
         const std::vector<double>& wanted = _points.levelsAt;
         const auto [low, high] = std::minmax_element(at.begin(), at.end());
@@ -111,7 +111,7 @@ private:
     }
 
     void chooseAlong(std::optional<std::size_t> role, const NetCdfAxis& axis, const AxisPart& part,
-                     NetCdfPlaces& places) {
+                     NetCdfInterpolation& places) {
         if (!_file.good())
             return;
         if (!role)
@@ -122,9 +122,8 @@ private:
         const NetCdfMatch match = matchOf(axis, own);
         if (match == NetCdfMatch::Neither)
             return _file.fail(_array.name,
-                              "its dimension " + own.name + " lies neither on " + axis.name +
-                                  ", as the other arrays of wind, nor midway between its points; "
-                                  "expected one of these, found " +
+                              "its dimension " + own.name + " is neither the same as " + axis.name +
+                                  " of the other arrays of wind nor midway between its points: " +
                                   text(own.points) + " against " + text(axis.points));
         if (match == NetCdfMatch::Same) {
             _selection[*role] = part.indices;
@@ -132,8 +131,8 @@ private:
         }
         std::vector<double> wanted;
         for (std::size_t i = 0; i < part.indices.size(); ++i)
-            wanted.push_back(asOn(own.points, coordinateAt(part, i)));
-        places = placesAmong(coordinatesOf(own.points), wanted);
+            wanted.push_back(wrapToAxis(own.points, coordinateAt(part, i)));
+        places = interpolationBetween(coordinatesOf(own.points), wanted);
         _selection[*role] = places.indices;
     }
 
@@ -144,8 +143,8 @@ private:
 
     std::size_t sizeOf(std::optional<std::size_t> role) const { return role ? _selection[*role].size() : 1; }
 
-    /// By time, level, row and column, whatever order the file has; of versions the first with data.
-    std::vector<float> inOrder(const std::vector<float>& numbers) const {
+    /// Reorders numbers to time, level, row, column; uses the first version with data.
+    std::vector<float> inGridOrder(const std::vector<float>& numbers) const {
         std::vector<std::size_t> strides(_selection.size(), 1);
         for (std::size_t d = _selection.size(); d-- > 1;)
             strides[d - 1] = strides[d] * _selection[d].size();
@@ -174,21 +173,21 @@ private:
     const NetCdfArray& _array;
     const NetCdfPoints& _points;
     NetCdfRoles _roles;
-    bool _flat;
+    bool _isFlat;
     NetCdfSelection _selection;
-    NetCdfPlaces _levels, _y, _x;
+    NetCdfInterpolation _levels, _y, _x;
 };
 
 } // namespace
 
-void keepWithin(const NetCdfAxis& other, const NetCdfAxis& axis, AxisPart& part) {
+void clipToAxis(const NetCdfAxis& other, const NetCdfAxis& axis, AxisPart& part) {
     if (matchOf(axis, other) != NetCdfMatch::Midway)
         return;
     const double last = other.points.first + other.points.step * static_cast<double>(other.points.count - 1),
                  low = std::min(other.points.first, last) - 0.1 * part.step,
                  high = std::max(other.points.first, last) + 0.1 * part.step;
     const auto reached = [&](std::size_t i) {
-        const double at = asOn(other.points, coordinateAt(part, i));
+        const double at = wrapToAxis(other.points, coordinateAt(part, i));
         return at >= low && at <= high;
     };
     while (part.indices.size() > 1 && !reached(part.indices.size() - 1))
@@ -199,9 +198,9 @@ void keepWithin(const NetCdfAxis& other, const NetCdfAxis& axis, AxisPart& part)
     }
 }
 
-std::vector<float> numbersAt(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points,
-                             bool flat) {
-    return Reading(file, array, points, flat).read();
+std::vector<float> readAtPoints(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points,
+                                bool isFlat) {
+    return ArrayReader(file, array, points, isFlat).read();
 }
 
 } // namespace osgTreeWind

@@ -11,29 +11,29 @@
 
 namespace osgTreeWind {
 
-/// The points and times of a file at which wind is wanted.
+/// The points and times of a file to be read.
 struct NetCdfPoints {
     std::optional<NetCdfDimension> time, level;
-    std::vector<std::size_t> times;  ///< Indices in the file; one where there is no such dimension.
-    std::vector<std::size_t> levels; ///< The same, upward.
-    std::vector<double> levelsAt;    ///< Their coordinates.
+    std::vector<std::size_t> times;  ///< Indices in the file; one if there is no time dimension.
+    std::vector<std::size_t> levels; ///< Indices in the file, upward; one if there is no level dimension.
+    std::vector<double> levelsAt;    ///< Coordinates of the levels.
     NetCdfAxis yAxis, xAxis;
-    AxisPart y, x;         ///< Of them.
-    glm::dvec2 onMap{0.0}; ///< Added to x and y it makes them those of the file's map.
+    AxisPart y, x;             ///< The parts of the axes to be read.
+    glm::dvec2 mapOffset{0.0}; ///< Added to x and y to get coordinates in the CRS.
 
     std::size_t perLevel() const { return y.indices.size() * x.indices.size(); }
     std::size_t perTime() const { return levels.size() * perLevel(); }
     std::size_t count() const { return times.size() * perTime(); }
 };
 
-/// Leaves out points that an axis midway between theirs does not reach.
-void keepWithin(const NetCdfAxis& other, const NetCdfAxis& axis, AxisPart& part);
+/// Removes points of `part` beyond the ends of an axis whose points are midway between them.
+void clipToAxis(const NetCdfAxis& other, const NetCdfAxis& axis, AxisPart& part);
 
-/// Numbers of an array at the points: by time, level, row and column. Where its axes lie midway between those
-/// of the points they are means of the neighbours; any other axes are refused, and so is an array without
-/// levels where points have some. One of no time, or of no level where `flat`, holds for all: it gives the
-/// numbers of one.
-std::vector<float> numbersAt(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points,
-                             bool flat = false);
+/// Reads an array at the points, in the order time, level, row, column. If its axes are midway between those
+/// of the points (staggered), neighbours are averaged. Fails for other axes, and for an array without levels
+/// if the points have levels. An array without time, or without levels if `isFlat`, returns only one time or
+/// level.
+std::vector<float> readAtPoints(NetCdfFile& file, const NetCdfArray& array, const NetCdfPoints& points,
+                                bool isFlat = false);
 
 } // namespace osgTreeWind

@@ -8,9 +8,9 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Consecutive indices along one dimension.
+/// A run of consecutive indices along a dimension.
 struct Run {
-    std::size_t at = 0;    ///< Of its first in the selection.
+    std::size_t at = 0;    ///< Position in the selection.
     std::size_t first = 0; ///< Lowest index.
     std::size_t count = 1;
     bool downward = false;
@@ -34,7 +34,7 @@ std::vector<Run> runsOf(const std::vector<std::size_t>& indices) {
     return runs;
 }
 
-/// To the next combination, the last place fastest. False after the last.
+/// Advances to the next combination of indices, the last one fastest. @return false at the end.
 bool advance(std::vector<std::size_t>& place, const std::vector<std::size_t>& sizes) {
     for (std::size_t d = place.size(); d-- > 0;) {
         if (++place[d] < sizes[d])
@@ -44,7 +44,7 @@ bool advance(std::vector<std::size_t>& place, const std::vector<std::size_t>& si
     return false;
 }
 
-/// Puts the numbers of a block where the selection wants them.
+/// Copies the numbers of a block to their positions in the selection.
 void scatter(const std::vector<float>& block, const std::vector<Run>& runs,
              const std::vector<std::size_t>& strides, const std::vector<std::size_t>& counts,
              std::vector<float>& numbers) {

@@ -7,15 +7,15 @@
 
 namespace osgTreeWind {
 
-/// Which numbers of an array are wanted, in which order: indices along each of its dimensions.
+/// A selection of an array: indices along each dimension, in the order of the result.
 using NetCdfSelection = std::vector<std::vector<std::size_t>>;
 
-/// All of a dimension.
+/// All indices of a dimension.
 std::vector<std::size_t> allOf(std::size_t size);
 
 std::size_t countOf(const NetCdfSelection& selection);
 
-/// Numbers of an array that stand together in it.
+/// A contiguous block of an array.
 struct NetCdfBlock {
     std::vector<unsigned long long> starts;
     std::vector<std::size_t> counts;
@@ -23,8 +23,8 @@ struct NetCdfBlock {
 
 std::size_t countOf(const NetCdfBlock& block);
 
-/// Reads a selection block by block: as few as its indices have runs, upward or downward.
-/// @param read the numbers of one block, in the order of the array; false ends it.
+/// Reads a selection in blocks: one for each combination of ascending or descending runs of indices.
+/// @param read reads one block in the order of the array; returns false to stop.
 bool readSelection(const NetCdfSelection& selection,
                    const std::function<bool(const NetCdfBlock&, float* numbers)>& read,
                    std::vector<float>& numbers);

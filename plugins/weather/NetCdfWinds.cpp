@@ -18,39 +18,39 @@ namespace {
 using Array = NetCdfFile::Array;
 using Names = std::vector<std::string>;
 
-/// The arrays of at least two dimensions with one of these standard names, or of these names of their own.
-std::vector<Array> called(const NetCdfFile& file, const Names& standard, const Names& own) {
+/// The arrays of at least two dimensions with one of these standard names or names.
+std::vector<Array> arraysNamed(const NetCdfFile& file, const Names& standard, const Names& own) {
     std::vector<Array> found;
     for (const Array& array : file.arrays())
         if (array->dimensions.size() >= 2 &&
-            (among(array->text("standard_name"), standard) || among(lower(array->name), own)))
+            (isOneOf(array->text("standard_name"), standard) || isOneOf(lower(array->name), own)))
             found.push_back(array);
     return found;
 }
 
-/// The same, standard names before own ones; null for none.
-Array firstCalled(const NetCdfFile& file, const Names& standard, const Names& own) {
-    std::vector<Array> found = called(file, standard, {});
+/// The first of these arrays, preferring standard names; null if there is none.
+Array firstArrayNamed(const NetCdfFile& file, const Names& standard, const Names& own) {
+    std::vector<Array> found = arraysNamed(file, standard, {});
     if (found.empty())
-        found = called(file, {}, own);
+        found = arraysNamed(file, {}, own);
     return found.empty() ? nullptr : found.front();
 }
 
-/// The arrays whose names begin like this.
-std::vector<Array> beginning(const NetCdfFile& file, const std::string& begin) {
+/// The arrays of at least two dimensions whose names have this prefix.
+std::vector<Array> arraysWithPrefix(const NetCdfFile& file, const std::string& begin) {
     std::vector<Array> found;
     for (const Array& array : file.arrays())
-        if (array->dimensions.size() >= 2 && begins(lower(array->name), {begin}))
+        if (array->dimensions.size() >= 2 && startsWithAny(lower(array->name), {begin}))
             found.push_back(array);
     return found;
 }
 
-Array firstBeginning(const NetCdfFile& file, const std::string& begin) {
-    const std::vector<Array> found = beginning(file, begin);
+Array firstArrayWithPrefix(const NetCdfFile& file, const std::string& begin) {
+    const std::vector<Array> found = arraysWithPrefix(file, begin);
     return found.empty() ? nullptr : found.front();
 }
 
-/// The height in the name of a component: 10 of u10, U10M, u_10m, 10u, 10m_u and uas.
+/// The height in the name of a component: 10 for u10, U10M, u_10m, 10u, 10m_u and uas.
 std::optional<double> heightIn(const std::string& name, char component) {
     static const std::regex after("([uv])_?(\\d{1,3})(m?)"), before("(\\d{1,3})(m_)?([uv])");
     const std::string small = lower(name);
@@ -63,12 +63,12 @@ std::optional<double> heightIn(const std::string& name, char component) {
     const double height = parseNumber(parts[isAfter ? 2 : 1].str()).value_or(0.0);
     const bool isMetres = !isAfter || parts[3].length() > 0;
     if (parts[isAfter ? 1 : 3].str()[0] != component || height <= 0.0 ||
-        (height > 100.0 && !isMetres)) // u850 stands on a level of pressure
+        (height > 100.0 && !isMetres)) // u850 is on a pressure level
         return std::nullopt;
     return height;
 }
 
-/// The height above ground that a scalar coordinate states.
+/// The height above ground in a scalar coordinate.
 std::optional<double> scalarHeight(NetCdfFile& file, const NetCdfArray& array) {
     const std::string names = ' ' + array.text("coordinates") + ' ';
     for (const Array& one : file.arrays()) {
@@ -76,7 +76,7 @@ std::optional<double> scalarHeight(NetCdfFile& file, const NetCdfArray& array) {
             one->dimensions.empty() || (one->dimensions.size() == 1 && one->dimensions[0].size == 1);
         if (!isScalar || names.find(' ' + one->name + ' ') == std::string::npos)
             continue;
-        if (one->text("standard_name") == "height" || begins(lower(one->name), {"height"})) {
+        if (one->text("standard_name") == "height" || startsWithAny(lower(one->name), {"height"})) {
             const std::vector<double> height = file.coordinates(*one);
             if (!height.empty())
                 return height.front();
@@ -85,8 +85,8 @@ std::optional<double> scalarHeight(NetCdfFile& file, const NetCdfArray& array) {
     return std::nullopt;
 }
 
-/// The array that goes with another: as its name but for the letters of its component; of a first that is
-/// the only one, else any on as many dimensions.
+/// The second component for a first: the array with the same name except for the letter of the component. If
+/// there is only one first component, any array with as many dimensions.
 Array partnerOf(const NetCdfArray& first, const std::vector<Array>& seconds, bool isOnly) {
     static const std::pair<const char*, const char*> letters[] = {
         {"u", "v"}, {"U", "V"}, {"x", "y"}, {"X", "Y"}, {"east", "north"}};
@@ -115,7 +115,7 @@ std::vector<NetCdfWindPair> pairsOf(NetCdfFile& file, const std::vector<Array>& 
     return pairs;
 }
 
-/// Components that their names put at a height, as ERA5's u10 and v100.
+/// Components with a height in their names, such as ERA5's u10 and v100.
 std::vector<NetCdfWindPair> pairsAtHeights(NetCdfFile& file) {
     std::vector<Array> firsts, seconds;
     for (const Array& array : file.arrays()) {
@@ -129,8 +129,7 @@ std::vector<NetCdfWindPair> pairsAtHeights(NetCdfFile& file) {
     return pairsOf(file, firsts, seconds);
 }
 
-/// The first pair with levels, of several that in metres; else all that stand at a height on the dimensions
-/// of the first.
+/// The first pair with levels, preferably in metres; otherwise all pairs at heights on the same dimensions.
 std::vector<NetCdfWindPair> chosen(const NetCdfFile& file, const std::vector<NetCdfWindPair>& pairs) {
     for (const bool metres : {true, false})
         for (const NetCdfWindPair& pair : pairs) {
@@ -159,14 +158,14 @@ std::vector<NetCdfWindPair> chosen(const NetCdfFile& file, const std::vector<Net
     return layers;
 }
 
-/// The velocity upward; not what is upward in pressure.
+/// The vertical velocity; not the change of pressure.
 Array upOf(const NetCdfFile& file, const NetCdfArray& first, std::vector<std::string>& notes) {
-    Array up = firstCalled(file, {"upward_air_velocity"}, {"w"});
+    Array up = firstArrayNamed(file, {"upward_air_velocity"}, {"w"});
     if (!up || up->dimensions.size() != first.dimensions.size())
         return nullptr;
     if (lower(up->unit).find("pa") == std::string::npos)
         return up;
-    notes.push_back(up->name + " is the change of pressure, in " + up->unit + ", and is left out");
+    notes.push_back(up->name + " is the change of pressure, in " + up->unit + ", and is ignored");
     return nullptr;
 }
 
@@ -177,12 +176,12 @@ bool findComponents(NetCdfFile& file, NetCdfWinds& winds) {
     std::vector<NetCdfWindPair> pairs;
     for (const auto& [east, north] : standard)
         if (pairs.empty())
-            pairs = pairsOf(file, called(file, {east}, {}), called(file, {north}, {}));
+            pairs = pairsOf(file, arraysNamed(file, {east}, {}), arraysNamed(file, {north}, {}));
     if (pairs.empty())
-        pairs = pairsOf(file, called(file, {}, {"u", "ua", "uwnd", "ugrd"}),
-                        called(file, {}, {"v", "va", "vwnd", "vgrd"}));
+        pairs = pairsOf(file, arraysNamed(file, {}, {"u", "ua", "uwnd", "ugrd"}),
+                        arraysNamed(file, {}, {"v", "va", "vwnd", "vgrd"}));
     if (pairs.empty())
-        pairs = pairsOf(file, beginning(file, "u-component"), beginning(file, "v-component"));
+        pairs = pairsOf(file, arraysWithPrefix(file, "u-component"), arraysWithPrefix(file, "v-component"));
     for (const NetCdfWindPair& pair : pairsAtHeights(file))
         pairs.push_back(pair);
     if (pairs.empty())
@@ -190,32 +189,27 @@ bool findComponents(NetCdfFile& file, NetCdfWinds& winds) {
     winds.pairs = chosen(file, pairs);
     const NetCdfArray& u = *winds.pairs.front().first;
     winds.up = winds.pairs.size() == 1 ? upOf(file, u, winds.notes) : nullptr;
-    // Data from GRIB have a flag; their name is the same either way.
+    // Data converted from GRIB have a flag, because their names do not tell.
     const std::string ofGrid = u.text("GRIB_uvRelativeToGrid");
     winds.fromTrueNorth = ofGrid.empty() ? u.text("standard_name") == "eastward_wind" : ofGrid == "0";
     winds.direction = winds.fromTrueNorth ? "components toward true east, true north and up"
                                           : "components toward x (east), y (north) and up";
-    std::vector<Array> all;
-    for (const NetCdfWindPair& pair : winds.pairs)
-        all.insert(all.end(), {pair.first, pair.second});
-    if (winds.up)
-        all.push_back(winds.up);
-    winds.unit = file.speedUnitOf(all);
+    winds.unit = file.speedUnitOf(winds.arrays());
     return true;
 }
 
 bool findSpeedAndDirection(NetCdfFile& file, NetCdfWinds& winds) {
-    Array speed = firstCalled(file, {"wind_speed"}, {"wind_speed", "speed"});
-    const Array from = firstCalled(file, {"wind_from_direction"},
-                                   {"wind_from_direction", "wind_direction", "direction"}),
-                toward = firstCalled(file, {"wind_to_direction"}, {"wind_to_direction"});
+    Array speed = firstArrayNamed(file, {"wind_speed"}, {"wind_speed", "speed"});
+    const Array from = firstArrayNamed(file, {"wind_from_direction"},
+                                       {"wind_from_direction", "wind_direction", "direction"}),
+                toward = firstArrayNamed(file, {"wind_to_direction"}, {"wind_to_direction"});
     if (!speed)
-        speed = firstBeginning(file, "wind_speed");
-    const Array direction = from ? from : toward ? toward : firstBeginning(file, "wind_direction_from");
+        speed = firstArrayWithPrefix(file, "wind_speed");
+    const Array direction = from ? from : toward ? toward : firstArrayWithPrefix(file, "wind_direction_from");
     if (!speed || !direction)
         return false;
     winds.pairs = {{speed, direction, scalarHeight(file, *speed)}};
-    winds.polar = true;
+    winds.isPolar = true;
     winds.sense = !from && toward ? DirectionSense::Toward : DirectionSense::From;
     const std::string unit = direction->unit, name = direction->text("standard_name");
     if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
@@ -229,6 +223,15 @@ bool findSpeedAndDirection(NetCdfFile& file, NetCdfWinds& winds) {
 }
 
 } // namespace
+
+std::vector<NetCdfFile::Array> NetCdfWinds::arrays() const {
+    std::vector<Array> all;
+    for (const NetCdfWindPair& pair : pairs)
+        all.insert(all.end(), {pair.first, pair.second});
+    if (up)
+        all.push_back(up);
+    return all;
+}
 
 NetCdfWinds windsOf(NetCdfFile& file) {
     NetCdfWinds winds;

@@ -11,23 +11,26 @@
 
 namespace osgTreeWind {
 
-/// Two components of wind, or speed and direction, on as many levels as their arrays have.
+/// Arrays of two components of wind, or of speed and direction.
 struct NetCdfWindPair {
     NetCdfFile::Array first, second;
-    std::optional<double> height; ///< Metres above ground, where the file says so of all of it.
+    std::optional<double> height; ///< Metres above ground, if both arrays are at a single height.
 };
 
-/// Which arrays of a file are wind, and what they mean.
+/// The wind arrays of a file and their meaning.
 struct NetCdfWinds {
-    std::vector<NetCdfWindPair> pairs; ///< Upward; one where its arrays have levels.
-    NetCdfFile::Array up;              ///< Null where there is none.
-    bool polar = false, fromTrueNorth = false;
+    std::vector<NetCdfWindPair> pairs; ///< In upward order; only one if its arrays have levels.
+    NetCdfFile::Array up;              ///< Vertical velocity; null if there is none.
+    bool isPolar = false, fromTrueNorth = false;
     DirectionSense sense = DirectionSense::From;
-    std::string direction, unit; ///< As WindSummary has them.
+    std::string direction, unit; ///< As in WindSummary.
     std::vector<std::string> notes;
+
+    /// All wind arrays, none null.
+    std::vector<NetCdfFile::Array> arrays() const;
 };
 
-/// By standard names of the CF conventions, else by usual names. Fails where there is none.
+/// Finds wind arrays by CF standard names, otherwise by common names. Fails if there are none.
 NetCdfWinds windsOf(NetCdfFile& file);
 
 } // namespace osgTreeWind

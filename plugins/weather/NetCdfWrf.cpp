@@ -3,7 +3,7 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -18,12 +18,12 @@ namespace {
 
 constexpr float wrfGravity = 9.81f;
 
-/// Sizes of the mass grid: times, layers, rows, columns.
+/// Size of the mass grid: times, layers, rows, columns.
 struct Sizes {
     std::size_t t, z, y, x;
 };
 
-/// The mean of neighbours along one staggered axis of an array of blocks of (size + 1) * stride numbers.
+/// Means of neighbours along the staggered axis of an array of blocks of (size + 1) * stride numbers.
 std::vector<float> destaggered(const std::vector<float>& values, std::size_t blocks, std::size_t size,
                                std::size_t stride) {
     std::vector<float> means;
@@ -36,11 +36,11 @@ std::vector<float> destaggered(const std::vector<float>& values, std::size_t blo
     return means;
 }
 
-/// The model's map as PROJ writes it; empty where the file names none of those known here.
-std::string mapOf(const NetCdfFile& file) {
+/// PROJ text of the model's projection; empty if it is unknown.
+std::string projText(const NetCdfFile& file) {
     const auto attribute = [&](const char* name) {
         const std::optional<double> number = file.number(name);
-        return number ? numberText(std::round(*number * 1e5) / 1e5) : std::string(); // a 32-bit float
+        return number ? numberText(std::round(*number * 1e5) / 1e5) : std::string(); // rounds a 32-bit float
     };
     const std::string kind = attribute("MAP_PROJ"), first = attribute("TRUELAT1"),
                       second = attribute("TRUELAT2"), middle = attribute("MOAD_CEN_LAT"),
@@ -58,15 +58,15 @@ std::string mapOf(const NetCdfFile& file) {
     return {};
 }
 
-/// Where the model's grid stands.
-struct Place {
-    glm::dvec2 corner{0.0};        ///< The south-western cell at the first time, metres on the map.
-    std::vector<glm::ivec2> moved; ///< By these cells east and north since then, at each time.
+/// Position of the model's grid.
+struct GridPosition {
+    glm::dvec2 corner{0.0};        ///< South-western cell at the first time, projected metres.
+    std::vector<glm::ivec2> moved; ///< Cells east and north since the first time, at each time.
 };
 
-/// Cells of the model, to be read.
+/// The cells of the model to be read.
 struct Window {
-    glm::ivec2 low{0}, high{0}; ///< Both read.
+    glm::ivec2 low{0}, high{0}; ///< Inclusive.
 
     std::size_t columns() const { return static_cast<std::size_t>(high.x - low.x + 1); }
     std::size_t rows() const { return static_cast<std::size_t>(high.y - low.y + 1); }
@@ -79,8 +79,8 @@ std::vector<std::size_t> range(int low, int high) {
     return indices;
 }
 
-/// Numbers of an array over the cells, of one time for all or of each; none where it is of another shape.
-std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n,
+/// Reads an array over cells, with or without a time dimension; empty if it has another shape.
+std::vector<float> readCells(NetCdfFile& file, const char* name, const Sizes& n,
                              const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
     const NetCdfFile::Array array = file.array(name);
     std::vector<std::size_t> sizes;
@@ -94,37 +94,38 @@ std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n,
     return {};
 }
 
-/// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
-std::optional<Place> placeOn(const Crs& map, NetCdfFile& file, const Sizes& n, const glm::dvec2& cell) {
-    const auto way = CrsWay::between(Crs::degrees(), map);
-    // Of two opposite corners, which are the first and the last of four numbers.
+/// The position from XLAT and XLONG; empty if they do not match the projection and cell size.
+std::optional<GridPosition> findPosition(const Crs& map, NetCdfFile& file, const Sizes& n,
+                                         const glm::dvec2& cell) {
+    const auto transform = CrsTransform::between(Crs::wgs84(), map);
+    // Reads the four corners; two opposite ones are used: the first and the last.
     const std::vector<std::size_t> rows = {0, n.y - 1}, columns = {0, n.x - 1};
-    const std::vector<float> longitudes = overCells(file, "XLONG", n, rows, columns),
-                             latitudes = overCells(file, "XLAT", n, rows, columns);
-    if (!way || longitudes.empty() || latitudes.empty())
+    const std::vector<float> longitudes = readCells(file, "XLONG", n, rows, columns),
+                             latitudes = readCells(file, "XLAT", n, rows, columns);
+    if (!transform || longitudes.empty() || latitudes.empty())
         return {};
     const auto cornerAt = [&](std::size_t i, glm::dvec2& corner) {
         corner = {longitudes[i % longitudes.size()], latitudes[i % latitudes.size()]};
-        return way.value().go(corner);
+        return transform.value().apply(corner);
     };
     const glm::dvec2 size(n.x, n.y);
-    Place place;
+    GridPosition position;
     for (std::size_t t = 0; t < n.t; ++t) {
         glm::dvec2 corner, opposite;
         if (!cornerAt(4 * t, corner) || !cornerAt(4 * t + 3, opposite))
             return {};
         if (t == 0)
-            place.corner = corner;
-        const glm::dvec2 cells = (opposite - corner) / cell, moved = (corner - place.corner) / cell;
+            position.corner = corner;
+        const glm::dvec2 cells = (opposite - corner) / cell, moved = (corner - position.corner) / cell;
         const glm::dvec2 off = glm::max(glm::abs(cells - (size - 1.0)), glm::abs(moved - glm::round(moved)));
         if (!(off.x < 0.1 && off.y < 0.1))
             return {};
-        place.moved.emplace_back(glm::clamp(glm::round(moved), -size, size));
+        position.moved.emplace_back(glm::clamp(glm::round(moved), -size, size));
     }
-    return place;
+    return position;
 }
 
-/// The cells of all times that stand in a part of the grid.
+/// The cells that are in a part of the grid at any time.
 Window windowOf(const AxisPart& x, const AxisPart& y, const std::vector<glm::ivec2>& moved, const Sizes& n) {
     const glm::ivec2 first(static_cast<int>(x.indices.front()), static_cast<int>(y.indices.front())),
         last(static_cast<int>(x.indices.back()), static_cast<int>(y.indices.back())),
@@ -137,25 +138,24 @@ Window windowOf(const AxisPart& x, const AxisPart& y, const std::vector<glm::ive
     return window;
 }
 
-/// Velocities and heights at the centres of all cells.
-struct Means {
+/// Velocities and heights at cell centres.
+struct CellValues {
     std::vector<float> u, v, w, height;
 };
 
-/// The part of the model that is read, and how.
-struct Part {
-    Sizes n;                ///< Of the whole.
-    AxisPart x, y;          ///< Of the grid.
-    Window window;          ///< Of the file.
-    std::size_t layers = 0; ///< Of the grid.
-    WindExtent whole;       ///< Of the file.
+/// The part of the model to be read.
+struct ModelPart {
+    Sizes n;                ///< Size of the model.
+    AxisPart x, y;          ///< Points of the grid.
+    Window window;          ///< Cells of the file.
+    std::size_t layers = 0; ///< Layers of the grid.
+    WindExtent fileExtent;  ///< Extent of the file.
 
     std::size_t cells() const { return window.rows() * window.columns(); }
 };
 
-/// Puts one time behind those in the grid. @param moved cells by which the model's grid stands farther east
-/// and north than it; where it does not reach, its edges hold.
-void append(const Means& means, std::size_t t, const Part& part, const glm::ivec2& moved,
+/// Appends one time, clamped to the edges of the model. @param moved displacement of the model in cells.
+void append(const CellValues& means, std::size_t t, const ModelPart& part, const glm::ivec2& moved,
             GridWind::Grid& grid) {
     const glm::ivec2 last(static_cast<int>(part.n.x) - 1, static_cast<int>(part.n.y) - 1);
     for (std::size_t layer = t * part.layers; layer < (t + 1) * part.layers; ++layer)
@@ -173,7 +173,7 @@ void append(const Means& means, std::size_t t, const Part& part, const glm::ivec
             }
 }
 
-/// The arrays of a file, in the order of the names below.
+/// Names of the arrays with levels, in the order of Arrays.
 constexpr const char* names[] = {"U", "V", "W", "PH", "PHB"};
 using Arrays = std::vector<NetCdfFile::Array>;
 
@@ -192,7 +192,7 @@ void expectShape(NetCdfFile& file, const NetCdfArray& array, const std::vector<s
         file.fail(array.name, "expected " + expected + " numbers, as U has them, found " + found);
 }
 
-/// U, V, W, PH and PHB on their faces of cells; or U10 and V10.
+/// Finds the staggered U, V, W, PH and PHB, or U10 and V10, and checks their shapes.
 Arrays arraysOf(NetCdfFile& file, Sizes& n) {
     const bool levels = hasLevels(file);
     Arrays arrays;
@@ -223,7 +223,7 @@ Arrays arraysOf(NetCdfFile& file, Sizes& n) {
     return arrays;
 }
 
-/// Times as XTIME has them; where it says no date, since the start of the simulation.
+/// Reads times from XTIME; without a date they are relative to the start of the simulation.
 void readTimes(NetCdfFile& file, const Sizes& n, GridWind::Grid& grid, WindSummary& summary) {
     const NetCdfFile::Array times = file.array("XTIME");
     if (!times || times->dimensions.size() > 1 ||
@@ -233,15 +233,15 @@ void readTimes(NetCdfFile& file, const Sizes& n, GridWind::Grid& grid, WindSumma
     std::string unit = times->unit.empty() ? "minutes" : times->unit;
     if (unit.find(" since ") == std::string::npos && !from.empty())
         unit += " since " + from;
-    const Result<CfTimes> known = cfTimes(file.coordinates(*times), unit, times->text("calendar"));
+    const Result<CfTimes> known = decodeCfTimes(file.coordinates(*times), unit, times->text("calendar"));
     if (!known)
         return file.fail("XTIME", known.problems().front().message);
     grid.times = known.value().seconds;
     summary.start = known.value().start;
 }
 
-/// Velocities and heights at the centres of cells.
-Means readMeans(NetCdfFile& file, const Arrays& arrays, const Part& part, bool& aboveGround) {
+/// Reads velocities and heights at cell centres.
+CellValues readCellValues(NetCdfFile& file, const Arrays& arrays, const ModelPart& part, bool& aboveGround) {
     const Window& window = part.window;
     const std::vector<std::size_t> times = allOf(part.n.t), rows = range(window.low.y, window.high.y),
                                    columns = range(window.low.x, window.high.x);
@@ -259,7 +259,7 @@ Means readMeans(NetCdfFile& file, const Arrays& arrays, const Part& part, bool& 
                              up = file.read(*arrays[2], {times, faces, rows, columns});
     std::vector<float> heights = file.read(*arrays[3], {times, faces, rows, columns});
     const std::vector<float> base = file.read(*arrays[4], {times, faces, rows, columns}),
-                             ground = overCells(file, "HGT", part.n, rows, columns);
+                             ground = readCells(file, "HGT", part.n, rows, columns);
     if (!file.good())
         return {};
     aboveGround = !ground.empty();
@@ -273,27 +273,27 @@ Means readMeans(NetCdfFile& file, const Arrays& arrays, const Part& part, bool& 
             destaggered(heights, t, z, cells)};
 }
 
-/// Says where the model's grid stands, and what that leaves to be known.
-void notePlace(const std::string& map, const std::optional<Place>& place, bool asStored,
-               WindSummary& summary) {
-    if (!place) {
+/// Sets coordinates and notes on the position of the grid.
+void notePosition(const std::string& map, const std::optional<GridPosition>& position, bool asStored,
+                  WindSummary& summary) {
+    if (!position) {
         summary.notes.push_back(
-            std::string(map.empty() ? "the file names no map that is known here (MAP_PROJ 1, 2 or 3)"
-                                    : "XLAT and XLONG are not on the map and cells that the file names") +
+            std::string(map.empty() ? "the file has no supported projection (MAP_PROJ 1, 2 or 3)"
+                                    : "XLAT and XLONG do not match the projection and cell size") +
             "; x and y are metres from the centre of the south-western cell");
         return;
     }
     summary.coordinates = map;
     const auto stands = [](const glm::ivec2& moved) { return moved == glm::ivec2(0); };
-    if (!std::all_of(place->moved.begin(), place->moved.end(), stands))
+    if (!std::all_of(position->moved.begin(), position->moved.end(), stands))
         summary.notes.emplace_back(
-            asStored ? "the model's grid moves; winds of later times are shown at the places that their "
-                       "cells have at the first time, in a forest they are where they blew"
-                     : "the model's grid moves; its winds are read at the cells of its "
-                       "first time, edges held where later ones do not reach");
+            asStored ? "the model's grid moves; later winds are shown at the places of their cells at the "
+                       "first time, in a forest they are placed where they blew"
+                     : "the model's grid moves; its winds are read at the cells of the first time, "
+                       "clamped to the edges of the grid at later times");
 }
 
-/// What is said of velocities and heights.
+/// Sets format, direction and notes on velocities and heights.
 void noteValues(bool levels, bool aboveGround, WindSummary& summary) {
     summary.format = "NetCDF, WRF output";
     summary.direction = "components toward x, y and up of the model's grid";
@@ -302,22 +302,22 @@ void noteValues(bool levels, bool aboveGround, WindSummary& summary) {
     else
         summary.notes = {"velocities at cell centres, means of the staggered neighbours",
                          aboveGround
-                             ? "heights are (PH + PHB) / 9.81 less the model's own ground, HGT, of each "
+                             ? "heights are (PH + PHB) / 9.81 minus the terrain of the model, HGT, at each "
                                "point and time"
-                             : "heights are (PH + PHB) / 9.81, metres above sea level, of each point "
+                             : "heights are (PH + PHB) / 9.81, metres above sea level, at each point "
                                "and time"};
 }
 
-/// The cells around an area, if one is asked for.
-Part partOf(NetCdfFile& file, const Sizes& n, const glm::dvec2& corner, const glm::dvec2& cell,
-            const std::vector<glm::ivec2>& moved, const std::string& crs, const WindRequest& request) {
+/// The part around the requested area, or all.
+ModelPart partOf(NetCdfFile& file, const Sizes& n, const glm::dvec2& corner, const glm::dvec2& cell,
+                 const std::vector<glm::ivec2>& moved, const std::string& crs, const WindRequest& request) {
     const EvenAxis x{corner.x, cell.x, n.x, 0.0}, y{corner.y, cell.y, n.y, 0.0};
-    const Result<GridPart> wanted = partFor(request, crs, x, y);
+    const Result<GridPart> wanted = gridPartFor(request, crs, x, y);
     if (!wanted) {
         file.fail({}, wanted.problems().front().message);
         return {};
     }
-    Part part{n, wanted.value().x, wanted.value().y, {}, n.z, wanted.value().whole};
+    ModelPart part{n, wanted.value().x, wanted.value().y, {}, n.z, wanted.value().fileExtent};
     part.window = windowOf(part.x, part.y, moved, n);
     return part;
 }
@@ -336,24 +336,24 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) 
     GridWind::Grid grid;
     Sizes n{};
     const Arrays arrays = arraysOf(file, n);
-    const glm::dvec2 cell(file.positive("DX"), file.positive("DY"));
+    const glm::dvec2 cell(file.positiveNumber("DX"), file.positiveNumber("DY"));
     if (!file.good())
         return file.problem();
-    const std::string map = mapOf(file);
+    const std::string map = projText(file);
     const Result<Crs> crs = map.empty() ? Result<Crs>(Crs()) : Crs::parse(map);
-    const std::optional<Place> place =
-        map.empty() || !crs ? std::nullopt : placeOn(crs.value(), file, n, cell);
+    const std::optional<GridPosition> position =
+        map.empty() || !crs ? std::nullopt : findPosition(crs.value(), file, n, cell);
     const std::vector<glm::ivec2> moved =
-        place && !request.asStored ? place->moved : std::vector<glm::ivec2>(n.t, glm::ivec2(0));
-    if (place)
+        position && !request.asStored ? position->moved : std::vector<glm::ivec2>(n.t, glm::ivec2(0));
+    if (position)
         content.summary.crs = crs.value().text();
-    const glm::dvec2 corner = place ? place->corner : glm::dvec2(0.0);
-    const Part part = partOf(file, n, corner, cell, moved, content.summary.crs, request);
+    const glm::dvec2 corner = position ? position->corner : glm::dvec2(0.0);
+    const ModelPart part = partOf(file, n, corner, cell, moved, content.summary.crs, request);
     if (!file.good())
         return file.problem();
     content.summary.unit = file.speedUnitOf({arrays.begin(), arrays.begin() + (arrays.size() == 2 ? 2 : 3)});
-    content.whole = part.whole;
-    const Means means = readMeans(file, arrays, part, grid.aboveGround);
+    content.fileExtent = part.fileExtent;
+    const CellValues means = readCellValues(file, arrays, part, grid.aboveGround);
     readTimes(file, n, grid, content.summary);
     if (!file.good())
         return file.problem();
@@ -369,7 +369,7 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) 
         grid.heights = {10.0f};
         grid.aboveGround = true;
     }
-    notePlace(map, place, request.asStored, content.summary);
+    notePosition(map, position, request.asStored, content.summary);
     content.data = std::move(grid);
     return content;
 }

@@ -9,12 +9,12 @@
 namespace osgTreeWind {
 
 template <typename Words = std::initializer_list<const char*>>
-bool among(const std::string& word, const Words& words) {
+bool isOneOf(const std::string& word, const Words& words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Whether it begins with any of these.
-inline bool begins(std::string_view word, std::initializer_list<std::string_view> beginnings) {
+/// Whether a word begins with any of these.
+inline bool startsWithAny(std::string_view word, std::initializer_list<std::string_view> beginnings) {
     return std::any_of(beginnings.begin(), beginnings.end(),
                        [&](std::string_view one) { return word.substr(0, one.size()) == one; });
 }

@@ -1,15 +1,15 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Bark: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit;
-// gl_MultiTexCoord1: shade, law/shade.glsl.
+// Bark: vertices are at a distance `radius` from the centre line of the branch.
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u (0 to 2 around), v, unit;
+// gl_MultiTexCoord1: shade (law/shade.glsl).
 
 #include "branchwise/tree.glsl"
 #include "light.glsl"
 #define VERTEX_SHADER
 #include "surface.glsl"
 
-uniform float treeOwn; // number of this tree, [0, 1)
+uniform float treeOwn; // number of the tree, [0, 1)
 
 out vec3 barkCoord; // bark_texture.glsl
 out float barkRadius; // metres

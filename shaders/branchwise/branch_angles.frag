@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind
-// at its base and what it is made of. Texels are packed by osgTreeWind/gpu/branchwise/AnglePrePass.cpp.
+// The branch pass (thesis §5.2, appendix B): computes the next state of a branch unit from its previous state, the wind
+// at its base and its parameters. osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp packs the texels.
 
 #include "data.glsl"
 #include "target.glsl"
@@ -12,10 +12,10 @@
 #include "law/rotation.glsl"
 #include "law/thesis_branch.glsl"
 
-uniform sampler2D previousAngles;   // one texel a unit: its state
-uniform sampler2D wind;             // one texel a unit: m/s in the tree's own frame, Z up
-uniform sampler2D branchParameters; // three texels a unit
-uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
+uniform sampler2D previousAngles;   // one texel per unit: its state
+uniform sampler2D wind;             // one texel per unit: m/s in the tree's frame, Z up
+uniform sampler2D branchParameters; // three texels per unit
+uniform sampler2D speciesTexels;    // four texels per species; the first: noise time of branches
 uniform int motionLaw;              // MotionLaw
 
 /// @param source species, seed (two halves), index in its tree.
@@ -37,7 +37,7 @@ void main() {
     vec4 b = dataTexel(branchParameters, 3 * unit + 1);
     vec4 c = dataTexel(branchParameters, 3 * unit + 2);
 
-    // Constructors take the fields in their order, in which they are packed.
+    // The order of the constructor's arguments is that of the packed fields.
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
     vec3 thesisAir = vec3(air.x, air.z, -air.y);
     vec3 noise = thesisNoise(c);

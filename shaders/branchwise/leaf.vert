@@ -1,9 +1,9 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A corner of a leaf cluster: turned by its own angles, then by its rest orientation, then with its branch.
+// A corner of a leaf cluster, rotated by its own angles, its rest orientation and its branch.
 // gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
 // gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
-// gl_MultiTexCoord3: outward of the crown, shade.
+// gl_MultiTexCoord3: outward direction in the crown, shade.
 
 #include "branchwise/tree.glsl"
 #include "law/tint.glsl"
@@ -11,16 +11,16 @@
 #define VERTEX_SHADER
 #include "surface.glsl"
 
-uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
-uniform float treeOwn;        // number of this tree, [0, 1): its shade
-uniform float treeLeaves;     // share of its leaves that this tree bears
-uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves stand at rest
+uniform sampler2D leafAngles; // one texel per leaf: motionAngleX, motionAngleZ, totalRotaAngle
+uniform float treeOwn;        // number of the tree, [0, 1)
+uniform float treeLeaves;     // share of the leaves that the tree bears
+uniform int treeFirstLeaf;    // first texel of the tree in leafAngles; negative: leaves at rest
 
 out vec2 leafCoord;
 out vec3 leafLight;
 out vec3 scenePosition;
 flat out int leafCard;
-flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
+flat out float leafBorne; // 1: leaves, 0: bare twigs
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z));
@@ -33,7 +33,7 @@ void main() {
     vec3 rest = treeAxes * gl_Vertex.xyz + corner;
     vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
 
-    // Foliage is lit as a crown more than as single blades, from both sides, and light shines through it.
+    // Foliage is lit more like a crown than like single blades, from both sides, and transmits light.
     vec3 blade = turnVector(gl_MultiTexCoord1, turnVector(flutter, gl_MultiTexCoord2.xyz));
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);

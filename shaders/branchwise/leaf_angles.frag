@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The leaf pass (thesis §5.2, appendix D): the next angles of one leaf cluster from the ones before.
-// Texels are packed by osgTreeWind/gpu/branchwise/AnglePrePass.cpp.
+// The leaf pass (thesis §5.2, appendix D): computes the next angles of a leaf cluster from its previous angles.
+// osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp packs the texels.
 
 #include "data.glsl"
 #include "target.glsl"
@@ -10,9 +10,9 @@
 #include "law/noise.glsl"
 #include "law/thesis_leaf.glsl"
 
-uniform sampler2D previousAngles; // one texel a leaf cluster: its state
-uniform sampler2D leafParameters; // one texel a leaf cluster: species, seed (two halves), index in its tree
-uniform sampler2D speciesTexels;  // four texels a species; the second: noise time of leaves, then their motion
+uniform sampler2D previousAngles; // one texel per leaf cluster: its state
+uniform sampler2D leafParameters; // one texel per leaf cluster: species, seed (two halves), index in the tree
+uniform sampler2D speciesTexels;  // four texels per species; the second: noise time of leaves, then their motion
 
 void main() {
     int leaf = targetIndex(previousAngles);

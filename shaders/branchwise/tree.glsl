@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What every vertex shader of a tree shares: where its units stand, and how large it is.
+// Unit poses and scales of a tree, for its vertex shaders.
 
 #include "data.glsl"
 #include "law/rotation.glsl"
 
-uniform sampler2D unitPoses; // two texels a unit: rotation (quaternion x, y, z, w), translation
-uniform int treeFirstUnit;   // of this tree in unitPoses; negative: units stand at rest
+uniform sampler2D unitPoses; // two texels per unit: rotation (quaternion x, y, z, w), translation
+uniform int treeFirstUnit;   // first unit of the tree in unitPoses; negative: units at rest
 uniform vec3 treeAxes;       // scale of centre lines
 uniform vec2 treeSizes;      // scale of radii, of leaf clusters
 

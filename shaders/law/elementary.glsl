@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. Elementary functions that give nearly the same numbers on every machine, after Moshier's
-// Cephes: those of graphics cards are off by up to 2e-4, which would add up from step to step.
+// Needs limits.glsl. Elementary functions with nearly the same results on all machines, after Moshier's Cephes. Those
+// of graphics cards have errors up to 2e-4, which would accumulate over time steps.
 
 /// asin x for x in [-1, 1], within 3e-7.
 real arcSine(real x) {
@@ -14,7 +14,7 @@ real arcSine(real x) {
     return x < 0.0f ? -y : y;
 }
 
-/// e^-x for x >= 0, within 2e-7 of itself; 0 from x = 87 on.
+/// e^-x for x >= 0, with a relative error below 2e-7; 0 from x = 87 on.
 real decayed(real x) {
     real y = x < 87.0f ? x : every(87.0f);
     real n = floor(y * 1.44269504f + 0.5f);
@@ -43,7 +43,7 @@ struct CosineSine {
     real sine;
 };
 
-/// cos x and sin x for x in [0, 1e4], within 3e-7; within the unit circle beyond.
+/// cos x and sin x for x in [0, 1e4], within 3e-7. Beyond, the results stay within the unit circle.
 CosineSine cosineSine(real x) {
     real n = floor(min(x, every(1.0e7f)) * 0.636619772f + 0.5f); // quarter turns
     real r = ((x - n * 1.5703125f) - n * 4.83751297e-4f) - n * 7.54978995e-8f;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. Perlin's gradient noise in one dimension and 1/f^beta noise (thesis §3.2.1) on an
-// integer hash, so that CPU and GPU agree.
+// Needs limits.glsl. One-dimensional gradient noise by Perlin, and 1/f^beta noise (thesis §3.2.1), based on an integer
+// hash, so that CPU and GPU agree.
 
 /// Scrambles 32 bits (Wellons' lowbias32).
 uint scrambleBits(uint bits) {
@@ -10,8 +10,8 @@ uint scrambleBits(uint bits) {
     return x ^ (x >> 16u);
 }
 
-/// Number of the stream for one axis of one branch or leaf of the tree with this seed.
-/// Axes: 0 to 2 the load on a branch, 3 and 4 the motion of a leaf.
+/// Number of the noise stream for an axis of a branch or leaf. @param seed of the tree. @param element index of the
+/// branch or leaf. @param axis 0 to 2 for the load on a branch, 3 and 4 for the motion of a leaf.
 uint noiseStream(uint seed, uint element, uint axis) {
     return scrambleBits(scrambleBits(scrambleBits(seed + 0x9e3779b9u) + element) + axis);
 }
@@ -24,9 +24,8 @@ float noiseGradient(uint stream, uint cell) {
     return 2.0f * unitInterval(scrambleBits(stream ^ scrambleBits(cell))) - 1.0f;
 }
 
-/// Noise in [-1, 1], mean 0, with continuous first and second derivatives.
-/// Time is cell + fraction, fraction in [0, 1), in periods; each stream has a phase of its own, so that
-/// streams do not pass through zero together.
+/// Noise in [-1, 1], mean 0, with continuous first and second derivatives. The time is cell + fraction in periods,
+/// fraction in [0, 1). Streams have different phases, so that their zeros do not coincide.
 float streamNoise(uint stream, uint cell, float fraction) {
     float shifted = fraction + unitInterval(scrambleBits(stream + 0x85ebca6bu));
     uint first = cell;
@@ -40,16 +39,16 @@ float streamNoise(uint stream, uint cell, float fraction) {
     return 2.0f * (before + (after - before) * fade);
 }
 
-/// Of octaveNoise.
+/// Number of octaves in octaveNoise().
 int octaves() { return 6; }
 
-/// Rate of its slowest octave over its frequency.
+/// Frequency of the slowest octave over the frequency of octaveNoise().
 float slowestOctave() { return 0.125f; }
 
-/// 1/f^beta noise in [-1, 1] (thesis §3.2.1 and its source [4]): octaves of streamNoise, each twice as fast
-/// as the one before and gain = 2^((1 - beta) / 2) times as strong, with the variance of one. The slope holds
-/// from 0.1 to 1.6 times the frequency for beta in [0, 3]; the 0.06 % beyond 1 are cut.
-/// Time is cell + fraction in periods of the slowest octave.
+/// 1/f^beta noise in [-1, 1] (thesis §3.2.1 and its source [4]): octaves of streamNoise(), each twice as fast as the
+/// last one and gain = 2^((1 - beta) / 2) times as strong, normalized to the variance of one octave. The slope is
+/// correct from 0.1 to 1.6 times the frequency for beta in [0, 3]. The 0.06 % of values beyond 1 are clamped.
+/// The time is cell + fraction in periods of the slowest octave.
 float octaveNoise(uint stream, uint cell, float fraction, float gain) {
     float sum = 0.0f;
     float squares = 0.0f;
@@ -67,7 +66,7 @@ float octaveNoise(uint stream, uint cell, float fraction, float gain) {
     return bounded(sum / sqrt(squares), 1.0f);
 }
 
-/// The noise of the laws: octaveNoise, or for a gain of 0 streamNoise.
+/// The noise of the laws: octaveNoise(), or streamNoise() for a gain of 0.
 float motionNoise(uint stream, uint cell, float fraction, float gain) {
     if (gain > 0.0f) return octaveNoise(stream, cell, fraction, gain);
     return streamNoise(stream, cell, fraction);

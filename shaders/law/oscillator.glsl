@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Needs limits.glsl and elementary.glsl. The exact step of an oscillator, and the drag of a crown.
 
-/// What swings, and how fast.
+/// State of an oscillator.
 struct Swing {
     real angle;
     real speed;
 };
 
-/// Swing after h seconds of x'' + 2 rate x' + pace^2 x = 0: the exact solution. pace and h > 0, rate >= 0.
+/// The exact solution of x'' + 2 rate x' + pace^2 x = 0 after h seconds. pace and h > 0, rate >= 0.
 Swing swungFreely(Swing start, real pace, real rate, real h) {
     real w = pace * h;
     real g = rate * h;
@@ -31,9 +31,9 @@ Swing swungFreely(Swing start, real pace, real rate, real h) {
     return end;
 }
 
-/// Drag of a crown over that at 10 m/s, as leaves and twigs turn out of a wind of this speed: u^-exponent from 10 m/s
-/// to `upTo`, as measured in wind tunnels, and u^-breeze below, down to 1.6 m/s, where leaves begin to stir (Beaufort's
-/// light breeze). @param exponent, breeze in [0, 2].
+/// Drag coefficient of a crown over that at 10 m/s, as leaves and twigs align with the wind: u^-exponent from 10 m/s to
+/// `upTo`, as measured in wind tunnels, and u^-breeze below, down to 1.6 m/s, where leaves begin to move (Beaufort 2).
+/// @param exponent, breeze in [0, 2]. @param upTo, speed in m/s.
 real streamlinedShare(real exponent, real breeze, real upTo, real speed) {
     real ratio = max(speed, every(1.6f)) / 10.0f;
     real high = logarithm(ratio < 1.0f ? 8.0f * ratio : min(ratio, upTo / 10.0f));

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// From angles to rotations. Quaternions are vec4(x, y, z, w); the axes are OSG's (Z up): thesis X, Y, Z are
-// (1, 0, 0), (0, 0, 1) and (0, -1, 0) there.
+// Rotations from angles. Quaternions are vec4(x, y, z, w). Axes are OSG's (Z up); the thesis' X, Y, Z are (1, 0, 0),
+// (0, 0, 1) and (0, -1, 0).
 
-/// Turn by `angle` radians about a unit axis.
+/// Rotation by `angle` radians about a unit axis.
 vec4 turnAbout(vec3 axis, float angle) { return vec4(axis * sin(0.5f * angle), cos(0.5f * angle)); }
 
-/// The turn `second` after the turn `first`.
+/// The rotation `first` followed by `second`.
 vec4 turnAfter(vec4 second, vec4 first) {
     vec3 a = vec3(second.x, second.y, second.z);
     vec3 b = vec3(first.x, first.y, first.z);
     return vec4(second.w * b + first.w * a + cross(a, b), second.w * first.w - dot(a, b));
 }
 
-/// v turned by the unit quaternion q.
+/// v rotated by the unit quaternion q.
 vec3 turnVector(vec4 q, vec3 v) {
     vec3 a = vec3(q.x, q.y, q.z);
     vec3 t = 2.0f * cross(a, v);
     return v + q.w * t + cross(a, t);
 }
 
-/// Turn of a branch about its base (Fig 3.1): Rx(angleYZ) * Rz(-angleXY) about thesis axes, so that wind
-/// toward +x moves a tip toward +x and wind toward thesis +z moves it toward thesis +z.
+/// Rotation of a branch about its base (Fig 3.1): Rx(angleYZ) * Rz(-angleXY) about thesis axes, so that wind toward +x
+/// moves a tip toward +x, and wind toward thesis +z moves it toward thesis +z.
 vec4 branchRotation(float angleXY, float angleYZ) {
     return turnAfter(turnAbout(vec3(1.0f, 0.0f, 0.0f), angleYZ), turnAbout(vec3(0.0f, 1.0f, 0.0f), angleXY));
 }
 
-/// First axis of a branch under the law `modal`, across its unit direction: nearest to +x (to +y for a branch along x).
+/// First axis of a branch under the law `modal`: across its unit direction, nearest to +x (to +y for a branch along x).
 vec3 branchAxis1(vec3 direction) {
     vec3 side = vec3(1.0f, 0.0f, 0.0f);
     if (abs(direction.x) > 0.99f) side = vec3(0.0f, 1.0f, 0.0f);
@@ -35,7 +35,8 @@ vec3 branchAxis1(vec3 direction) {
 /// Second axis; thesis +z for an upright branch.
 vec3 branchAxis3(vec3 direction) { return cross(branchAxis1(direction), direction); }
 
-/// Turn of a branch about its base by its angles about these axes: the rotation vector angle1 (d x e1) + angle3 (d x e3).
+/// Rotation of a branch about its base by two angles: the rotation vector is angle1 (d x e1) + angle3 (d x e3), with
+/// the axes e1 and e3 of the functions above.
 vec4 swungRotation(float angle1, float angle3, vec3 direction) {
     vec3 turn =
         angle1 * cross(direction, branchAxis1(direction)) + angle3 * cross(direction, branchAxis3(direction));
@@ -44,7 +45,7 @@ vec4 swungRotation(float angle1, float angle3, vec3 direction) {
     return turnAbout(turn / angle, angle);
 }
 
-/// Turn of a leaf in the leaf frame, petiole along +Z (thesis Y), before its rest orientation (Figs 3.11,
+/// Rotation of a leaf in the leaf frame, with the petiole along +Z (thesis Y), before its rest orientation (Figs 3.11,
 /// 3.12): Rx(motionAngleZ) * Rz(motionAngleX) * Ry(totalRotaAngle) about thesis axes.
 vec4 leafRotation(float motionAngleX, float motionAngleZ, float totalRotaAngle) {
     return turnAfter(turnAbout(vec3(1.0f, 0.0f, 0.0f), motionAngleZ),

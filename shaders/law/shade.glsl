@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a crown leaves of the light at a place in the tree (osgTreeWind/model/CrownShade.h), in two floats: roots of four
-// shares in steps of 1/63 each, 0 where nothing is lost.
+// Share of the light that the crown leaves at a place in the tree (osgTreeWind/model/CrownShade.h). Each of two floats
+// packs the square roots of four shares in steps of 1/63; 0 means no loss.
 
 vec4 unpackedShares(float four) {
     vec4 root = 1.0f - floor(64.0f * fract(four * vec4(1.0f, 64.0f, 4096.0f, 262144.0f))) * (1.0f / 63.0f);
@@ -12,8 +12,8 @@ float packedShares(vec4 shares) {
     return dot(steps, vec4(262144.0f, 4096.0f, 64.0f, 1.0f)) * (1.0f / 16777216.0f);
 }
 
-/// Share of the light from a direction, between those from the axes. @param above from +x, +y, +z; the fourth is the
-/// sky's. @param below from -x, -y, -z.
+/// Share of the light from a direction, interpolated between the axes. @param above shares from +x, +y, +z; w: of the
+/// sky. @param below shares from -x, -y, -z.
 float shareFrom(vec3 direction, vec4 above, vec4 below) {
     vec3 weight = direction * direction;
     float sum = weight.x * (direction.x > 0.0f ? above.x : below.x) + weight.y * (direction.y > 0.0f ? above.y : below.y) +

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl and flutter.glsl. How the thin ends of boughs sway by themselves, without a state: each place by waves
-// that neighbours do not share, at 1.4 to 3.2 times the pace of the species' leaves. The modes of a tree have none of it.
+// Needs limits.glsl and flutter.glsl. Additional sway of the thin ends of boughs without a state, which the modes of
+// the tree do not include: waves with different phases at each place, at 1.4 to 3.2 times the frequency of the leaves.
 
-/// How far a place is from where its unit carries it, metres: more the farther out, a third as far upward as across, and not
-/// at all in a calm.
-/// @param place at rest, m. @param reach along thin wood from where it is thick, m. @param speed of the wind at the unit, m/s.
-/// @param phases, own as of leafFlutter().
+/// Displacement of a place relative to its unit, metres: it grows along the shoot, is a third as large vertically as
+/// horizontally, and zero in a calm.
+/// @param place at rest, m. @param reach distance along thin wood from thick wood, m. @param speed of the wind at the
+/// unit, m/s. @param phases, own as in leafFlutter().
 vec3 shootSway(vec3 place, float reach, float speed, vec3 phases, float own) {
     float v = bounded(speed, 1.0e15f);
     float length = min(reach, 2.0f);

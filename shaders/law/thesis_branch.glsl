@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Needs limits.glsl. The branch laws of the thesis: appendix B as published, and the text of §3.1.
-// Axes are the thesis' (Y up) in the tree's own frame; angles in radians.
+// Axes of the thesis (Y up) in the tree's own frame; angles in radians.
 
-/// `bounded` by component.
+/// bounded() per component.
 vec3 boundedVector(vec3 v, float limit) {
     return vec3(bounded(v.x, limit), bounded(v.y, limit), bounded(v.z, limit));
 }
 
-/// What a branch is to these laws; packed as it stands (osgTreeWind/gpu/branchwise/AnglePrePass.cpp).
+/// Parameters of a branch, packed in this order (osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp).
 struct ThesisBranch {
     float spring;       // k of the cantilever, N/m
     float branchLength; // base to tip, metres
@@ -16,33 +16,33 @@ struct ThesisBranch {
     float levelLoad;    // factor * branchLevel (§3.1.2)
 };
 
-/// Stiffness k of a rectangular cantilever (§3.1.1): E in Pa, the others in metres.
+/// Stiffness k of a rectangular cantilever (§3.1.1), N/m: E in Pa, lengths in metres.
 float cantileverSpring(float elasticModulus, float width, float thickness, float span) {
     return (elasticModulus * width * thickness * thickness * thickness) / (4.0f * span * span * span);
 }
 
-/// Load on one axis; the thesis' maxBranchLoad is 0.01. A noise of zero counts as 1, even in a calm.
+/// Load on an axis; maxBranchLoad of the thesis is 0.01. A noise of zero counts as 1, even in a calm.
 float thesisLoad(float wind, float loadNoise, bool calm) {
     if (abs(loadNoise) < 0.00001f) return wind + 0.01f;
     if (calm) return 0.0f;
     return wind + 0.01f * loadNoise;
 }
 
-/// Deflection over length as angles (angleSetBranch of appendix B).
+/// Angles from deflection over length (angleSetBranch of appendix B).
 vec3 thesisMotion(vec3 load, ThesisBranch branch) {
     vec3 share = load / branch.spring / branch.branchLength * vec3(0.7f, 0.6f, 0.8f);
     share = boundedVector(share, largest());
     if (share.x > 1.0f || share.y > 1.0f || share.z > 1.0f) {
         return vec3(arcSine(0.6f), arcSine(0.5f), arcSine(0.3f));
     }
-    // The listing takes asin of shares below -1 as well; clamped here.
+    // The listing also computes asin of shares below -1, which are clamped here.
     vec3 sine = boundedVector(share, 1.0f);
     vec3 motion = vec3(arcSine(sine.x), arcSine(sine.y), arcSine(sine.z));
     return boundedVector(motion, angleLimit(branch.maxAngle));
 }
 
-/// Law `thesis`: one frame. State and result: (angleXY, angleYZ, wind.x, wind.z). No restoring force, and
-/// partialSteps and levelLoad are not used, as published. Noise per axis in [-1, 1].
+/// Law `thesis`: one frame. State and result: (angleXY, angleYZ, wind.x, wind.z). As published, there is no restoring
+/// force, and partialSteps and levelLoad are not used. Noise per axis in [-1, 1].
 vec4 thesisBranchStep(vec4 state, vec3 wind, vec3 loadNoise, ThesisBranch branch) {
     vec3 air = boundedVector(wind, largest());
     vec3 n = boundedVector(loadNoise, 1.0f);
@@ -54,14 +54,14 @@ vec4 thesisBranchStep(vec4 state, vec3 wind, vec3 loadNoise, ThesisBranch branch
                 bounded(bounded(state.y, limit) + motion.z, limit), air.x, air.z);
 }
 
-/// Load on one axis with the level term as printed (§3.1.2). None without wind on that axis: the terms
-/// that do not depend on the wind would otherwise drive a branch in a calm.
+/// Load on an axis with the level term as printed (§3.1.2). Zero without wind on this axis, as the constant terms would
+/// move a branch in a calm.
 float smoothLoad(float wind, float loadNoise, float levelLoad) {
     if (wind == 0.0f) return 0.0f;
     return wind + levelLoad + 0.01f * loadNoise;
 }
 
-/// Law `thesis-smooth`: as thesisBranchStep, but the new angle is approached by 1/partialSteps of the way.
+/// Law `thesis-smooth`: as thesisBranchStep(), but the step covers only 1/partialSteps of the way to the new angle.
 vec4 thesisSmoothBranchStep(vec4 state, vec3 wind, vec3 loadNoise, ThesisBranch branch) {
     vec3 air = boundedVector(wind, largest());
     vec3 n = boundedVector(loadNoise, 1.0f);

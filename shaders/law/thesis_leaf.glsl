@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs limits.glsl. The leaf law of the thesis, appendix D as published; angles in radians.
 
-/// What a leaf cluster is to the law; packed as it stands (osgTreeWind/gpu/branchwise/AnglePrePass.cpp).
+/// Parameters of a leaf cluster, packed in this order (osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp).
 struct ThesisLeaf {
     float maxAngleX;    // maxMotionAngleX, [0, pi/2]
     float maxAngleZ;    // maxMotionAngleZ, [0, pi/2]
@@ -11,8 +11,8 @@ struct ThesisLeaf {
     float linkedFactor;
 };
 
-/// setPartialAngle of the listing: part of the way from `angle` to `target`, then within `fall` when the
-/// angle sinks and within `rise` when it grows, whichever axis it belongs to.
+/// setPartialAngle of the listing: moves part of the way from `angle` to `target`. Limits the result by `fall` if the
+/// angle decreases and by `rise` if it increases, for either axis.
 float leafPartialAngle(float angle, float target, float steps, float fall, float rise) {
     float result = target;
     if (angle > result) result = bounded(angle - (angle - result) / steps, fall);
@@ -20,8 +20,8 @@ float leafPartialAngle(float angle, float target, float steps, float fall, float
     return result;
 }
 
-/// One frame. State and result: (motionAngleX, motionAngleZ, totalRotaAngle, noiseX). Noise in [-1, 1]; one
-/// of exactly 0 becomes 1 and leaves the target of the other axis at 0.01, unless both are 0.
+/// One frame. State and result: (motionAngleX, motionAngleZ, totalRotaAngle, noiseX). Noise in [-1, 1]. A noise of
+/// exactly 0 becomes 1 and sets the target of the other axis to 0.01, unless both are 0.
 vec4 thesisLeafStep(vec4 state, float noiseX, float noiseZ, ThesisLeaf leaf) {
     float n1 = bounded(noiseX, 1.0f);
     float n2 = bounded(noiseZ, 1.0f);

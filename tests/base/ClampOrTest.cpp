@@ -11,7 +11,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 const float nan = std::nanf("");
 
-TEST(ClampOr, KeepsWhatIsInsideAndStopsAtTheEnds) {
+TEST(ClampOr, ClampsToTheRange) {
     EXPECT_EQ(clampOr(0.5f, 0.0f, 1.0f, 7.0f), 0.5f);
     EXPECT_EQ(clampOr(-3.0f, 0.0f, 1.0f, 7.0f), 0.0f);
     EXPECT_EQ(clampOr(infinity, 0.0f, 1.0f, 7.0f), 1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written is read back, whatever it is.
+// Property tests: CSV cells and numbers survive writing and reading.
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
@@ -19,7 +19,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Of what stands in tables, and of what has a meaning there.
+/// Random cells with many characters that are special in CSV.
 rc::Gen<std::string> cell() {
     return rc::gen::container<std::string>(rc::gen::oneOf(rc::gen::elementOf(std::string(" \t,;\"'\r\n")),
                                                           rc::gen::inRange<char>('!', '~'),
@@ -28,7 +28,7 @@ rc::Gen<std::string> cell() {
 
 } // namespace
 
-RC_GTEST_PROP(CsvProperty, ALineIsReadBackCellByCell, ()) {
+RC_GTEST_PROP(CsvProperty, WrittenLinesReadBackUnchanged, ()) {
     const auto cells = *rc::gen::container<std::vector<std::string>>(3, cell());
     std::istringstream input("a,b,c\n" + csvLine(cells));
     const auto table = readCsvTable(input, "a.csv");
@@ -37,7 +37,7 @@ RC_GTEST_PROP(CsvProperty, ALineIsReadBackCellByCell, ()) {
     RC_ASSERT(table.value().rows[0].cells == cells);
 }
 
-RC_GTEST_PROP(NumberProperty, EveryFiniteNumberIsReadBackToTheBit, (std::uint64_t bits)) {
+RC_GTEST_PROP(NumberProperty, EveryFiniteNumberReadsBackExactly, (std::uint64_t bits)) {
     double number = 0.0;
     static_assert(sizeof bits == sizeof number);
     std::memcpy(&number, &bits, sizeof number);

@@ -32,19 +32,19 @@ TEST(CsvTable, ReadsHeaderAndRows) {
     EXPECT_EQ(table.value().rows[1].line, 3);
 }
 
-TEST(CsvTable, TheLastLineNeedsNoLineEnd) {
+TEST(CsvTable, LastLineNeedsNoLineEnd) {
     EXPECT_EQ(read("a\n1").value().rows.at(0).cells, Cells{"1"});
 }
 
-TEST(CsvTable, AHeaderAloneIsATable) {
+TEST(CsvTable, HeaderWithoutRowsIsValid) {
     EXPECT_TRUE(read("a,b").value().rows.empty());
 }
 
-TEST(CsvTable, HeaderNamesLoseBlanksAndTheByteOrderMark) {
+TEST(CsvTable, HeaderNamesAreTrimmedAndTheByteOrderMarkIsSkipped) {
     EXPECT_EQ(read("\xEF\xBB\xBF x , \"y\" \n1,2\n").value().columns, (Cells{"x", "y"}));
 }
 
-TEST(CsvTable, AHeaderOfVeryManyColumnsIsRefusedAtOnce) {
+TEST(CsvTable, RejectsTooManyColumns) {
     std::string header = "c0";
     for (int i = 1; i < 200000; ++i)
         header += ",c" + std::to_string(i);
@@ -57,14 +57,14 @@ TEST(CsvTable, QuotedCellsKeepDelimitersQuotesAndLineEnds) {
     EXPECT_EQ(table.value().rows[0].cells, (Cells{"x,\"y\"", "1\n2"}));
 }
 
-TEST(CsvTable, RowsAfterAQuotedLineEndKnowTheirLine) {
+TEST(CsvTable, LineNumbersCountQuotedLineEnds) {
     const auto table = read("a,b\n\"1\n\n2\",3\n4,5\n");
     ASSERT_TRUE(table) << firstProblem(table);
     EXPECT_EQ(table.value().rows[0].line, 2);
     EXPECT_EQ(table.value().rows[1].line, 5);
 }
 
-TEST(CsvTable, AllLineEndsCountAlike) {
+TEST(CsvTable, AcceptsAllLineEnds) {
     for (const char* end : {"\n", "\r\n", "\r"}) {
         const auto table = read(std::string("a,b") + end + "1,2" + end + end + "3,4" + end);
         ASSERT_TRUE(table) << firstProblem(table);
@@ -75,22 +75,22 @@ TEST(CsvTable, AllLineEndsCountAlike) {
     }
 }
 
-TEST(CsvTable, EmptyCellsAreCells) {
+TEST(CsvTable, KeepsEmptyCells) {
     EXPECT_EQ(read("a,b,c\n,,\n").value().rows.at(0).cells, (Cells{"", "", ""}));
 }
 
-TEST(CsvTable, OtherDelimiters) {
+TEST(CsvTable, AcceptsOtherDelimiters) {
     EXPECT_EQ(read("a\tb\n\t2\n", '\t').value().rows.at(0).cells, (Cells{"", "2"}));
     EXPECT_EQ(read("a;b\n1,5;2\n", ';').value().rows.at(0).cells, (Cells{"1,5", "2"}));
 }
 
-TEST(CsvTable, FindsColumnsByTheirExactName) {
+TEST(CsvTable, FindsColumnsByExactName) {
     const auto table = read("x,X\n1,2\n");
     EXPECT_EQ(table.value().column("X"), 1u);
     EXPECT_FALSE(table.value().column("y"));
 }
 
-TEST(CsvTable, NumbersNameLineColumnAndText) {
+TEST(CsvTable, BadNumberIsReportedWithLineColumnAndText) {
     const auto table = read("x,y\n1.5,n/a\n");
     const CsvTable& t = table.value();
     EXPECT_EQ(t.number(t.rows[0], 0).value(), 1.5);
@@ -110,7 +110,7 @@ void PrintTo(const BadCsv& bad, std::ostream* out) {
 
 class CsvTableRefuses : public testing::TestWithParam<BadCsv> {};
 
-TEST_P(CsvTableRefuses, WithAPlaceAndAReason) {
+TEST_P(CsvTableRefuses, BadInputWithLocationAndReason) {
     EXPECT_EQ(firstProblem(read(GetParam().content, GetParam().delimiter)), GetParam().problem);
 }
 
@@ -129,11 +129,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCsv{"TextAfterQuote", "a,b\n\"1\"2,3\n", ',',
                "t.csv:2:4: misplaced quotation mark; expected \"\" inside quotes"},
         BadCsv{"Nul", std::string("a,b\n1,\0002\n", 9), ',', "t.csv:2:3: expected text, found binary data"},
-        BadCsv{"TwoColumnsOfOneName", "a,b,a\n", ',', "t.csv:1: a: the header names this column twice"},
+        BadCsv{"DuplicateColumnName", "a,b,a\n", ',', "t.csv:1: a: the header names this column twice"},
         BadCsv{"QuoteAsDelimiter", "a,b\n", '"',
-               "t.csv: delimiter: expected a character that can part cells, such as , ; or a tab"},
+               "t.csv: delimiter: expected a character that can separate cells, such as , ; or a tab"},
         BadCsv{"NulAsDelimiter", "a,b\n", '\0',
-               "t.csv: delimiter: expected a character that can part cells, such as , ; or a tab"}),
+               "t.csv: delimiter: expected a character that can separate cells, such as , ; or a tab"}),
     [](const auto& info) { return info.param.name; });
 
 TEST(CsvTable, ReportsEveryRaggedRow) {
@@ -143,7 +143,7 @@ TEST(CsvTable, ReportsEveryRaggedRow) {
     EXPECT_EQ(table.problems()[1].line, 4);
 }
 
-TEST(CsvTable, CutAnywhereItIsATableOrAProblem) {
+TEST(CsvTable, TruncatedInputGivesATableOrAProblem) {
     const std::string content = "\xEF\xBB\xBF\"a\",b\r\n\"x\r\n\"\"y\",2\r\n3,4\r\n";
     for (std::size_t length = 0; length <= content.size(); ++length) {
         const auto table = read(content.substr(0, length));
@@ -156,7 +156,7 @@ TEST(CsvTable, CutAnywhereItIsATableOrAProblem) {
     }
 }
 
-TEST(CsvTable, RealCampusTrees) {
+TEST(CsvTable, ReadsRealCampusTrees) {
     REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
     std::ifstream file(path);
     const auto table = readCsvTable(file, path);
@@ -169,7 +169,7 @@ TEST(CsvTable, RealCampusTrees) {
     EXPECT_EQ(trees.rows.back().line, 1234);
 }
 
-TEST(CsvTable, RealTablesWithQuotedCommasAndTabs) {
+TEST(CsvTable, ReadsRealTablesWithQuotedCommasAndTabs) {
     REQUIRE_REAL_DATA(sway, "sway/NaturalFrequencies_FieldData.csv");
     REQUIRE_REAL_DATA(species, "species/species_parameters_1.txt");
     std::ifstream commas(sway), tabs(species);

@@ -10,7 +10,7 @@
 
 namespace osgTreeWind {
 
-TEST(EmbeddedTexts, AreTheFilesOfTheSources) {
+TEST(EmbeddedTexts, EqualTheSourceFiles) {
     ASSERT_FALSE(embeddedTexts().empty());
     for (const EmbeddedText& embedded : embeddedTexts()) {
         std::ifstream file(OSGTREEWIND_SOURCE_DIR "/" + embedded.name, std::ios::binary);

@@ -36,16 +36,17 @@ const Fields& fieldsOf<Part>() {
 
 template <>
 const Fields& fieldsOf<Whole>() {
-    static const Fields fields = {{"count", at<&Whole::count>, within(1, 5), ""},
-                                  {"angle", at<&Whole::angle>, within(0, 180), "", "degrees"},
-                                  {"length", at<&Whole::length>, above(0), "", "m"},
-                                  {"colour", at<&Whole::colour>, {}, "", "", inOrder({"red", "green"})},
-                                  {"part", at<&Whole::part>, {}, ""},
-                                  {"partShare", at<&Whole::part, &Part::share>, within(0, 1), ""}};
+    static const Fields fields = {
+        {"count", at<&Whole::count>, within(1, 5), ""},
+        {"angle", at<&Whole::angle>, within(0, 180), "", "degrees"},
+        {"length", at<&Whole::length>, above(0), "", "m"},
+        {"colour", at<&Whole::colour>, {}, "", "", numberedFromZero({"red", "green"})},
+        {"part", at<&Whole::part>, {}, ""},
+        {"partShare", at<&Whole::part, &Part::share>, within(0, 1), ""}};
     return fields;
 }
 
-TEST(Field, ClampsNumbersAlsoOfPartsAndReplacesNaN) {
+TEST(Field, ClampsNumbersOfNestedStructsAndReplacesNaN) {
     Whole whole;
     whole.count = 9;
     whole.angle = 4.0f;
@@ -57,10 +58,10 @@ TEST(Field, ClampsNumbersAlsoOfPartsAndReplacesNaN) {
     whole.count = -9;
     whole.part.share = 1.0f;
     EXPECT_EQ(clampedFields(whole).count, 1);
-    EXPECT_EQ(clampedFields(whole).part.share, 0.3f) << "the end as a float";
+    EXPECT_EQ(clampedFields(whole).part.share, 0.3f) << "the limit rounded to float";
 }
 
-TEST(Field, ChecksEveryNumberInItsUnit) {
+TEST(Field, ReportsNumbersInTheUnitOfTheField) {
     const auto problemsOf = [](const Whole& whole) {
         Diagnostics problems;
         checkFields(whole, "trees[2]", problems);
@@ -81,27 +82,27 @@ TEST(Field, ChecksEveryNumberInItsUnit) {
               "trees[2].count: expected a whole number in [1, 5], found 0\n"
               "trees[2].angle: expected a finite number in [0, 180] degrees, found -90 degrees\n"
               "trees[2].length: expected a finite number above 0, found 0\n"
-              "trees[2].colour: expected one of its words, found 7\n"
+              "trees[2].colour: expected a value of the enumeration, found 7\n"
               "trees[2].part.share: expected a finite number in [0, 0.3], found inf\n"
               "trees[2].partShare: expected a finite number in [0, 1], found inf\n");
 }
 
-TEST(Field, TellsWhatIsSaidToTheBit) {
-    const Whole usual;
+TEST(Field, EqualityDistinguishesSignedZeros) {
+    const Whole defaults;
     for (const Field& field : fieldsOf<Whole>())
-        EXPECT_TRUE(sameField(field, &usual, &usual)) << field.key;
+        EXPECT_TRUE(isFieldEqual(field, &defaults, &defaults)) << field.key;
     Whole other;
     other.part.share = -0.0f;
     other.length = 0.0;
     other.colour = Colour::Red;
     Whole third = other;
     third.part.share = 0.0f;
-    EXPECT_FALSE(sameField(fieldAt(fieldsOf<Whole>(), "part"), &other, &third));
-    EXPECT_TRUE(sameField(fieldAt(fieldsOf<Whole>(), "length"), &other, &third));
-    EXPECT_FALSE(sameField(fieldAt(fieldsOf<Whole>(), "colour"), &other, &usual));
+    EXPECT_FALSE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "part"), &other, &third));
+    EXPECT_TRUE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "length"), &other, &third));
+    EXPECT_FALSE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "colour"), &other, &defaults));
 }
 
-TEST(Field, BytesTellStructsApart) {
+TEST(Field, BytesDifferIfAnyFieldDiffers) {
     const auto bytes = [](const Whole& whole) {
         std::string text;
         addFieldBytes(whole, text);

@@ -18,7 +18,7 @@
 
 using namespace osgTreeWind;
 
-TEST(InputFile, ReadsRegularFilesAlone) {
+TEST(InputFile, ReadsRegularFiles) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a", "text");
     EXPECT_EQ(readTextFile(path).value(), "text");
@@ -26,8 +26,8 @@ TEST(InputFile, ReadsRegularFilesAlone) {
     EXPECT_EQ(firstProblem(readTextFile("")), "no such file");
 }
 
-/// A pipe that nobody writes, and a device that never ends: each reader says so at once.
-TEST(InputFile, NoReaderWaitsForAPipeOrReadsADeviceForEver) {
+/// Reading a pipe without a writer would block, and reading /dev/zero would never end.
+TEST(InputFile, AllReadersRejectPipesSocketsFoldersAndDevices) {
     const TemporaryFolder folder;
     const std::string pipe = folder.path() + "/pipe", socketPath = folder.path() + "/s";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -5,7 +5,7 @@
 
 using namespace osgTreeWind;
 
-// The numbers of seconds are those of `date -u -d TEXT +%s`.
+// Reference values from `date -u -d TEXT +%s`.
 TEST(IsoTime, CountsSecondsSinceTheEpoch) {
     EXPECT_EQ(parseIsoTime("1970-01-01T00:00:00Z"), 0.0);
     EXPECT_EQ(parseIsoTime("2015-06-29T12:00:00Z"), 1435579200.0);
@@ -15,7 +15,7 @@ TEST(IsoTime, CountsSecondsSinceTheEpoch) {
     EXPECT_EQ(parseIsoTime("2100-12-31T23:59:00Z"), 4133980740.0);
 }
 
-TEST(IsoTime, TakesTheUsualForms) {
+TEST(IsoTime, AcceptsCommonForms) {
     for (const char* text : {"2015-06-29T12:00", "2015-06-29 12:00:00", "2015-06-29t12:00z",
                              "2015-06-29T14:00:00+02:00", "2015-06-29T05:30-06:30"})
         EXPECT_EQ(parseIsoTime(text), 1435579200.0) << text;
@@ -26,7 +26,7 @@ TEST(IsoTime, KeepsFractions) {
     EXPECT_NEAR(*parseIsoTime("1970-01-01T00:00:01.999Z"), 1.999, 1e-12);
 }
 
-TEST(IsoTime, RefusesWhatIsNoTime) {
+TEST(IsoTime, RejectsInvalidTimes) {
     for (const char* text : {"",
                              "2015",
                              "2015-06-29",

@@ -14,8 +14,8 @@
 namespace osgTreeWind {
 namespace {
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which take terabytes of addresses
-TEST(MemoryLimit, LimitIsThatOfTheProcess) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve terabytes of addresses
+TEST(MemoryLimit, RespectsTheAddressSpaceLimitOfTheProcess) {
     rlimit former{};
     getrlimit(RLIMIT_AS, &former);
     std::size_t pages = 0;
@@ -29,7 +29,7 @@ TEST(MemoryLimit, LimitIsThatOfTheProcess) {
 }
 #endif
 
-TEST(MemoryLimit, LimitIsThatOfTheEnvironment) {
+TEST(MemoryLimit, ReadsTheEnvironmentVariable) {
     for (const auto& [text, bytes] : {std::pair<const char*, std::uint64_t>("12345", 12345),
                                       {"20k", 20000},
                                       {"1.5M", 1500000},
@@ -39,9 +39,9 @@ TEST(MemoryLimit, LimitIsThatOfTheEnvironment) {
         const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", text);
         EXPECT_EQ(memoryLimit(), bytes) << text;
     }
-    for (const char* senseless : {"", "k", "much", "-1", "1e30T", "nan"}) {
-        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", senseless);
-        EXPECT_GT(memoryLimit(), 1000000u) << "the machine's own, for " << senseless;
+    for (const char* invalid : {"", "k", "much", "-1", "1e30T", "nan"}) {
+        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", invalid);
+        EXPECT_GT(memoryLimit(), 1000000u) << "expected the machine's limit for " << invalid;
     }
 }
 

@@ -7,20 +7,20 @@
 
 using namespace osgTreeWind;
 
-TEST(Number, ReadsDecimalNumbersBetweenBlanks) {
+TEST(Number, ParsesDecimalNumbersAndIgnoresBlanks) {
     EXPECT_EQ(parseNumber("42"), 42.0);
     EXPECT_EQ(parseNumber(" -0.5\t"), -0.5);
     EXPECT_EQ(parseNumber("+1.5e3"), 1500.0);
     EXPECT_EQ(parseNumber(".25"), 0.25);
 }
 
-TEST(Number, RefusesEverythingElse) {
+TEST(Number, RejectsEverythingElse) {
     for (const char* text : {"", "  ", "abc", "1.5m", "1 2", "3,1", "nan", "inf", "-inf", "1e999", "0x10",
                              "+-1", "++1", "+", "-", "1e", "NA", "--1"})
         EXPECT_FALSE(parseNumber(text)) << text;
 }
 
-TEST(Number, TextReadsBackExactly) {
+TEST(Number, TextParsesToTheSameNumber) {
     EXPECT_EQ(numberText(0.1), "0.1");
     EXPECT_EQ(numberText(-100000.0), "-100000");
     EXPECT_EQ(numberText(1e300), "1e+300");
@@ -39,7 +39,7 @@ TEST(Number, IgnoresTheLocale) {
     std::locale::global(before);
 }
 
-TEST(Number, ExpectedFoundShowsWhatStoodThere) {
+TEST(Number, ExpectedFoundQuotesTheText) {
     EXPECT_EQ(expectedFound("a number", " abc "), "expected a number, found 'abc'");
     EXPECT_EQ(expectedFound("a number", "1\n2"), "expected a number, found '1 2'");
     EXPECT_EQ(expectedFound("a number", " "), "expected a number, found nothing");

@@ -9,14 +9,14 @@ namespace osgTreeWind {
 namespace {
 
 // The first outputs of SplitMix64 for the seed 1234567, as published with the generator.
-TEST(Random, GivesThePublishedSequence) {
+TEST(Random, MatchesThePublishedSequence) {
     Random random(1234567);
     EXPECT_EQ(random.next(), 6457827717110365317ull);
     EXPECT_EQ(random.next(), 3203168211198807973ull);
     EXPECT_EQ(random.next(), 9817491932198370423ull);
 }
 
-TEST(Random, UniformFillsItsRange) {
+TEST(Random, UniformCoversItsRange) {
     Random random(1);
     double sum = 0.0;
     float low = 1.0f, high = 0.0f;

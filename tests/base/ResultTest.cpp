@@ -8,21 +8,21 @@
 
 using namespace osgTreeWind;
 
-TEST(Diagnostic, TextHasEveryKnownPart) {
+TEST(Diagnostic, TextContainsAllKnownParts) {
     EXPECT_EQ((Diagnostic{"a.treewind", 3, 7, "wind.speed", "expected m/s"}.text()),
               "a.treewind:3:7: wind.speed: expected m/s");
 }
 
-TEST(Diagnostic, TextLeavesOutWhatIsUnknown) {
+TEST(Diagnostic, TextOmitsUnknownParts) {
     EXPECT_EQ((Diagnostic{"a.csv", 3, 0, {}, "ragged"}.text()), "a.csv:3: ragged");
     EXPECT_EQ((Diagnostic{"a.csv", 0, 5, {}, "empty"}.text()), "a.csv: empty");
     EXPECT_EQ((Diagnostic{{}, 0, 0, "cell", "wrong"}.text()), "cell: wrong");
     EXPECT_EQ((Diagnostic{{}, 0, 0, {}, "wrong"}.text()), "wrong");
 }
 
-TEST(Diagnostic, ProblemsHaveALineEach) {
-    EXPECT_EQ(linesOf({}), "");
-    EXPECT_EQ(linesOf({{"f", 1, 0, {}, "first"}, {"f", 2, 0, {}, "second"}}), "f:1: first\nf:2: second");
+TEST(Diagnostic, ToStringWritesOneLinePerProblem) {
+    EXPECT_EQ(toString({}), "");
+    EXPECT_EQ(toString({{"f", 1, 0, {}, "first"}, {"f", 2, 0, {}, "second"}}), "f:1: first\nf:2: second");
 }
 
 TEST(Result, HoldsAValueOrItsProblems) {
@@ -36,13 +36,14 @@ TEST(Result, HoldsAValueOrItsProblems) {
     EXPECT_EQ(bad.problems().back().line, 2);
 }
 
-TEST(Result, IsEmptyWithoutAValueAndSaysSo) {
+TEST(Result, ValueOfAnErrorIsDefaultConstructedWithAWarning) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(Result<int>(Diagnostic{"f", 3, 0, {}, "third"}).value(), 0);
     EXPECT_EQ(Result<std::string>(Diagnostics{{"f", 4, 0, {}, "fourth"}}).value(), "");
     EXPECT_EQ(Result<std::shared_ptr<int>>(Diagnostic{"f", 5, 0, {}, "fifth"}).value(), nullptr);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "osgTreeWind: there is no value: f:3: third\n"
-                                                      "osgTreeWind: there is no value: f:4: fourth\n"
-                                                      "osgTreeWind: there is no value: f:5: fifth\n");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "osgTreeWind: value() of a failed Result: f:3: third\n"
+              "osgTreeWind: value() of a failed Result: f:4: fourth\n"
+              "osgTreeWind: value() of a failed Result: f:5: fifth\n");
     EXPECT_TRUE(Result<int>(3).problems().empty());
 }

@@ -14,22 +14,22 @@ namespace {
 
 using Texts = SharedConstants<int, std::string>;
 
-auto text(const char* of) {
-    return [of] { return std::make_shared<const std::string>(of); };
+auto text(const char* value) {
+    return [value] { return std::make_shared<const std::string>(value); };
 }
 
-TEST(SharedValues, AreMadeOncePerKeyWhileSomebodyHoldsThem) {
+TEST(SharedValues, MakesAValueOncePerKeyWhileItIsHeld) {
     Texts texts;
     const auto one = texts.get(1, text("one"));
     EXPECT_EQ(texts.get(1, text("another")), one);
     EXPECT_EQ(texts.find(1), one);
     EXPECT_EQ(*texts.get(2, text("two")), "two");
-    EXPECT_EQ(texts.find(2), nullptr) << "nobody held it";
+    EXPECT_EQ(texts.find(2), nullptr) << "it was not held";
     EXPECT_EQ(*texts.get(2, text("second")), "second");
     EXPECT_EQ(texts.find(3), nullptr);
 }
 
-TEST(SharedValues, AFailureIsNotKept) {
+TEST(SharedValues, RetriesAfterAFailure) {
     Texts texts;
     EXPECT_THROW(texts.get(1, []() -> std::shared_ptr<const std::string> { throw std::bad_alloc(); }),
                  std::bad_alloc);
@@ -37,7 +37,7 @@ TEST(SharedValues, AFailureIsNotKept) {
     EXPECT_EQ(*texts.get(1, text("one")), "one");
 }
 
-TEST(SharedValues, ThreadsThatAskAtATimeGetTheSameValue) {
+TEST(SharedValues, ConcurrentRequestsGetTheSameValue) {
     constexpr int keys = 5;
     Texts texts;
     std::atomic<int> made{0};
@@ -61,7 +61,7 @@ TEST(SharedValues, ThreadsThatAskAtATimeGetTheSameValue) {
         }
 }
 
-TEST(SharedValues, ThreadsMayLetGoAsOthersAsk) {
+TEST(SharedValues, ThreadsMayReleaseValuesWhileOthersRequestThem) {
     Texts texts;
     std::vector<std::thread> threads;
     for (int t = 0; t < 4; ++t)

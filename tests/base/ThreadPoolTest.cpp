@@ -16,10 +16,10 @@
 namespace osgTreeWind {
 namespace {
 
-/// By number of threads.
+/// The parameter is the number of threads.
 class ThreadPools : public testing::TestWithParam<unsigned> {};
 
-TEST_P(ThreadPools, DoEveryJobOnceInEveryRound) {
+TEST_P(ThreadPools, RunEveryJobOnceInEveryRound) {
     ThreadPool pool(GetParam());
     for (std::size_t round = 0; round < 2000; ++round) {
         const std::size_t count = round % 37;
@@ -30,14 +30,14 @@ TEST_P(ThreadPools, DoEveryJobOnceInEveryRound) {
     }
 }
 
-TEST_P(ThreadPools, AreAsLargeAsAskedFor) {
+TEST_P(ThreadPools, HaveTheRequestedSize) {
     EXPECT_EQ(ThreadPool(GetParam()).threadCount(), GetParam());
 }
 
-TEST_P(ThreadPools, ReturnWhenAllIsDone) {
+TEST_P(ThreadPools, ReturnAfterAllJobsAreDone) {
     ThreadPool pool(GetParam());
     for (int round = 0; round < 20; ++round) {
-        std::vector<int> plain(64, 0); // unguarded: a late job would be a race
+        std::vector<int> plain(64, 0); // not atomic: a late job would be a data race
         pool.run(plain.size(), [&](std::size_t i) {
             if (i % 16 == 0)
                 std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -48,12 +48,12 @@ TEST_P(ThreadPools, ReturnWhenAllIsDone) {
     }
 }
 
-TEST_P(ThreadPools, DoNothingForNoJobs) {
+TEST_P(ThreadPools, AcceptZeroJobs) {
     ThreadPool pool(GetParam());
     pool.run(0, [](std::size_t) { FAIL() << "there is no job"; });
 }
 
-TEST_P(ThreadPools, ComeAsExecutorsThatKeepThemAlive) {
+TEST_P(ThreadPools, AreOwnedByTheirExecutor) {
     Executor executor = ThreadPool::executor(GetParam());
     const Executor copy = executor;
     executor = nullptr;
@@ -62,7 +62,7 @@ TEST_P(ThreadPools, ComeAsExecutorsThatKeepThemAlive) {
     EXPECT_EQ(done, 100);
 }
 
-TEST_P(ThreadPools, ServeSeveralCallersAtOnce) {
+TEST_P(ThreadPools, ServeConcurrentCallers) {
     ThreadPool pool(GetParam());
     std::vector<std::thread> callers;
     std::atomic<int> wrong{0};
@@ -80,7 +80,7 @@ TEST_P(ThreadPools, ServeSeveralCallersAtOnce) {
     EXPECT_EQ(wrong, 0);
 }
 
-TEST_P(ThreadPools, ServeTheirOwnJobs) {
+TEST_P(ThreadPools, AllowNestedCalls) {
     ThreadPool pool(GetParam());
     std::atomic<int> done{0};
     pool.run(6, [&](std::size_t) {
@@ -89,7 +89,7 @@ TEST_P(ThreadPools, ServeTheirOwnJobs) {
     EXPECT_EQ(done, 6 * 5 * 4);
 }
 
-TEST_P(ThreadPools, LeaveNoCallerWaitingForTheJobsOfAnother) {
+TEST_P(ThreadPools, DoNotMakeACallerWaitForJobsOfAnother) {
     ThreadPool pool(GetParam());
     std::atomic<bool> begun{false}, end{false};
     std::thread slow([&] {
@@ -112,20 +112,20 @@ TEST_P(ThreadPools, LeaveNoCallerWaitingForTheJobsOfAnother) {
 INSTANTIATE_TEST_SUITE_P(, ThreadPools, testing::Values(1u, 2u, 3u, 4u),
                          [](const auto& info) { return std::to_string(info.param) + "Threads"; });
 
-TEST(ThreadPool, OneThreadIsTheCallers) {
+TEST(ThreadPool, RunsInTheCallingThreadIfItHasOneThread) {
     ThreadPool pool(1);
     std::set<std::thread::id> seen;
     pool.run(10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); });
     EXPECT_EQ(seen, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
-TEST(ThreadPool, TheEnvironmentSaysHowManyThreads) {
+TEST(ThreadPool, ReadsTheThreadCountFromTheEnvironment) {
     const EnvironmentVariable three("OSGTREEWIND_THREADS", "3");
     EXPECT_EQ(ThreadPool().threadCount(), 3u);
-    EXPECT_EQ(ThreadPool(2).threadCount(), 2u) << "who asks for a number gets it";
+    EXPECT_EQ(ThreadPool(2).threadCount(), 2u) << "an explicit number has precedence";
 }
 
-TEST(ThreadPool, TheProcessHasOne) {
+TEST(ThreadPool, DefaultExecutorsShareOnePool) {
     const auto threads = [] {
         std::set<std::thread::id> seen;
         std::mutex mutex;
@@ -142,9 +142,9 @@ TEST(ThreadPool, TheProcessHasOne) {
     EXPECT_LE(seen.size(), ThreadPool().threadCount());
 }
 
-TEST(ThreadPool, NonsenseInTheEnvironmentIsNotListenedTo) {
+TEST(ThreadPool, IgnoresInvalidValuesInTheEnvironment) {
     for (const char* value : {"", "0", "-2", "many", "100000"}) {
-        const EnvironmentVariable nonsense("OSGTREEWIND_THREADS", value);
+        const EnvironmentVariable invalid("OSGTREEWIND_THREADS", value);
         const unsigned processors = std::thread::hardware_concurrency();
         EXPECT_EQ(ThreadPool().threadCount(), processors > 0 ? processors : 1) << '"' << value << '"';
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/EnvironmentVariable.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -14,12 +15,6 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// The environment variable while it lives.
-struct Trusting {
-    explicit Trusting(const char* value) { setenv("OSGTREEWIND_TRUST", value, 1); }
-    ~Trusting() { unsetenv("OSGTREEWIND_TRUST"); }
-};
-
 std::string problemOfWindFile(const TemporaryFolder& folder, const std::string& name) {
     std::filesystem::create_directories(folder.path() + "/forest");
     const std::string file = folder.write(
@@ -33,14 +28,14 @@ const char* const record = "t,u,v\n0,1,2\n";
 
 } // namespace
 
-TEST(Trust, AFileMayNameAnyFileByDefault) {
+TEST(Trust, AllowsAnyFileByDefault) {
     const TemporaryFolder folder;
     folder.write("wind.csv", record);
     EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "");
     EXPECT_EQ(problemOfWindFile(folder, folder.path() + "/wind.csv"), "");
 }
 
-TEST(Trust, OfAFolderNothingElseIsOpened) {
+TEST(Trust, FolderModeOpensOnlyFilesInTrustedFolders) {
     const TemporaryFolder folder;
     folder.write("wind.csv", record);
     std::filesystem::create_directories(folder.path() + "/forest/data");
@@ -48,7 +43,7 @@ TEST(Trust, OfAFolderNothingElseIsOpened) {
     std::filesystem::create_symlink(folder.path() + "/wind.csv", folder.path() + "/forest/link.csv");
     std::filesystem::create_symlink(folder.path() + "/forest/data/wind.csv",
                                     folder.path() + "/forest/good.csv");
-    const Trusting trusting("folder");
+    const EnvironmentVariable trust("OSGTREEWIND_TRUST", "folder");
     EXPECT_EQ(problemOfWindFile(folder, "data/wind.csv"), "");
     EXPECT_EQ(problemOfWindFile(folder, "data/../data/wind.csv"), "");
     EXPECT_EQ(problemOfWindFile(folder, "good.csv"), "");
@@ -60,29 +55,30 @@ TEST(Trust, OfAFolderNothingElseIsOpened) {
             std::string::npos)
             << name;
     setenv("OSG_FILE_PATH", folder.path().c_str(), 1);
-    EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "") << "in a folder of OSG's";
+    EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "") << "OSG_FILE_PATH is trusted";
     unsetenv("OSG_FILE_PATH");
 }
 
-TEST(Trust, AWordThatIsNotKnownOpensNothing) {
+TEST(Trust, UnknownModeOpensNothing) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() + "/forest");
     folder.write("forest/wind.csv", record);
-    const Trusting trusting("Folder");
+    const EnvironmentVariable trust("OSGTREEWIND_TRUST", "Folder");
     EXPECT_NE(
         problemOfWindFile(folder, "wind.csv").find("expected OSGTREEWIND_TRUST to be \"folder\" or empty"),
         std::string::npos);
 }
 
-TEST(Trust, PartsOfAFileMayNotBeLinksToOthers) {
+TEST(Trust, FolderModeRejectsSiblingsThatLinkOutside) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() + "/forest");
     folder.write("forest/wind.csv", record);
     folder.write("secret.prj", "");
     std::filesystem::create_symlink(folder.path() + "/secret.prj", folder.path() + "/forest/windy.prj");
-    const Trusting trusting("folder");
-    EXPECT_EQ(problemOfWindFile(folder, "wind.csv"), "") << "whose name is another";
+    const EnvironmentVariable trust("OSGTREEWIND_TRUST", "folder");
+    EXPECT_EQ(problemOfWindFile(folder, "wind.csv"), "") << "the link has another base name";
     std::filesystem::create_symlink(folder.path() + "/secret.prj", folder.path() + "/forest/wind.prj");
-    EXPECT_NE(problemOfWindFile(folder, "wind.csv").find("a link beside it leads out of the folders"),
-              std::string::npos);
+    EXPECT_NE(
+        problemOfWindFile(folder, "wind.csv").find("a symbolic link next to it leads out of the folders"),
+        std::string::npos);
 }

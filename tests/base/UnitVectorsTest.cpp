@@ -7,12 +7,12 @@
 namespace osgTreeWind {
 namespace {
 
-TEST(UnitVectors, DirectionOfNothingIsTheFallback) {
+TEST(UnitVectors, DirectionOfAZeroVectorIsTheFallback) {
     EXPECT_EQ(directionOr({0, 0, 0}, {0, 1, 0}), glm::vec3(0, 1, 0));
     EXPECT_EQ(directionOr({0, 0, -3}, {0, 1, 0}), glm::vec3(0, 0, -1));
 }
 
-TEST(UnitVectors, PerpendicularIsAUnitVectorAcrossAnyAxis) {
+TEST(UnitVectors, PerpendicularIsAUnitVectorNormalToTheAxis) {
     Random random(5);
     for (int i = 0; i < 1000; ++i) {
         glm::vec3 axis{random.symmetric(), random.symmetric(), random.symmetric()};

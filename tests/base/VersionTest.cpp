@@ -5,13 +5,13 @@
 
 #include <string>
 
-TEST(Version, isThatOfTheHeaders) {
+TEST(Version, MatchesTheHeaders) {
     EXPECT_EQ(osgTreeWind::libraryVersion(), std::to_string(OSGTREEWIND_VERSION_MAJOR) + '.' +
                                                  std::to_string(OSGTREEWIND_VERSION_MINOR) + '.' +
                                                  std::to_string(OSGTREEWIND_VERSION_PATCH));
 }
 
-TEST(Version, comparesNumberByNumber) {
+TEST(Version, ComparesNumberByNumber) {
     EXPECT_TRUE(OSGTREEWIND_VERSION_AT_LEAST(OSGTREEWIND_VERSION_MAJOR, OSGTREEWIND_VERSION_MINOR,
                                              OSGTREEWIND_VERSION_PATCH));
     EXPECT_TRUE(OSGTREEWIND_VERSION_AT_LEAST(OSGTREEWIND_VERSION_MAJOR - 1, 99, 99));

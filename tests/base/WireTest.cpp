@@ -14,7 +14,7 @@ namespace {
 
 using Lists = std::vector<std::vector<double>>;
 
-/// What arrives of what is sent when its bytes are changed on the way.
+/// Sends and receives; overwrites the byte at offset `at` in between, unless `at` is negative.
 std::optional<Result<Lists>> sent(Result<Lists> lists, off_t at = -1, char byte = 0) {
     const int file = memfd_create("wire", 0);
     EXPECT_TRUE(Wire::send(file, lists));
@@ -29,7 +29,7 @@ std::optional<Result<Lists>> sent(Result<Lists> lists, off_t at = -1, char byte 
 
 } // namespace
 
-TEST(Wire, ListsOfListsAndProblemsArrive) {
+TEST(Wire, TransfersNestedListsAndProblems) {
     const Lists lists = {{1.0, 2.5}, {}, {-3.0}};
     const auto received = sent(lists);
     ASSERT_TRUE(received && *received);
@@ -39,10 +39,10 @@ TEST(Wire, ListsOfListsAndProblemsArrive) {
     EXPECT_EQ(firstProblem(*problem), "a: b: c");
 }
 
-TEST(Wire, WhatIsNeitherAValueNorAProblemDoesNotArrive) {
+TEST(Wire, RejectsDamagedData) {
     EXPECT_TRUE(sent(Lists{{1.0}}, 0, 1));
     EXPECT_FALSE(sent(Lists{{1.0}}, 0, 10));
-    EXPECT_FALSE(sent(Lists{{1.0}}, 1, 100)) << "more lists than come";
+    EXPECT_FALSE(sent(Lists{{1.0}}, 1, 100)) << "more lists announced than sent";
 }
 
 } // namespace osgTreeWind

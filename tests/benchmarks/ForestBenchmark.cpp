@@ -9,7 +9,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <benchmark/benchmark.h>
@@ -54,14 +54,14 @@ void simulate(benchmark::State& state, Step step) {
     double time = 0.0;
     for (auto _ : state)
         benchmark::DoNotOptimize(step(simulation, time += frame));
-    state.counters["units"] = static_cast<double>(SimulationParts::forest(simulation).units);
-    state.counters["leaves"] = static_cast<double>(SimulationParts::forest(simulation).leaves);
+    state.counters["units"] = static_cast<double>(SimulationAccess::forest(simulation).units);
+    state.counters["leaves"] = static_cast<double>(SimulationAccess::forest(simulation).leaves);
 }
 
 /// The first half of a step: the wind at every branch base.
 void sampleWind(benchmark::State& state) {
     simulate(state, [](ForestSimulation& simulation, double time) {
-        return SimulationParts::beginStep(simulation, time);
+        return SimulationAccess::beginStep(simulation, time);
     });
 }
 
@@ -70,7 +70,7 @@ void advance(benchmark::State& state) {
     simulate(state, [](ForestSimulation& simulation, double time) { return simulation.advance(time); });
 }
 
-/// A step and the update traversal around it, under a law of a branch: textures, transforms and bounds.
+/// A step and the update traversal around it, under a branchwise law: textures, transforms and bounds.
 void updateBranchwise(benchmark::State& state) {
     auto description = describe(state);
     if (!description)

@@ -6,9 +6,9 @@
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
@@ -122,8 +122,8 @@ WindFieldPtr gustsInAWood() {
     std::vector<CanopyTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
-    const std::shared_ptr<CanopyMap> wood = canopyOf(trees);
-    wood->refer(60.0f);
+    const std::shared_ptr<CanopyMap> wood = makeCanopy(trees);
+    wood->setReference(60.0f);
     return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
 }
 
@@ -196,7 +196,7 @@ void modalStep(benchmark::State& state, InstructionSet set) {
     one.trees.resize(1);
     const PlacedForest forest(std::move(one));
     const Archetype archetype(
-        SwayingTree{forest.models().front().get(), &forest.description().species.front(), {}, 1.0f});
+        TreeForm{forest.models().front().get(), &forest.description().species.front(), {}, 1.0f});
     const ModalModel& model = archetype.model(0);
     const std::size_t floats = treeFloats(model);
     float factors[sizeof(TreeFactors) / sizeof(float)];
@@ -223,7 +223,7 @@ void wood(benchmark::State& state) {
     if (state.range(1) == 1)
         options.executor = runInTurn;
     ForestSimulation simulation(createWood(static_cast<std::size_t>(state.range(0))), options);
-    ModalMotion& motion = *SimulationParts::modal(simulation);
+    ModalMotion& motion = *SimulationAccess::modal(simulation);
     for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i)
         if (i % 50 != 0)
             motion.setLevel(i, ModalMotion::Level::Far);

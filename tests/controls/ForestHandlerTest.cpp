@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <tests/MessageCollector.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/controls/ForestHandler.h>
@@ -24,7 +23,7 @@ using Event = osgGA::GUIEventAdapter;
 
 namespace {
 
-/// A forest that nobody draws, and a person before it.
+/// Sends keys and clicks to a handler, without drawing.
 class ForestHandlerTest : public testing::Test {
 protected:
     explicit ForestHandlerTest(ForestDescription description = smallForest(3))
@@ -52,12 +51,12 @@ protected:
             handler->handle(*event, *view);
         }
     }
-    void shownAt(double simulationTime) {
+    void runFrame(double simulationTime) {
         view->getFrameStamp()->setSimulationTime(simulationTime);
-        shown();
+        overlayText();
     }
-    /// What is on the screen.
-    std::string shown() {
+    /// Runs a frame event. @return the texts of the overlay.
+    std::string overlayText() {
         osg::ref_ptr<Event> event = new Event;
         event->setEventType(Event::FRAME);
         event->setTime(_now += 1.0);
@@ -69,7 +68,7 @@ protected:
                 static_cast<const osgText::Text*>(overlay.getChild(i))->getText().createUTF8EncodedString();
         return text;
     }
-    bool shows(const std::string& words) { return shown().find(words) != std::string::npos; }
+    bool shows(const std::string& words) { return overlayText().find(words) != std::string::npos; }
 
     osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
     osg::ref_ptr<Forest> forest;
@@ -80,7 +79,7 @@ private:
 };
 
 TEST_F(ForestHandlerTest, ArrowKeysSteerTheWind) {
-    ASSERT_TRUE(shows("wind    10.0 m/s from 270\xc2\xb0, gusts 0 %")) << shown();
+    ASSERT_TRUE(shows("wind    10.0 m/s from 270\xc2\xb0, gusts 0 %")) << overlayText();
     EXPECT_TRUE(press(Event::KEY_Up));
     EXPECT_TRUE(press(Event::KEY_Right));
     const auto wind = std::dynamic_pointer_cast<const UniformWind>(forest->getWind().field);
@@ -94,7 +93,7 @@ TEST_F(ForestHandlerTest, ArrowKeysSteerTheWind) {
     EXPECT_TRUE(shows("10.0 m/s from 270\xc2\xb0, gusts 0 %"));
 }
 
-TEST_F(ForestHandlerTest, AWindThatDiedDownComesBackFromWhereItBlew) {
+TEST_F(ForestHandlerTest, AWindThatDroppedToZeroKeepsItsDirection) {
     press(Event::KEY_Right);
     for (int i = 0; i < 12; ++i)
         press(Event::KEY_Down);
@@ -104,16 +103,16 @@ TEST_F(ForestHandlerTest, AWindThatDiedDownComesBackFromWhereItBlew) {
     EXPECT_TRUE(shows("1.0 m/s from 285\xc2\xb0"));
 }
 
-TEST_F(ForestHandlerTest, TheWindOfAHostIsSteeredFromWhatItIs) {
+TEST_F(ForestHandlerTest, SteeringStartsFromTheHostsWind) {
     press(Event::KEY_Up);
     forest->setWind(
         std::make_shared<FunctionWind>([](const glm::vec3&, double) { return glm::vec3(4, 0, 0); }));
     press(Event::KEY_Down);
     EXPECT_NEAR(asField(forest->getWind())->velocity({}, 0.0).x, 3.6f, 1e-5f);
-    EXPECT_TRUE(shows("as given, times 0.9"));
+    EXPECT_TRUE(shows("of the host, times 0.9"));
 }
 
-TEST_F(ForestHandlerTest, TheYearGoesOn) {
+TEST_F(ForestHandlerTest, BracketKeysChangeTheSeason) {
     ASSERT_TRUE(shows("season  6 August"));
     for (int i = 0; i < 10; ++i)
         press(']');
@@ -127,7 +126,7 @@ TEST_F(ForestHandlerTest, TheYearGoesOn) {
 }
 
 TEST_F(ForestHandlerTest, TimePausesStepsAndRuns) {
-    EXPECT_EQ(handler->simulationTime(100.0), 0.0) << "from now on";
+    EXPECT_EQ(handler->simulationTime(100.0), 0.0) << "the clock starts at 0";
     EXPECT_EQ(handler->simulationTime(101.0), 1.0);
     for (const double nonsense : {double(NAN), double(INFINITY), -1e300, 1e300})
         EXPECT_EQ(handler->simulationTime(nonsense), 1.0);
@@ -146,7 +145,7 @@ TEST_F(ForestHandlerTest, TimePausesStepsAndRuns) {
     EXPECT_NEAR(handler->simulationTime(1.0), 4.0 + 1.0 / 30.0, 1e-12) << "a clock that was set back";
 }
 
-TEST_F(ForestHandlerTest, LawsFollowEachOtherInTheSameWind) {
+TEST_F(ForestHandlerTest, ChangesTheLawInTheSameWind) {
     press(Event::KEY_Up);
     const WindFieldPtr wind = forest->getWind().field;
     std::set<MotionLaw> seen;
@@ -170,14 +169,14 @@ TEST_F(ForestHandlerTest, LawsFollowEachOtherInTheSameWind) {
     EXPECT_EQ(forest->getDescription().drawing.budget, 0.0f);
 }
 
-TEST_F(ForestHandlerTest, WhatALawCannotDoIsSaidAndNotDone) {
+TEST_F(ForestHandlerTest, ReportsWhatALawCannotDo) {
     press('d');
-    press('m'); // no law of a branch brings down trees
+    press('m'); // branch laws do not support damage
     EXPECT_EQ(forest->getDescription().law, MotionLaw::Modal);
-    EXPECT_TRUE(shows("\nnot     ")) << shown();
+    EXPECT_TRUE(shows("\nerror   ")) << overlayText();
 }
 
-TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
+TEST_F(ForestHandlerTest, AClickDescribesTheTree) {
     const osg::Vec3d foot(0.0, 0.0, 0.0), screen = (foot + osg::Vec3d(0.0, 0.0, 1.0)) *
                                                    view->getCamera()->getViewMatrix() *
                                                    view->getCamera()->getProjectionMatrix();
@@ -186,7 +185,7 @@ TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
     click(x, y);
     ASSERT_EQ(handler->getTree(), forest->getTrees()[0]);
     EXPECT_LT(handler->getUnit(), forest->getUnits(handler->getTree()).size());
-    EXPECT_TRUE(shows("5.0 m high")) << shown();
+    EXPECT_TRUE(shows("5.0 m high")) << overlayText();
     EXPECT_TRUE(shows(" Hz, leans "));
     click(x, y, 40.0f);
     EXPECT_NE(handler->getTree(), noTree) << "the camera was turned";
@@ -197,26 +196,26 @@ TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
     EXPECT_FALSE(shows("\ntree    "));
 }
 
-TEST_F(ForestHandlerTest, AHelicopterHoversOverATreeAndGoesAgain) {
+TEST_F(ForestHandlerTest, AHelicopterIsAddedAndRemoved) {
     const WindFieldPtr before = forest->getWind().field;
     press('r');
-    EXPECT_TRUE(forest->getWind().sources.empty()) << "over what?";
+    EXPECT_TRUE(forest->getWind().sources.empty()) << "no tree is selected";
     click(320.0f, 230.0f);
     press('r');
     EXPECT_EQ(forest->getWind().field, before);
     EXPECT_LT(asField(forest->getWind())->velocity({0.0f, 0.0f, 8.0f}, 0.0).z, -2.0f)
-        << "the wind carries some of it off";
-    EXPECT_TRUE(shows("10.0 m/s from 270\xc2\xb0, gusts 0 % and 1 sources")) << shown();
+        << "the wind carries part of the downwash off";
+    EXPECT_TRUE(shows("10.0 m/s from 270\xc2\xb0, gusts 0 % and 1 sources")) << overlayText();
     press(Event::KEY_Up);
     const Wind stronger = forest->getWind();
-    EXPECT_EQ(stronger.sources.size(), 1u) << "it stays";
+    EXPECT_EQ(stronger.sources.size(), 1u) << "the source stays";
     EXPECT_NEAR(stronger.field->velocity({}, 0.0).x, 11.0f, 1e-5f);
     press(Event::KEY_Delete);
     EXPECT_TRUE(forest->getWind().sources.empty());
     EXPECT_NEAR(asField(forest->getWind())->velocity({}, 0.0).x, 11.0f, 1e-5f);
 }
 
-TEST_F(ForestHandlerTest, SourcesFollowEachOtherAtATreeAndStayIfTheyAreToStay) {
+TEST_F(ForestHandlerTest, SourcesReplaceEachOtherUnlessKept) {
     const auto kinds = [this] {
         std::vector<WindSource::Kind> kinds;
         for (const WindSource& source : forest->getWind().sources)
@@ -248,53 +247,53 @@ TEST_F(ForestHandlerTest, SourcesFollowEachOtherAtATreeAndStayIfTheyAreToStay) {
     EXPECT_EQ(kinds(), std::vector<Kind>{Kind::Rotor});
 }
 
-TEST_F(ForestHandlerTest, TiersHaveColoursOrNot) {
+TEST_F(ForestHandlerTest, TogglesTheColoursOfTiers) {
     press('V');
     EXPECT_TRUE(forest->getStateSet()->getDefinePair("TIERS_COLORED"));
-    EXPECT_TRUE(shows("red: in full")) << shown();
+    EXPECT_TRUE(shows("red: full detail")) << overlayText();
     press('V');
     EXPECT_FALSE(forest->getStateSet()->getDefinePair("TIERS_COLORED"));
-    EXPECT_FALSE(shows("red: in full")) << shown();
+    EXPECT_FALSE(shows("red: full detail")) << overlayText();
 }
 
-TEST_F(ForestHandlerTest, ArrowsComeAndGo) {
+TEST_F(ForestHandlerTest, TogglesTheArrows) {
     const unsigned before = forest->getNumChildren();
     press('a');
-    shown();
+    overlayText();
     EXPECT_EQ(forest->getNumChildren(), before + 1);
     EXPECT_TRUE(forest->getChild(before)->getBound().valid());
     press('a');
-    shown();
+    overlayText();
     EXPECT_EQ(forest->getNumChildren(), before);
 }
 
 TEST_F(ForestHandlerTest, StreaksTravelWithTheWind) {
     const unsigned before = forest->getNumChildren();
     press('A');
-    shownAt(5.0);
+    runFrame(5.0);
     ASSERT_EQ(forest->getNumChildren(), before + 1);
     const osg::Geometry* streaks = forest->getChild(before)->asDrawable()->asGeometry();
     const osg::Array& places = *streaks->getVertexArray();
-    const auto newest = [&](unsigned streak) { // two points a line, seven lines
+    const auto newest = [&](unsigned streak) { // seven lines of two points
         return static_cast<const osg::Vec3Array&>(places)[14 * streak];
     };
-    std::vector<osg::Vec3> were;
+    std::vector<osg::Vec3> previous;
     for (unsigned i = 0; i < 100; ++i)
-        were.push_back(newest(i));
-    shownAt(5.1);
-    unsigned carried = 0; // others have begun anew
+        previous.push_back(newest(i));
+    runFrame(5.1);
+    unsigned moved = 0; // the other streaks were restarted
     for (unsigned i = 0; i < 100; ++i)
-        carried += (newest(i) - were[i] - osg::Vec3(1.0f, 0.0f, 0.0f)).length() < 1e-3f;
-    EXPECT_GT(carried, 70u) << "10 m/s from the west";
+        moved += (newest(i) - previous[i] - osg::Vec3(1.0f, 0.0f, 0.0f)).length() < 1e-3f;
+    EXPECT_GT(moved, 70u) << "10 m/s from the west";
     press('A');
-    shown();
+    overlayText();
     EXPECT_EQ(forest->getNumChildren(), before);
 }
 
 TEST_F(ForestHandlerTest, EveryKeyIsInTheHelpAndInTheUsage) {
     EXPECT_FALSE(shows("PageDown"));
     EXPECT_TRUE(press('h'));
-    const std::string help = shown();
+    const std::string help = overlayText();
     const osg::ref_ptr<osg::ApplicationUsage> usage = new osg::ApplicationUsage;
     handler->getUsage(*usage);
     const auto& bindings = usage->getKeyboardMouseBindings();
@@ -303,15 +302,15 @@ TEST_F(ForestHandlerTest, EveryKeyIsInTheHelpAndInTheUsage) {
         EXPECT_NE(help.find(does), std::string::npos) << key;
     press('i');
     press('h');
-    EXPECT_EQ(shown(), "");
+    EXPECT_EQ(overlayText(), "");
 }
 
-TEST_F(ForestHandlerTest, OtherKeysAreOthers) {
+TEST_F(ForestHandlerTest, IgnoresOtherKeys) {
     EXPECT_FALSE(press('s'));
     EXPECT_FALSE(press(Event::KEY_Escape));
 }
 
-TEST_F(ForestHandlerTest, AForestThatIsGoneIsLeftAlone) {
+TEST_F(ForestHandlerTest, SurvivesTheForest) {
     view->setSceneData(nullptr);
     forest = nullptr;
     EXPECT_FALSE(press(Event::KEY_Up));
@@ -319,7 +318,7 @@ TEST_F(ForestHandlerTest, AForestThatIsGoneIsLeftAlone) {
     EXPECT_EQ(handler->getTree(), noTree);
 }
 
-TEST_F(ForestHandlerTest, AnEmptyForestIsFine) {
+TEST_F(ForestHandlerTest, AcceptsAnEmptyForest) {
     EXPECT_TRUE(forest->setDescription({}).empty());
     for (const int key : {int(Event::KEY_Up), int('m'), int('a'), int('d'), int('h')})
         press(key);

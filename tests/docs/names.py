@@ -48,7 +48,7 @@ usage += "".join(help_of(command) for command in commands)
 
 
 def exists(path):
-    """A path is one from the root, from osgTreeWind/ (a room) or from tests/ (a test, whose ending may be left out)."""
+    """A path is one from the root, from osgTreeWind/ (a module) or from tests/ (a test, whose ending may be left out)."""
     return any(glob.glob(pattern) for pattern in (path, f"osgTreeWind/{path}", f"tests/{path}*"))
 
 

@@ -9,7 +9,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A tree stretched unevenly: five times as high as it grew, slim.
+/// A tree that is scaled unevenly: five times as high as its model, and slim.
 osg::ref_ptr<Forest> stretchedTree() {
     ForestDescription description = oneTree(Species());
     description.trees[0].position = {12.0, -7.0, 3.0};
@@ -35,7 +35,7 @@ void turnAllBranches(TreeNode& tree) {
 
 } // namespace
 
-TEST(BranchTransformTest, turnsAboutItsBase) {
+TEST(BranchTransformTest, RotatesAboutItsBase) {
     const osg::Vec3 base(1.0f, 2.0f, 3.0f);
     osg::ref_ptr<BranchTransform> branch = new BranchTransform(7, base);
     branch->setRotation(osg::Quat(osg::PI_2, osg::Z_AXIS));
@@ -44,7 +44,7 @@ TEST(BranchTransformTest, turnsAboutItsBase) {
     EXPECT_LT((turned - (base + osg::Y_AXIS)).length(), 1e-6) << "a quarter turn takes x to y";
 }
 
-TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
+TEST(BranchTransformTest, JointsStayConnectedUnderAnyAngles) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     turnAllBranches(tree);
@@ -56,11 +56,11 @@ TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
         const double gap =
             (end * worldMatrix(*tree.getBranch(parent)) - start * worldMatrix(*tree.getBranch(unit)))
                 .length();
-        EXPECT_LT(gap, 1e-4) << "unit " << unit << " has left the end of unit " << parent;
+        EXPECT_LT(gap, 1e-4) << "unit " << unit << " is detached from unit " << parent;
     }
 }
 
-TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
+TEST(BranchTransformTest, RotatingABranchDoesNotMoveItsSiblings) { // Fig 3.10
     osg::ref_ptr<Forest> forest = stretchedTree();
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     turnAllBranches(tree);
@@ -82,7 +82,7 @@ TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
     }
 }
 
-TEST(BranchTransformTest, hierarchyPosesTheBarkAsTheSimulationDoes) {
+TEST(BranchTransformTest, HierarchyPosesTheBarkAsTheSimulationDoes) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     updateFrames(*forest, 1, 60);
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
@@ -98,10 +98,10 @@ TEST(BranchTransformTest, hierarchyPosesTheBarkAsTheSimulationDoes) {
         moved = std::max(moved, (cpu - rest).length());
     }
     EXPECT_LT(furthest, 1e-4);
-    EXPECT_GT(moved, 0.01) << "the wind did not move the tree, so this shows nothing";
+    EXPECT_GT(moved, 0.01) << "the test is void: the wind did not move the tree";
 }
 
-TEST(BranchTransformTest, aCloneTurnsOnItsOwn) {
+TEST(BranchTransformTest, CloneRotatesIndependently) {
     osg::ref_ptr<BranchTransform> branch = new BranchTransform(7, osg::Vec3(1, 2, 3));
     branch->setRotation(osg::Quat(0.3, osg::X_AXIS));
     osg::ref_ptr<BranchTransform> copy = osg::clone(branch.get());

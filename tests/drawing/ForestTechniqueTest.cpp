@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A technique of a host's own, by the headers that a host has.
+// A host's technique, which uses public headers only.
 #include <osgTreeWind/drawing/ForestTechnique.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
@@ -36,9 +36,7 @@ public:
         : ForestTechnique(other, copyop), _width(other._width) {}
     META_Node(host, LineTechnique)
 
-        void setWidth(float width) {
-        _width = width;
-    }
+    void setWidth(float width) { _width = width; }
     float getWidth() const { return _width; }
 
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override {
@@ -109,7 +107,7 @@ using host::LineTechnique;
 
 namespace {
 
-const LineTechnique* linesOf(const Forest& forest) {
+const LineTechnique* lineTechnique(const Forest& forest) {
     return dynamic_cast<const LineTechnique*>(forest.getTechnique());
 }
 
@@ -122,7 +120,7 @@ osg::ref_ptr<Forest> linedForest() {
 
 } // namespace
 
-TEST(ForestTechniqueTest, aHostsOwnTakesThePlaceOfTheUsualOne) {
+TEST(ForestTechniqueTest, HostTechniqueReplacesTheDefault) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     const osg::ref_ptr<ForestTechnique> usual = forest->getTechnique();
     ASSERT_EQ(usual.get(), forest->getInstanced());
@@ -139,25 +137,25 @@ TEST(ForestTechniqueTest, aHostsOwnTakesThePlaceOfTheUsualOne) {
     EXPECT_EQ(lines->getNumParents(), 0u);
 }
 
-TEST(ForestTechniqueTest, itMovesAndDrawsTheTreesAsTheyComeAndGo) {
+TEST(ForestTechniqueTest, DrawsMovingAddedAndRemovedTrees) {
     const osg::ref_ptr<Forest> forest = linedForest();
-    ASSERT_EQ(linesOf(*forest)->points().size(), 6u);
-    const osg::Vec3 top = linesOf(*forest)->points()[1];
-    EXPECT_NEAR(top.z(), 4.6f, 0.3f) << "the wood of a tree of 5 m";
+    ASSERT_EQ(lineTechnique(*forest)->points().size(), 6u);
+    const osg::Vec3 top = lineTechnique(*forest)->points()[1];
+    EXPECT_NEAR(top.z(), 4.6f, 0.3f) << "the highest branch of a tree of 5 m";
     updateFrames(*forest, 1, 30);
-    EXPECT_GT(linesOf(*forest)->points()[1].x(), top.x() + 0.005f) << "the wind blows toward +x";
+    EXPECT_GT(lineTechnique(*forest)->points()[1].x(), top.x() + 0.005f) << "the wind blows toward +x";
     EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
-    EXPECT_EQ(linesOf(*forest)->points().size(), 4u);
+    EXPECT_EQ(lineTechnique(*forest)->points().size(), 4u);
     TreePlacement late;
     late.position = {50.0, 0.0, 0.0};
     EXPECT_TRUE(forest->addTree(late));
-    EXPECT_EQ(linesOf(*forest)->points().size(), 6u);
+    EXPECT_EQ(lineTechnique(*forest)->points().size(), 6u);
     EXPECT_GT(forest->getBound().center().x() + forest->getBound().radius(), 50.0f);
 }
 
-TEST(ForestTechniqueTest, itStaysWithTheNextDescriptionUnderAnyLaw) {
+TEST(ForestTechniqueTest, StaysWithANewDescriptionUnderAnyLaw) {
     const osg::ref_ptr<Forest> forest = linedForest();
-    const LineTechnique* const lines = linesOf(*forest);
+    const LineTechnique* const lines = lineTechnique(*forest);
     ForestDescription next = smallForest(5);
     next.law = MotionLaw::ThesisSmooth;
     EXPECT_TRUE(forest->setDescription(next).empty());
@@ -167,24 +165,24 @@ TEST(ForestTechniqueTest, itStaysWithTheNextDescriptionUnderAnyLaw) {
     EXPECT_NE(forest->getBranchwise(), nullptr);
 }
 
-TEST(ForestTechniqueTest, aCopyOfTheForestHasACopyOfIt) {
+TEST(ForestTechniqueTest, CopiedForestHasACopyOfTheTechnique) {
     const osg::ref_ptr<Forest> forest = linedForest();
     const osg::ref_ptr<LineTechnique> lines = new LineTechnique;
     lines->setWidth(3.0f);
     EXPECT_TRUE(forest->setTechnique(lines).empty());
     for (const auto flags : {osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL}) {
         const osg::ref_ptr<Forest> copy = osg::clone(forest.get(), osg::CopyOp(flags));
-        ASSERT_NE(linesOf(*copy), nullptr);
-        EXPECT_NE(linesOf(*copy), lines.get());
-        EXPECT_EQ(linesOf(*copy)->getWidth(), 3.0f);
-        EXPECT_EQ(linesOf(*copy)->points().size(), 6u);
+        ASSERT_NE(lineTechnique(*copy), nullptr);
+        EXPECT_NE(lineTechnique(*copy), lines.get());
+        EXPECT_EQ(lineTechnique(*copy)->getWidth(), 3.0f);
+        EXPECT_EQ(lineTechnique(*copy)->points().size(), 6u);
         EXPECT_EQ(copy->getNumChildren(), 1u);
-        EXPECT_EQ(linesOf(*copy)->getSimulation(), &copy->getSimulation());
+        EXPECT_EQ(lineTechnique(*copy)->getSimulation(), &copy->getSimulation());
     }
     EXPECT_EQ(lines->getNumParents(), 1u);
 }
 
-TEST(ForestTechniqueTest, aSavedForestKeepsIt) {
+TEST(ForestTechniqueTest, SavedForestKeepsTheTechnique) {
     usePluginsOfThisBuild();
     const osg::ref_ptr<Forest> forest = linedForest();
     const osg::ref_ptr<LineTechnique> lines = new LineTechnique;
@@ -198,20 +196,20 @@ TEST(ForestTechniqueTest, aSavedForestKeepsIt) {
         const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file);
         const auto* back = dynamic_cast<const Forest*>(node.get());
         ASSERT_NE(back, nullptr) << extension;
-        ASSERT_NE(linesOf(*back), nullptr) << extension;
-        EXPECT_EQ(linesOf(*back)->getWidth(), 3.0f) << extension;
-        EXPECT_EQ(linesOf(*back)->points().size(), 6u) << extension;
+        ASSERT_NE(lineTechnique(*back), nullptr) << extension;
+        EXPECT_EQ(lineTechnique(*back)->getWidth(), 3.0f) << extension;
+        EXPECT_EQ(lineTechnique(*back)->points().size(), 6u) << extension;
         EXPECT_EQ(back->getNumChildren(), 2u) << extension;
     }
 }
 
-TEST(ForestTechniqueTest, itIsToldToReleaseItsObjects) {
+TEST(ForestTechniqueTest, ReceivesReleaseGLObjects) {
     const osg::ref_ptr<Forest> forest = linedForest();
     forest->releaseGLObjects();
-    EXPECT_EQ(linesOf(*forest)->released, 1);
+    EXPECT_EQ(lineTechnique(*forest)->released, 1);
 }
 
-TEST(ForestTechniqueTest, theBaseMovesTreesAndFollowsNoBranches) {
+TEST(ForestTechniqueTest, BaseClassMovesTreesAndHasNoBranches) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     EXPECT_TRUE(forest->setTechnique(new ForestTechnique).empty());
     const std::vector<glm::vec4> rest = statesOf(*forest);
@@ -222,10 +220,10 @@ TEST(ForestTechniqueTest, theBaseMovesTreesAndFollowsNoBranches) {
     ASSERT_FALSE(branch.ok());
     EXPECT_EQ(branch.problems().front().key, "technique");
     EXPECT_EQ(forest->branch(TreeId(0), 1000).problems().front().key, "unit");
-    EXPECT_FALSE(forest->unfollow(TreeId(0), 2));
+    EXPECT_FALSE(forest->releaseBranch(TreeId(0), 2));
 }
 
-TEST(ForestTechniqueTest, oneForAnotherLawDrawsNothing) {
+TEST(ForestTechniqueTest, TechniqueForAnotherLawDrawsNothing) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     EXPECT_TRUE(forest->setTechnique(new BranchwiseForest).empty());
     ASSERT_NE(forest->getBranchwise(), nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hosts that replace shaders/surface.glsl, by the files of examples/surface.
+// Replaces shaders/surface.glsl by the files of examples/surface.
 #include <tests/Folders.h>
 #include <tests/gl/GlTest.h>
 #include <tests/gpu/FilePath.h>
@@ -21,7 +21,7 @@ class SurfaceGlTest : public GlTest, public ::testing::WithParamInterface<Way> {
 protected:
     static constexpr int width = 200, height = 150;
 
-    /// Trees in a row along x, some of them pictures.
+    /// Trees in a row along x, some of them impostors.
     static osg::ref_ptr<Forest> forest() {
         ForestDescription description = smallForest(4);
         if (GetParam() == Way::Branchwise)
@@ -58,7 +58,7 @@ osg::ref_ptr<osg::Node> wall(float left, float right, float y) {
     return geometry;
 }
 
-/// One wall before the trees on the left, one behind those on the right.
+/// A wall in front of the trees on the left, and a wall behind the trees on the right.
 osg::ref_ptr<osg::Group> scene(Forest* forest, const std::string& vertexEnd, const std::string& fragmentEnd) {
     osg::ref_ptr<osg::Group> walls = new osg::Group;
     walls->addChild(wall(-2, 2, -5));
@@ -83,7 +83,7 @@ osg::ref_ptr<osg::Group> scene(Forest* forest, const std::string& vertexEnd, con
 
 } // namespace
 
-TEST_P(SurfaceGlTest, logarithmicDepthHidesWhatDepthHides) {
+TEST_P(SurfaceGlTest, LogarithmicDepthHidesTheSamePixels) {
     const osg::ref_ptr<osg::Image> expected = picture(scene(forest(), "far = 0.0;", ""));
     const FilePath path = replaced("logarithmic_depth");
     const osg::ref_ptr<osg::Image> found = picture(
@@ -92,7 +92,7 @@ TEST_P(SurfaceGlTest, logarithmicDepthHidesWhatDepthHides) {
     EXPECT_GT(covered(*expected), 0.2);
 }
 
-TEST_P(SurfaceGlTest, aGBufferHasAlbedoWithoutLightAndNormals) {
+TEST_P(SurfaceGlTest, GBufferHasUnlitAlbedoAndNormals) {
     const FilePath path = replaced("g_buffer");
     const auto drawn = [&](osg::View::LightingMode lighting) {
         const osg::ref_ptr<osg::Image> albedo = new osg::Image, normals = new osg::Image;
@@ -135,7 +135,7 @@ TEST_P(SurfaceGlTest, aGBufferHasAlbedoWithoutLightAndNormals) {
     EXPECT_GT(towardEye, 0.55 * found);
 }
 
-TEST_P(SurfaceGlTest, idsOfObjectsAreOneATree) {
+TEST_P(SurfaceGlTest, EachTreeHasAnObjectId) {
     const FilePath path = replaced("object_ids");
     const osg::ref_ptr<osg::Image> ids = picture(forest());
     std::set<osg::Vec4ub> colours;

@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The problems of a small sound forest after a change.
+/// The problems of a small valid forest after a change.
 std::vector<std::string> problemsAfter(void (*spoil)(ForestDescription&)) {
     ForestDescription forest;
     forest.species.emplace_back().name = "oak";
@@ -27,19 +27,19 @@ using Texts = std::vector<std::string>;
 
 } // namespace
 
-TEST(CheckForest, FindsNothingInASoundForest) {
+TEST(CheckForest, AcceptsAValidForest) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.trees[0].size.height = -1.0f; }), Texts())
-        << "a size that is not above 0 is not given";
+        << "0 and less means not given";
 }
 
-TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
+TEST(CheckForest, ReportsValuesOutOfRangeWithTheirKey) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.gain = 101.0f; }),
               Texts{"motion.gain: expected a finite number in [0, 100], found 101"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) {
                   f.law = MotionLaw::ThesisSmooth;
                   f.damage = true;
               }),
-              Texts{"motion.damage: expected false under any law but \"modal\""});
+              Texts{"motion.damage: expected false, since the law is not \"modal\""});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.noiseExponent = 4.0f; }),
               Texts{"motion.noise_exponent: expected a finite number in [0, 3]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.step = -1.0; }),
@@ -74,10 +74,10 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.wind.canopy.emplace().height = 0.0; }),
               Texts{"wind.canopy_height: expected a finite number in [1, 150], found 0"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.wind.frame = static_cast<WindFrame>(9); }),
-              Texts{"wind.frame: expected one of its words, found 9"});
+              Texts{"wind.frame: expected a value of the enumeration, found 9"});
 }
 
-TEST(CheckForest, LooksIntoTilesAndScans) {
+TEST(CheckForest, ChecksTilesAndScans) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.tiles.emplace().tiles.resize(3); }),
               (Texts{"tiles.columns: expected a finite number in [1, 10000], found 0",
                      "tiles.rows: expected a finite number in [1, 10000], found 0"}));

@@ -28,7 +28,7 @@ ForestDescription saplings() {
     return forest;
 }
 
-/// What tells the shapes of a forest, which is gone afterwards: models are shared while one holds them.
+/// Points of all shapes. The forest is destroyed afterwards, because models are shared while one exists.
 std::vector<std::vector<glm::vec3>> shapesGrownBy(const Executor& executor) {
     const PlacedForest forest(saplings(), {}, executor);
     std::vector<std::vector<glm::vec3>> shapes;
@@ -39,11 +39,11 @@ std::vector<std::vector<glm::vec3>> shapesGrownBy(const Executor& executor) {
 
 } // namespace
 
-TEST(PlacedForest, HasTheSameShapesOnAnyNumberOfThreads) {
-    const auto inTurn = shapesGrownBy(runInTurn);
-    ASSERT_EQ(inTurn.size(), 8u);
-    EXPECT_NE(inTurn[0], inTurn[1]);
-    EXPECT_EQ(shapesGrownBy(ThreadPool::executor(2)), inTurn);
-    EXPECT_EQ(shapesGrownBy(ThreadPool::executor(5)), inTurn);
-    EXPECT_EQ(shapesGrownBy({}), inTurn);
+TEST(PlacedForest, ShapesDoNotDependOnTheNumberOfThreads) {
+    const auto sequential = shapesGrownBy(runInTurn);
+    ASSERT_EQ(sequential.size(), 8u);
+    EXPECT_NE(sequential[0], sequential[1]);
+    EXPECT_EQ(shapesGrownBy(ThreadPool::executor(2)), sequential);
+    EXPECT_EQ(shapesGrownBy(ThreadPool::executor(5)), sequential);
+    EXPECT_EQ(shapesGrownBy({}), sequential);
 }

@@ -10,8 +10,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A forest of two species whose trees stand in the open or not.
-ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> trees) {
+/// A forest of two species. Each tree is given by its species and whether it is open-grown.
+ForestDescription twoSpeciesForest(std::initializer_list<std::pair<std::size_t, bool>> trees) {
     ForestDescription forest;
     forest.species = {*findSpecies("Sitka spruce"), *findSpecies("palm")};
     forest.species[0].crown.depthPerHeight = 0.5f;
@@ -30,41 +30,41 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
 
 } // namespace
 
-TEST(ShapeFamilies, OneCompanyIsGrownOnce) {
+TEST(ShapeFamilies, GrowingSpacesShareTheShapesOfASpecies) {
     const auto shapes = [](const ForestDescription& forest) { return PlacedForest(forest).models().size(); };
-    EXPECT_EQ(shapes(standing({})), 6u);
-    EXPECT_EQ(shapes(standing({{0, false}, {0, false}})), 6u);
-    EXPECT_EQ(shapes(standing({{0, true}})), 6u);
-    EXPECT_EQ(shapes(standing({{0, true}, {0, false}})), 6u) << "3 for both together";
-    EXPECT_EQ(shapes(standing({{1, true}, {1, false}})), 6u) << "palms grow alike";
+    EXPECT_EQ(shapes(twoSpeciesForest({})), 6u);
+    EXPECT_EQ(shapes(twoSpeciesForest({{0, false}, {0, false}})), 6u);
+    EXPECT_EQ(shapes(twoSpeciesForest({{0, true}})), 6u);
+    EXPECT_EQ(shapes(twoSpeciesForest({{0, true}, {0, false}})), 6u) << "both share 3";
+    EXPECT_EQ(shapes(twoSpeciesForest({{1, true}, {1, false}})), 6u) << "palms ignore the growing space";
 }
 
 TEST(ShapeFamilies, ModelsKnowTheirSpecies) {
-    const PlacedForest forest(standing({{0, true}, {0, false}, {1, true}}));
+    const PlacedForest forest(twoSpeciesForest({{0, true}, {0, false}, {1, true}}));
     for (std::size_t model = 0; model < forest.models().size(); ++model)
         EXPECT_EQ(forest.speciesOfModel(model), model < 3 ? 0u : 1u) << model;
     for (const PlacedTree& tree : forest.trees)
         EXPECT_EQ(forest.speciesOfModel(tree.model), tree.species);
 }
 
-TEST(ShapeFamilies, ATreeInTheOpenKeepsItsCrown) {
-    const PlacedForest forest(standing({{0, true}, {0, false}}));
+TEST(ShapeFamilies, OpenGrownTreesKeepTheSpeciesCrown) {
+    const PlacedForest forest(twoSpeciesForest({{0, true}, {0, false}}));
     const Skeleton alone = makeTreeModel(findSpecies("Sitka spruce")->tree, 0).skeleton;
     EXPECT_EQ(forest.modelOf(forest.trees[0]).skeleton.points, alone.points);
     EXPECT_NE(forest.modelOf(forest.trees[1]).skeleton.points, alone.points);
 }
 
-TEST(ShapeFamilies, ATreeThatComesLaterTakesTheShapesThatAreThere) {
-    const PlacedForest forest(standing({{0, false}}));
-    TreePlacement tree = standing({{0, true}}).trees.front();
-    EXPECT_EQ(forest.fitted(tree).model, forest.trees[0].model);
-    EXPECT_TRUE(forest.fitted(tree).openGrown);
+TEST(ShapeFamilies, TreesAddedLaterUseExistingShapes) {
+    const PlacedForest forest(twoSpeciesForest({{0, false}}));
+    TreePlacement tree = twoSpeciesForest({{0, true}}).trees.front();
+    EXPECT_EQ(forest.makePlacedTree(tree).model, forest.trees[0].model);
+    EXPECT_TRUE(forest.makePlacedTree(tree).openGrown);
 }
 
-TEST(ShapeFamilies, APlacementGivesTheSameCrownAgain) {
-    const PlacedForest forest(standing({{0, true}, {0, false}}));
+TEST(ShapeFamilies, PlacementOfATreeGivesTheSameTree) {
+    const PlacedForest forest(twoSpeciesForest({{0, true}, {0, false}}));
     for (std::size_t slot = 0; slot < 2; ++slot) {
-        const PlacedTree again = forest.fitted(forest.placementOf(slot));
+        const PlacedTree again = forest.makePlacedTree(forest.placementOf(slot));
         EXPECT_EQ(again.model, forest.trees[slot].model);
         EXPECT_NEAR(again.scale.axes.z, forest.trees[slot].scale.axes.z, 0.02f);
     }
@@ -72,7 +72,7 @@ TEST(ShapeFamilies, APlacementGivesTheSameCrownAgain) {
 
 namespace {
 
-/// A species that grows by light to 16 m, with trees of these heights, 0: not given.
+/// A species that grows by light to 16 m, with trees of these heights. 0: not given.
 ForestDescription growingTo(const std::vector<float>& heights, int shapes = 8) {
     ForestDescription forest;
     forest.species = {Species()};
@@ -103,7 +103,7 @@ std::uint32_t shapesOf(const ShapeFamilies& families) {
 
 } // namespace
 
-TEST(ShapeFamilies, FormsAreGrownForSmallMiddlingAndLargeTrees) {
+TEST(ShapeFamilies, ShapesAreGrownForSmallMediumAndLargeTrees) {
     const ShapeFamilies families(growingTo({4, 4, 4, 4, 16, 16, 16, 16, 16, 16, 16, 16, 25, 25, 25, 25}));
     const std::vector<float> heights = heightsOf(families);
     ASSERT_EQ(heights.size(), 3u);
@@ -112,34 +112,34 @@ TEST(ShapeFamilies, FormsAreGrownForSmallMiddlingAndLargeTrees) {
     EXPECT_EQ(heights[2], 25.0f);
     EXPECT_EQ(shapesOf(families), 8u);
     EXPECT_EQ(families.all()[1].shapes, 4u) << "half of the trees";
-    const ShapeFamilies alike(growingTo({15, 15.5f, 16, 16, 17}));
-    EXPECT_EQ(heightsOf(alike), std::vector<float>{16.0f});
-    EXPECT_EQ(shapesOf(alike), 8u);
+    const ShapeFamilies similar(growingTo({15, 15.5f, 16, 16, 17}));
+    EXPECT_EQ(heightsOf(similar), std::vector<float>{16.0f});
+    EXPECT_EQ(shapesOf(similar), 8u);
 }
 
-TEST(ShapeFamilies, ATreeTakesTheNearestForm) {
+TEST(ShapeFamilies, TreesUseTheFamilyNearestInHeight) {
     const ForestDescription forest = growingTo({4, 4, 4, 4, 16, 16, 16, 16, 16, 16, 16, 16, 25, 25, 25, 25});
     const ShapeFamilies families(forest);
-    const auto formFor = [&](float height) {
+    const auto familyFor = [&](float height) {
         TreePlacement tree;
         tree.size.height = height;
         return families.indexOf(tree);
     };
-    EXPECT_EQ(formFor(2.0f), 0u);
-    EXPECT_EQ(formFor(15.0f), 1u);
-    EXPECT_EQ(formFor(19.0f), 1u);
-    EXPECT_EQ(formFor(21.0f), 2u);
-    EXPECT_EQ(formFor(60.0f), 2u);
-    EXPECT_EQ(formFor(0.0f), 1u) << "not given: the usual one";
+    EXPECT_EQ(familyFor(2.0f), 0u);
+    EXPECT_EQ(familyFor(15.0f), 1u);
+    EXPECT_EQ(familyFor(19.0f), 1u);
+    EXPECT_EQ(familyFor(21.0f), 2u);
+    EXPECT_EQ(familyFor(60.0f), 2u);
+    EXPECT_EQ(familyFor(0.0f), 1u) << "not given: the default height";
 }
 
-TEST(ShapeFamilies, ATreeWithoutASizeIsAsHighAsItsSpeciesGrows) {
+TEST(ShapeFamilies, TreesWithoutASizeHaveTheHeightOfTheirSpecies) {
     const ShapeFamilies families(growingTo({0, 4, 4, 4, 4, 4, 4, 25, 25, 25, 25, 25, 25, 25}));
     TreePlacement tree;
     EXPECT_EQ(families.all()[families.indexOf(tree)].tree.growth->size.height, 16.0f);
 }
 
-TEST(ShapeFamilies, EachCompanyHasFormsOfItsOwn) {
+TEST(ShapeFamilies, EachGrowingSpaceHasItsOwnFamily) {
     ForestDescription forest = growingTo({16, 16, 16, 16, 16, 16, 16, 16, 16, 16});
     forest.trees[0].openGrown = true;
     forest.trees[1].atEdge = forest.trees[2].atEdge = true;
@@ -156,16 +156,16 @@ TEST(ShapeFamilies, EachCompanyHasFormsOfItsOwn) {
     EXPECT_FALSE(siteOf(9).openSide);
     for (const int shapes : {1, 2, 3}) {
         forest.species.front().shapes = shapes;
-        EXPECT_EQ(shapesOf(ShapeFamilies(forest)), 3u) << "one for each at least";
+        EXPECT_EQ(shapesOf(ShapeFamilies(forest)), 3u) << "at least one each";
     }
 }
 
-TEST(ShapeFamilies, FewShapesAreOfFewHeights) {
+TEST(ShapeFamilies, FewShapesGiveFewHeights) {
     EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 16, 16, 16, 25, 25}, 1))), std::vector<float>{16.0f});
     EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 4, 16, 25, 25, 25, 25}, 5))).size(), 2u);
 }
 
-TEST(ShapeFamilies, FormsHaveTheProportionsOfTheirTrees) {
+TEST(ShapeFamilies, ShapesHaveTheProportionsOfTheirTrees) {
     ForestDescription forest = growingTo({16, 16, 16, 16, 16});
     for (TreePlacement& tree : forest.trees)
         tree.size = {16.0f, 0.8f, 12.0f};

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// What libFuzzer calls, over and over; see script/fuzz.
+/// Entry point that libFuzzer calls; see script/fuzz.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace osgTreeWind {
@@ -15,9 +15,9 @@ inline std::string_view viewOf(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Stops the program unless there is a reason, a grid with as many numbers as it has points, or a record with
-/// as many velocities as times.
-inline void expectWhole(const Result<WindContent>& content) {
+/// Aborts unless the result is an error with a message, a grid with a value for each point, or a series with
+/// a velocity for each time.
+inline void expectValidContent(const Result<WindContent>& content) {
     if (!content) {
         if (content.problems().empty() || content.problems().front().message.empty())
             std::abort();

@@ -9,6 +9,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     columns.timeUnit = size % 2 ? "s" : "iso8601";
     columns.speed = "speed";
     columns.direction = "direction";
-    expectWhole(readWindCsv(viewOf(data, size), "fuzz", columns));
+    expectValidContent(readWindCsv(viewOf(data, size), "fuzz", columns));
     return 0;
 }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-/// What libFuzzer calls, over and over; see script/fuzz.
+/// Entry point that libFuzzer calls; see script/fuzz.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace osgTreeWind {
@@ -16,21 +16,22 @@ inline std::string textOf(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Stops the program unless there is a reason.
+/// Aborts unless there is a problem with a message.
 template <typename T>
-void expectReason(const Result<T>& result) {
+void expectErrorHasMessage(const Result<T>& result) {
     if (!result && (result.problems().empty() || result.problems().front().message.empty()))
         std::abort();
 }
 
-/// Stops the program unless there is a reason, or a forest that is the same when it is written and read.
+/// Aborts unless the result is an error with a message, or a forest that stays the same when written and
+/// read.
 inline void expectForest(const std::string& document) {
     ForestFileOptions options;
     options.file = "fuzz";
-    options.mostTrees = 2000;
+    options.maxTrees = 2000;
     std::istringstream input(document);
     const auto forest = readForest(input, options);
-    expectReason(forest);
+    expectErrorHasMessage(forest);
     std::ostringstream written, again;
     if (!forest || !writeForest(forest.value(), written).empty())
         return;

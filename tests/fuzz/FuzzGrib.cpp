@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t count = choice.value().times.size() * choice.value().levels.size();
     if (count == 0 || choice.value().east.size() != count || choice.value().north.size() != count)
         std::abort();
-    for (const GribField* field : choice.value().all())
+    for (const GribField* field : choice.value().allFields())
         if (!field)
             std::abort();
     return 0;

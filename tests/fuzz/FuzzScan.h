@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// What libFuzzer calls, over and over; see script/fuzz.
+/// Entry point that libFuzzer calls; see script/fuzz.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace osgTreeWind {
 
-/// Stops the program unless there is a reason, or parents that are there; and for sound trees, skeletons of
-/// finite points.
-inline void expectTrees(const Result<ScanFile>& scan) {
+/// Aborts unless the result is an error with a message, or trees with valid parents whose skeletons are
+/// finite.
+inline void expectErrorOrTrees(const Result<ScanFile>& scan) {
     if (!scan) {
         if (scan.problems().empty() || scan.problems().front().message.empty())
             std::abort();

@@ -6,7 +6,7 @@
 
 using namespace osgTreeWind;
 
-/// What is not asked for stays, as long as the document is one after the edit.
+/// Aborts if an edit changes other values of a document that stays valid.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text = textOf(data, size);
     const toml::parse_result before = toml::parse(text);
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (!old.contains("wind"))
         now.erase("wind");
-    if (old == old && old != now) // numbers that are none are not themselves
+    if (old == old && old != now) // NaN differs from itself
         std::abort();
     return 0;
 }

@@ -16,14 +16,14 @@ namespace {
 constexpr int side = 80; // pixels: 6400, enough for 5000 texels
 constexpr int texels = 5000;
 
-/// A value of its own for every texel: above 1, below 0, and none that 16 bits would hold.
+/// A unique value for each texel, outside [0, 1] and not exact in 16 bits.
 float expected(int texel, int channel) {
     return (channel % 2 ? -1.0f : 1.0f) * (1.0f + static_cast<float>(texel)) * 3.1415927f +
            1e-3f * static_cast<float>(channel);
 }
 
-/// Paints pixel i with one byte of texel i, as the shaders of the project read it.
-osg::ref_ptr<osg::Geometry> byteShower(const DataTexture& data) {
+/// A drawable whose shader reads texel i as those of the library do, and writes one byte of it to pixel i.
+osg::ref_ptr<osg::Geometry> makeByteDrawable(const DataTexture& data) {
     const std::string fragment = "#version 330 compatibility\n" + shaderText("data.glsl") + R"(
 uniform sampler2D data;
 uniform int channel, shownByte;
@@ -50,7 +50,7 @@ void main() {
 
 class DataTextureGlTest : public GlTest {
 protected:
-    /// All texels of a channel as the shader sees them.
+    /// One channel of all texels as the shader reads them.
     std::vector<float> readBack(osg::StateSet& state, int channel) {
         state.getOrCreateUniform("channel", osg::Uniform::INT)->set(channel);
         std::vector<std::uint32_t> bits(texels, 0u);
@@ -72,13 +72,13 @@ private:
 
 } // namespace
 
-TEST_F(DataTextureGlTest, everyTexelArrivesAsItWasWritten) {
+TEST_F(DataTextureGlTest, EveryTexelArrivesUnchanged) {
     const DataTexture data("numbers", texels);
     for (int i = 0; i < texels; ++i)
         for (int channel = 0; channel < 4; ++channel)
             data.data()[4 * i + channel] = expected(i, channel);
     data.dirty();
-    osg::ref_ptr<osg::Geometry> shower = byteShower(data);
+    osg::ref_ptr<osg::Geometry> shower = makeByteDrawable(data);
     open(side, side);
     viewer().setSceneData(shower);
     for (int channel = 0; channel < 4; ++channel) {
@@ -89,9 +89,9 @@ TEST_F(DataTextureGlTest, everyTexelArrivesAsItWasWritten) {
     }
 }
 
-TEST_F(DataTextureGlTest, aChangeArrivesWithTheNextFrame) {
+TEST_F(DataTextureGlTest, AChangeArrivesInTheNextFrame) {
     const DataTexture data("numbers", texels);
-    osg::ref_ptr<osg::Geometry> shower = byteShower(data);
+    osg::ref_ptr<osg::Geometry> shower = makeByteDrawable(data);
     open(side, side);
     viewer().setSceneData(shower);
     EXPECT_EQ(readBack(*shower->getStateSet(), 2).back(), 0.0f);
@@ -100,9 +100,9 @@ TEST_F(DataTextureGlTest, aChangeArrivesWithTheNextFrame) {
     EXPECT_EQ(readBack(*shower->getStateSet(), 2).back(), -1234.5678f);
 }
 
-TEST_F(DataTextureGlTest, mayBeEmpty) {
+TEST_F(DataTextureGlTest, MayBeEmpty) {
     const DataTexture data("nothing", 0);
-    osg::ref_ptr<osg::Geometry> shower = byteShower(data);
+    osg::ref_ptr<osg::Geometry> shower = makeByteDrawable(data);
     open(side, side);
     viewer().setSceneData(shower);
     EXPECT_EQ(readBack(*shower->getStateSet(), 0).front(), 0.0f);

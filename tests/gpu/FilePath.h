@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// Puts a folder first in OSG_FILE_PATH while it lives.
+/// Prepends a folder to OSG_FILE_PATH during its lifetime.
 class FilePath {
 public:
     explicit FilePath(const std::string& folder)

@@ -4,7 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/gpu/PosePass.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -17,7 +17,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Draws nothing; asks for poses as a cull would, and reads back what the pass makes of them.
+/// A drawable that requests poses as a cull traversal does, and reads them back. It draws nothing.
 class PoseReader : public osg::Drawable {
 public:
     PoseReader(const ForestSimulation& simulation, std::vector<osg::ref_ptr<PosePass>>& passes)
@@ -26,23 +26,24 @@ public:
         setUseDisplayList(false);
     }
 
-    void ask(unsigned frame, std::size_t tree) {
-        const PlacedTree& placed = SimulationParts::trees(_simulation)[tree];
+    void requestPose(unsigned frame, std::size_t tree) {
+        const PlacedTree& placed = SimulationAccess::trees(_simulation)[tree];
         PosePass& passes = *_passes[placed.model];
         rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
             ++fills;
-            passes.ask(*SimulationParts::modal(_simulation), tree, placed.scale,
-                       Reconfiguration(SimulationParts::forest(_simulation).speciesOf(placed)), request);
+            passes.fillRequest(*SimulationAccess::modal(_simulation), tree, placed.scale,
+                               Reconfiguration(SimulationAccess::forest(_simulation).speciesOf(placed)),
+                               request);
         });
     }
 
     void drawImplementation(osg::RenderInfo& info) const override {
         osg::State& state = *info.getState();
         for (const auto& [tree, row] : rows) {
-            const PlacedTree& placed = SimulationParts::trees(_simulation)[tree];
-            const std::size_t units = SimulationParts::forest(_simulation).unitsOf(placed);
+            const PlacedTree& placed = SimulationAccess::trees(_simulation)[tree];
+            const std::size_t units = SimulationAccess::forest(_simulation).unitCount(placed);
             const PoseLayout layout(units);
-            if (row.page != _read) { // a page at a time: the next one takes its place
+            if (row.page != _read) { // a page at a time: the next one overwrites its poses
                 _read = row.page;
                 _passes[placed.model]->apply(state, *row.page);
                 _rotations = texels(state, PosePass::rotationsUnit);
@@ -88,51 +89,52 @@ private:
 
 class PosePassGlTest : public GlTest {
 protected:
-    void begin(ForestDescription description, ModalMotion::Level level = ModalMotion::Level::Near) {
+    void startSimulation(ForestDescription description, ModalMotion::Level level = ModalMotion::Level::Near) {
         SimulationOptions options;
         options.distant = level == ModalMotion::Level::Far;
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         passes.clear();
         const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
-        for (const auto& model : SimulationParts::models(*simulation))
+        for (const auto& model : SimulationAccess::models(*simulation))
             passes.push_back(new PosePass(model->skeleton, programs));
         reader = new PoseReader(*simulation, passes);
         reopen(16, 16);
         viewer().setSceneData(reader);
     }
-    void blow(int steps) {
+    void advanceSteps(int steps) {
         for (int i = 0; i <= steps; ++i)
             simulation->advance(i / 25.0);
     }
-    void askAll(unsigned frame) {
-        for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree)
-            reader->ask(frame, tree);
+    void requestAllPoses(unsigned frame) {
+        for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree)
+            reader->requestPose(frame, tree);
     }
-    /// The largest distance of a vertex of the bark from where the CPU has it, metres; and how far one has
-    /// moved.
+    /// Maximum over the vertices of the bark, metres.
     struct Distances {
-        float furthest = 0.0f, moved = 0.0f;
+        float maxError = 0.0f;  ///< Distance between GPU and CPU.
+        float maxMotion = 0.0f; ///< Distance from rest.
     };
     Distances distances(std::size_t tree) {
-        const PlacedTree& placed = SimulationParts::trees(*simulation)[tree];
+        const PlacedTree& placed = SimulationAccess::trees(*simulation)[tree];
         const TreeMotion motion = simulation->motion(tree);
         const std::vector<UnitPose>& poses = reader->read.at(tree);
         Distances result;
-        for (const SkinVertex& vertex : SimulationParts::forest(*simulation).modelOf(placed).skin.vertices) {
+        for (const SkinVertex& vertex : SimulationAccess::forest(*simulation).modelOf(placed).skin.vertices) {
             const auto unit = static_cast<std::size_t>(vertex.unit + 0.5f);
             const glm::vec3 cpu = posedSkinPoint(vertex, placed.scale, motion.poses[unit]),
                             rest = posedSkinPoint(vertex, placed.scale, UnitPose());
-            result.furthest = std::max(result.furthest,
+            result.maxError = std::max(result.maxError,
                                        glm::distance(cpu, posedSkinPoint(vertex, placed.scale, poses[unit])));
-            result.moved = std::max(result.moved, glm::distance(cpu, rest));
+            result.maxMotion = std::max(result.maxMotion, glm::distance(cpu, rest));
         }
         return result;
     }
-    void expectThePosesOfTheCpu(float atLeast) {
-        for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
+    void expectPosesOfTheCpu(float minMotion) {
+        for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
             const Distances found = distances(tree);
-            ASSERT_LT(found.furthest, 1e-4f) << "tree " << tree;
-            ASSERT_GT(found.moved, atLeast) << "tree " << tree << " stands still, so this shows nothing";
+            ASSERT_LT(found.maxError, 1e-4f) << "tree " << tree;
+            ASSERT_GT(found.maxMotion, minMotion)
+                << "tree " << tree << " does not move: the test needs motion";
         }
     }
 
@@ -141,7 +143,7 @@ protected:
     osg::ref_ptr<PoseReader> reader;
 };
 
-/// Two species in several shapes and sizes, leaning hard.
+/// Trees of two species in several shapes and sizes.
 ForestDescription mixedForest(float speed) {
     ForestDescription description = smallForest(6, speed);
     description.species.push_back(Species());
@@ -157,15 +159,15 @@ ForestDescription mixedForest(float speed) {
 class PosePassLevelsGlTest : public PosePassGlTest,
                              public ::testing::WithParamInterface<ModalMotion::Level> {};
 
-TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
-    begin(mixedForest(25.0f), GetParam());
-    blow(60);
-    askAll(0);
+TEST_P(PosePassLevelsGlTest, VerticesAgreeWithTheCpu) {
+    startSimulation(mixedForest(25.0f), GetParam());
+    advanceSteps(60);
+    requestAllPoses(0);
     frame(0.0);
-    expectThePosesOfTheCpu(0.05f);
+    expectPosesOfTheCpu(0.05f);
     const glm::vec3 wind = simulation->motion(0).winds[simulation->motion(0).winds.size - 1];
-    EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "which leaves flutter in";
-    for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
+    EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "wind for the flutter of leaves";
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
         const TreeMotion motion = simulation->motion(tree);
         EXPECT_GT(glm::length(glm::vec3(motion.pulls[0])), 0.1f);
         for (std::size_t unit = 0; unit < motion.pulls.size; ++unit)
@@ -174,68 +176,68 @@ TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
     }
 }
 
-TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
-    begin(mixedForest(25.0f), GetParam());
-    blow(60);
-    for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
-        const auto angle = 0.3f * static_cast<float>(tree + 1); // one after the other, about the first units
+TEST_P(PosePassLevelsGlTest, FallenTreesAgreeWithTheCpu) {
+    startSimulation(mixedForest(25.0f), GetParam());
+    advanceSteps(60);
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
+        const auto angle = 0.3f * static_cast<float>(tree + 1); // about one of the first three units
         TreeFall fall;
         fall.parts[0] = {4, {0.0f, 1.0f}};
         fall.parts[1] = {static_cast<unsigned>(tree % 3), angle * glm::vec2(0.6f, -0.8f)};
         fall.count = 2;
         fall.isDown = true;
         fall.sway = 0.5f;
-        SimulationParts::modal(*simulation)->setFall(tree, fall);
+        SimulationAccess::modal(*simulation)->setFall(tree, fall);
     }
-    askAll(0);
+    requestAllPoses(0);
     frame(0.0);
-    expectThePosesOfTheCpu(1.0f);
+    expectPosesOfTheCpu(1.0f);
 }
 
 INSTANTIATE_TEST_SUITE_P(NearAndFar, PosePassLevelsGlTest,
                          ::testing::Values(ModalMotion::Level::Near, ModalMotion::Level::Far),
                          NamesInOrder({"Near", "Far"}));
 
-TEST_F(PosePassGlTest, posesAreThoseOfEachFrame) {
-    begin(mixedForest(15.0f));
+TEST_F(PosePassGlTest, PosesAreOfTheCurrentFrame) {
+    startSimulation(mixedForest(15.0f));
     for (unsigned i = 0; i < 5; ++i) {
         simulation->advance(10 * i / 25.0);
         reader->rows.clear();
-        askAll(i);
+        requestAllPoses(i);
         frame(i / 25.0);
-        expectThePosesOfTheCpu(i == 0 ? -1.0f : 1e-3f);
+        expectPosesOfTheCpu(i == 0 ? -1.0f : 1e-3f);
     }
 }
 
-TEST_F(PosePassGlTest, allWhoAskInAFrameGetTheSameRow) {
-    begin(smallForest(3));
-    blow(10);
-    askAll(7);
+TEST_F(PosePassGlTest, ATreeHasOneRowPerFrame) {
+    startSimulation(smallForest(3));
+    advanceSteps(10);
+    requestAllPoses(7);
     const std::map<std::size_t, PosePass::Row> rows = reader->rows;
     EXPECT_EQ(reader->fills, 3);
-    askAll(7); // another camera
+    requestAllPoses(7); // as for another camera
     EXPECT_EQ(reader->fills, 3);
     for (const auto& [tree, row] : rows) {
         EXPECT_EQ(reader->rows[tree].row, row.row);
         EXPECT_EQ(reader->rows[tree].page, row.page);
     }
-    askAll(8);
+    requestAllPoses(8);
     EXPECT_EQ(reader->fills, 6);
 }
 
-TEST_F(PosePassGlTest, whatIsAskedForAfterTheFirstDrawOfAFrameIsWorkedOutToo) {
-    begin(smallForest(6));
-    blow(10);
+TEST_F(PosePassGlTest, RequestsAfterTheFirstDrawOfAFrameArePosedToo) {
+    startSimulation(smallForest(6));
+    advanceSteps(10);
     for (std::size_t tree = 0; tree < 3; ++tree)
-        reader->ask(0, tree);
+        reader->requestPose(0, tree);
     frame(0.0);
     for (std::size_t tree = 3; tree < 6; ++tree)
-        reader->ask(0, tree); // in the same frame
+        reader->requestPose(0, tree); // in the same frame
     frame(0.04);
-    expectThePosesOfTheCpu(1e-3f);
+    expectPosesOfTheCpu(1e-3f);
 }
 
-TEST_F(PosePassGlTest, moreTreesThanAPageHoldsTakeSeveral) {
+TEST_F(PosePassGlTest, ManyTreesUseSeveralPages) {
     ForestDescription many = smallForest(1, 20.0f);
     many.species[0].tree.wood.levels = 1;
     many.species[0].tree.leaves.clustersPerBranch = 0;
@@ -243,21 +245,21 @@ TEST_F(PosePassGlTest, moreTreesThanAPageHoldsTakeSeveral) {
     many.trees.resize(5000, many.trees[0]);
     for (std::size_t i = 0; i < many.trees.size(); ++i)
         many.trees[i].size.height = 4.0f + 0.3f * static_cast<float>(i % 7);
-    begin(many);
-    blow(20);
-    askAll(0);
+    startSimulation(many);
+    advanceSteps(20);
+    requestAllPoses(0);
     EXPECT_NE(reader->rows[0].page, reader->rows[4999].page);
     EXPECT_EQ(reader->rows[0].page, reader->rows[1].page);
     frame(0.0);
-    expectThePosesOfTheCpu(1e-3f);
+    expectPosesOfTheCpu(1e-3f);
     reader->rows.clear();
-    blow(1); // and again, on pages of before
-    askAll(1);
+    advanceSteps(1); // again, on reused pages
+    requestAllPoses(1);
     frame(0.04);
-    expectThePosesOfTheCpu(1e-3f);
+    expectPosesOfTheCpu(1e-3f);
 }
 
-TEST_F(PosePassGlTest, aTreeOfMoreUnitsThanARowHoldsTakesSeveral) {
+TEST_F(PosePassGlTest, ALargeTreeUsesSeveralRows) {
     ForestDescription description = smallForest(3, 20.0f);
     description.species[0].tree.wood.levels = 6;
     description.species[0].tree.leaves.clustersPerBranch = 0;
@@ -265,22 +267,23 @@ TEST_F(PosePassGlTest, aTreeOfMoreUnitsThanARowHoldsTakesSeveral) {
     description.species[0].tree.wood.trunkUnits = 3;
     description.species[0].tree.wood.ringsPerBranch = 2;
     description.species[0].shapes = 1;
-    begin(description);
-    ASSERT_GT(SimulationParts::forest(*simulation).unitsOf(SimulationParts::trees(*simulation)[0]), 2048u);
-    blow(20);
-    askAll(0);
+    startSimulation(description);
+    ASSERT_GT(SimulationAccess::forest(*simulation).unitCount(SimulationAccess::trees(*simulation)[0]),
+              2048u);
+    advanceSteps(20);
+    requestAllPoses(0);
     frame(0.0);
-    expectThePosesOfTheCpu(1e-3f);
+    expectPosesOfTheCpu(1e-3f);
 }
 
-TEST_F(PosePassGlTest, aContextThatIsGivenUpIsFilledAnew) {
-    begin(smallForest(4));
-    blow(20);
-    askAll(0);
+TEST_F(PosePassGlTest, AReleasedContextIsFilledAgain) {
+    startSimulation(smallForest(4));
+    advanceSteps(20);
+    requestAllPoses(0);
     frame(0.0);
     for (const osg::ref_ptr<PosePass>& pass : passes)
         pass->releaseGLObjects(nullptr);
     reader->read.clear();
     frame(0.04);
-    expectThePosesOfTheCpu(1e-3f);
+    expectPosesOfTheCpu(1e-3f);
 }

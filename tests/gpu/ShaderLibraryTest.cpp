@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <tests/MessageCollector.h>
 #include <tests/gpu/FilePath.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
-#include <osg/Notify>
-
 #include <gtest/gtest.h>
 
 using namespace osgTreeWind;
 
-namespace {
-
-struct Warnings : osg::NotifyHandler {
-    void notify(osg::NotifySeverity severity, const char* message) override {
-        if (severity <= osg::WARN)
-            text += message;
-    }
-    std::string text;
-};
-
-} // namespace
-
-TEST(ShaderLibraryTest, leavesNoIncludeUnexpanded) {
+TEST(ShaderLibraryTest, ExpandsAllIncludes) {
     int shaders = 0;
     for (const EmbeddedText& text : embeddedTexts()) {
         if (text.name.rfind("shaders/", 0) != 0)
@@ -36,7 +23,7 @@ TEST(ShaderLibraryTest, leavesNoIncludeUnexpanded) {
         << "from data.glsl, which tree.glsl includes";
 }
 
-TEST(ShaderLibraryTest, aFileInTheFilePathTakesTheEmbeddedOnesPlace) {
+TEST(ShaderLibraryTest, AFileInTheFilePathOverridesTheEmbeddedShader) {
     const TemporaryFolder folder;
     folder.write("light.glsl", "// mine\n");
     const FilePath path(folder.path());
@@ -45,23 +32,20 @@ TEST(ShaderLibraryTest, aFileInTheFilePathTakesTheEmbeddedOnesPlace) {
         << "also where it is included";
 }
 
-TEST(ShaderLibraryTest, aShaderThatIncludesItselfEnds) {
+TEST(ShaderLibraryTest, AShaderThatIncludesItselfEnds) {
     const TemporaryFolder folder;
     folder.write("loop.glsl", "#include \"loop.glsl\"\n");
     const FilePath path(folder.path());
     EXPECT_LT(shaderText("loop.glsl").size(), 1000u);
 }
 
-TEST(ShaderLibraryTest, anUnknownNameGivesNothingAndAWarning) {
-    osg::ref_ptr<Warnings> warnings = new Warnings;
-    osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
-    osg::setNotifyHandler(warnings);
+TEST(ShaderLibraryTest, AnUnknownNameGivesAnEmptyTextAndAWarning) {
+    const ScopedMessages messages;
     EXPECT_EQ(shaderText("no such.glsl"), "");
-    osg::setNotifyHandler(former);
-    EXPECT_NE(warnings->text.find("\"no such.glsl\""), std::string::npos);
+    EXPECT_NE(messages.take().find("\"no such.glsl\""), std::string::npos);
 }
 
-TEST(ShaderLibraryTest, aProgramHasItsTwoShadersAndAName) {
+TEST(ShaderLibraryTest, AProgramHasTwoShadersAndAName) {
     osg::ref_ptr<osg::Program> program = sharedProgram("branchwise/bark", "bark");
     ASSERT_EQ(program->getNumShaders(), 2u);
     EXPECT_EQ(program->getShader(0)->getType(), osg::Shader::VERTEX);

@@ -6,7 +6,7 @@
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/growth/FormCache.h>
-#include <osgTreeWind/growth/FormFolder.h>
+#include <osgTreeWind/growth/FormDiskCache.h>
 #include <osgTreeWind/growth/PackedForm.h>
 
 #include <gtest/gtest.h>
@@ -27,39 +27,38 @@ GrowthParameters smallOak(std::uint32_t seed) {
     return parameters;
 }
 
-std::size_t keptIn(const std::string& folder) {
+std::size_t countFiles(const std::string& folder) {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
 
 } // namespace
 
-TEST(FormCache, AFormIsWhatGrowsAndIsKept) {
+TEST(FormCache, ReturnsAndStoresTheGrownForm) {
     const TemporaryFolder folder;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     const auto form = grownForm(smallOak(101));
     EXPECT_TRUE(sameBits(*form, growTree(smallOak(101))));
-    EXPECT_EQ(form, grownForm(smallOak(101))) << "the process remembers it";
-    const auto kept = FormFolder(folder.path(), 1'000'000).find(formKey(smallOak(101)));
-    ASSERT_TRUE(kept);
-    EXPECT_TRUE(sameBits(*form, *unpackedForm(*kept)));
+    EXPECT_EQ(form, grownForm(smallOak(101))) << "from memory";
+    const auto stored = FormDiskCache(folder.path(), 1'000'000).find(formKey(smallOak(101)));
+    ASSERT_TRUE(stored);
+    EXPECT_TRUE(sameBits(*form, *unpackedForm(*stored)));
 }
 
-TEST(FormCache, WhatIsKeptIsTaken) {
+TEST(FormCache, ReadsStoredFormsAndReplacesDamagedOnes) {
     const TemporaryFolder folder;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
-    GrownForm other = growTree(smallOak(102)); // told from what would grow by its age
+    GrownForm other = growTree(smallOak(102));
     other.years = 12345;
-    const FormFolder kept(folder.path(), 1'000'000);
-    kept.keep(formKey(smallOak(102)), packedForm(other));
+    const FormDiskCache disk(folder.path(), 1'000'000);
+    disk.store(formKey(smallOak(102)), packedForm(other));
     EXPECT_EQ(grownForm(smallOak(102))->years, 12345);
-    kept.keep(formKey(smallOak(103)), "no form at all");
+    disk.store(formKey(smallOak(103)), "no form at all");
     EXPECT_TRUE(sameBits(*grownForm(smallOak(103)), growTree(smallOak(103))));
-    EXPECT_TRUE(unpackedForm(*kept.find(formKey(smallOak(103))))) << "the damaged one has been written anew";
+    EXPECT_TRUE(unpackedForm(*disk.find(formKey(smallOak(103)))));
 }
 
-TEST(FormCache, EachNumberThatShapesATreeTellsItFromOthers) {
-    const GrowthParameters usual;
-    std::set<std::string> keys{formKey(usual)};
+TEST(FormCache, KeyDependsOnEveryParameterOfTheShape) {
+    std::set<std::string> keys{formKey(GrowthParameters())};
     std::size_t distinct = 1;
     const auto differs = [&](const GrowthParameters& parameters, const std::string& what) {
         keys.insert(formKey(parameters));
@@ -94,35 +93,34 @@ TEST(FormCache, EachNumberThatShapesATreeTellsItFromOthers) {
     differs(site, "another side");
 }
 
-TEST(FormCache, IsWhereTheEnvironmentSays) {
+TEST(FormCache, FolderFollowsTheEnvironment) {
     {
         const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", "off");
         EXPECT_EQ(formCacheFolder(), "");
     }
     const EnvironmentVariable none("OSGTREEWIND_FORM_CACHE", "");
-    const EnvironmentVariable home("HOME", "/home/somebody");
+    const EnvironmentVariable home("HOME", "/home/user");
     {
         const EnvironmentVariable caches("XDG_CACHE_HOME", "/var/caches");
         EXPECT_EQ(formCacheFolder(), "/var/caches/osgtreewind");
     }
     const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
-    EXPECT_EQ(formCacheFolder(), "/home/somebody/.cache/osgtreewind")
-        << "one that is not absolute is not meant";
-    const EnvironmentVariable nobody("HOME", "");
+    EXPECT_EQ(formCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
+    const EnvironmentVariable noHome("HOME", "");
     const EnvironmentVariable local("LOCALAPPDATA", "");
     EXPECT_EQ(formCacheFolder(), "");
 }
 
-TEST(FormCache, WithoutAFolderTreesGrow) {
+TEST(FormCache, GrowsTreesWithoutAFolder) {
     for (const char* place : {"off", "/proc/no/such", "/dev/full"}) {
         const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", place);
         GrowthParameters parameters = smallOak(104);
-        parameters.size.height += 0.01f * static_cast<float>(std::string(place).size()); // one not yet known
+        parameters.size.height += 0.01f * static_cast<float>(std::string(place).size()); // not in memory yet
         EXPECT_TRUE(sameBits(*grownForm(parameters), growTree(parameters))) << place;
     }
 }
 
-TEST(FormCache, ThreadsThatAskAtOnceGetOneForm) {
+TEST(FormCache, ConcurrentThreadsShareOneForm) {
     const TemporaryFolder folder;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     std::vector<std::shared_ptr<const GrownForm>> forms(8);
@@ -133,7 +131,7 @@ TEST(FormCache, ThreadsThatAskAtOnceGetOneForm) {
         thread.join();
     for (std::size_t i = 2; i < forms.size(); ++i)
         EXPECT_EQ(forms[i], forms[i % 2]);
-    EXPECT_EQ(keptIn(folder.path()), 2u);
+    EXPECT_EQ(countFiles(folder.path()), 2u);
 }
 
 } // namespace osgTreeWind

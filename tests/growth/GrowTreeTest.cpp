@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/growth/HabitCases.h>
+#include <tests/growth/SameForm.h>
 
 #include <osgTreeWind/growth/GrowTree.h>
 
@@ -11,14 +12,14 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
 namespace osgTreeWind {
 namespace {
 
-GrownForm grown(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal, std::uint32_t seed) {
+GrownForm makeForm(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
+                   std::uint32_t seed) {
     GrowthParameters parameters;
     parameters.habit = habit;
     parameters.site = site;
@@ -35,7 +36,7 @@ float heightOf(const GrownForm& form) {
     return height;
 }
 
-/// Mean of the reach in eight directions, doubled.
+/// Twice the mean reach in eight directions.
 float widthOf(const GrownForm& form) {
     float sum = 0.0f;
     for (int i = 0; i < 8; ++i) {
@@ -50,7 +51,7 @@ float widthOf(const GrownForm& form) {
     return sum / 4.0f;
 }
 
-/// Radius of the stem at a height, between the nodes below and above.
+/// Radius of the stem at a height, interpolated between the adjacent nodes.
 float stemRadius(const GrownForm& form, float height) {
     const GrownMetamer* below = &form.metamers.front();
     for (const GrownMetamer& metamer : form.metamers) {
@@ -64,7 +65,7 @@ float stemRadius(const GrownForm& form, float height) {
     return 0.0f;
 }
 
-/// Height below which a twentieth of the leaves are, over that of the tree.
+/// Height below which a twentieth of the leaves are / tree height.
 float lowestLeaves(const GrownForm& form) {
     float all = 0.0f, below = 0.0f, height = 0.0f;
     for (const GrownMetamer& metamer : form.metamers)
@@ -77,7 +78,7 @@ float lowestLeaves(const GrownForm& form) {
     return height / heightOf(form);
 }
 
-/// Leaves in the lowest quarter, m². @param side sign of x.
+/// Leaf area in the lowest quarter, m². @param side sign of x.
 float lowLeaves(const GrownForm& form, float side) {
     float area = 0.0f;
     const float low = 0.25f * heightOf(form);
@@ -87,17 +88,8 @@ float lowLeaves(const GrownForm& form, float side) {
     return area;
 }
 
-bool same(const GrownForm& a, const GrownForm& b) {
-    return a.years == b.years && a.metamers.size() == b.metamers.size() &&
-           std::equal(a.metamers.begin(), a.metamers.end(), b.metamers.begin(),
-                      [](const GrownMetamer& p, const GrownMetamer& q) {
-                          return p.position == q.position && p.radius == q.radius && p.parent == q.parent &&
-                                 p.axis == q.axis && p.light == q.light;
-                      });
-}
-
-/// Everything that holds of each form.
-void expectSound(const GrownForm& form) {
+/// Expects the properties that every form has.
+void expectValid(const GrownForm& form) {
     ASSERT_FALSE(form.metamers.empty());
     ASSERT_EQ(form.metamers[0].parent, -1);
     for (std::size_t i = 0; i < form.metamers.size(); ++i) {
@@ -113,7 +105,7 @@ void expectSound(const GrownForm& form) {
         ASSERT_GE(metamer.parent, 0);
         ASSERT_LT(metamer.parent, static_cast<int>(i));
         const GrownMetamer& parent = form.metamers[static_cast<std::size_t>(metamer.parent)];
-        ASSERT_LE(metamer.radius, parent.radius) << "metamer " << i << " is thicker than what bears it";
+        ASSERT_LE(metamer.radius, parent.radius) << "metamer " << i << " is thicker than its parent";
         if (metamer.axis != parent.axis) {
             ASSERT_LT(metamer.radius, 0.9f * parent.radius) << "branch " << i;
         }
@@ -121,18 +113,18 @@ void expectSound(const GrownForm& form) {
 }
 
 TEST(GrowTree, OneSeedGivesOneTree) {
-    const GrownForm form = grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7);
-    EXPECT_TRUE(same(form, grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7)));
-    EXPECT_FALSE(same(form, grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 8)));
+    const GrownForm form = makeForm(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7);
+    EXPECT_TRUE(sameBits(form, makeForm(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7)));
+    EXPECT_FALSE(sameBits(form, makeForm(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 8)));
 }
 
-TEST(GrowTree, HasTheSizeOfItsGoal) {
+TEST(GrowTree, ReachesTheSizeOfItsGoal) {
     for (const TreeHabit& habit : {oakHabit(), spruceHabit()})
         for (const float height : {8.0f, 15.0f, 22.0f})
             for (std::uint32_t seed = 1; seed <= 3; ++seed) {
                 const bool spruce = habit.whorl > 0.0f;
                 const GrowthGoal goal{height, 0.03f * height, (spruce ? 0.36f : 0.7f) * height};
-                const GrownForm form = grown(habit, {}, goal, seed);
+                const GrownForm form = makeForm(habit, {}, goal, seed);
                 SCOPED_TRACE(testing::Message()
                              << (spruce ? "spruce " : "oak ") << height << " m, seed " << seed);
                 EXPECT_NEAR(heightOf(form) / goal.height, 1.0f, 0.03f);
@@ -143,7 +135,7 @@ TEST(GrowTree, HasTheSizeOfItsGoal) {
             }
 }
 
-TEST(GrowTree, IsSoundWithAnyHabit) {
+TEST(GrowTree, IsValidForAnyHabit) {
     for (std::uint32_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(testing::Message() << "habit " << seed);
         Random random(seed);
@@ -153,11 +145,11 @@ TEST(GrowTree, IsSoundWithAnyHabit) {
             site.openSide = random.symmetric();
         const GrowthGoal goal{2.0f + 18.0f * random.uniform(), 0.05f + 0.5f * random.uniform(),
                               1.0f + 11.0f * random.uniform()};
-        expectSound(grown(anyHabit(seed), site, goal, seed));
+        expectValid(makeForm(anyHabit(seed), site, goal, seed));
     }
 }
 
-TEST(GrowTree, BringsNumbersIntoTheirRange) {
+TEST(GrowTree, ClampsParametersToTheirRanges) {
     for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity(), -1e30f, 0.0f}) {
         TreeHabit habit = oakHabit();
         habit.annualShoot.fill(bad);
@@ -170,18 +162,18 @@ TEST(GrowTree, BringsNumbersIntoTheirRange) {
         GrowthGoal goal{bad, bad, bad};
         if (bad > 0.0f)
             goal.height = 10.0f;
-        expectSound(grown(habit, site, goal, 1));
+        expectValid(makeForm(habit, site, goal, 1));
     }
 }
 
-TEST(GrowTree, AxesGetThinnerAndBearersAreThicker) {
-    expectSound(grown(oakHabit(), {}, {15.0f, 0.5f, 10.0f}, 3));
-    expectSound(grown(spruceHabit(), {}, {18.0f, 0.4f, 6.5f}, 3));
+TEST(GrowTree, RadiiDecreaseAlongAxesAndInBranches) {
+    expectValid(makeForm(oakHabit(), {}, {15.0f, 0.5f, 10.0f}, 3));
+    expectValid(makeForm(spruceHabit(), {}, {18.0f, 0.4f, 6.5f}, 3));
 }
 
-TEST(GrowTree, AStemHasAFormFactorOfOneHalf) {
+TEST(GrowTree, StemHasAFormFactorOfOneHalf) {
     const GrowthGoal goal{20.0f, 0.4f, 6.5f};
-    const GrownForm form = grown(spruceHabit(), {}, goal, 3);
+    const GrownForm form = makeForm(spruceHabit(), {}, goal, 3);
     float volume = 0.0f;
     for (const GrownMetamer& metamer : form.metamers)
         if (metamer.axis == 0 && metamer.parent >= 0) {
@@ -192,7 +184,7 @@ TEST(GrowTree, AStemHasAFormFactorOfOneHalf) {
     EXPECT_NEAR(volume / (3.14159f * 0.04f * goal.height), 0.5f, 0.03f);
 }
 
-TEST(GrowTree, BranchesSpringAtTheirAngle) {
+TEST(GrowTree, BranchesStartAtTheirAngle) {
     for (const float degrees : {30.0f, 55.0f, 80.0f}) {
         TreeHabit habit = spruceHabit();
         habit.branchAngle[0] = glm::radians(degrees);
@@ -202,7 +194,7 @@ TEST(GrowTree, BranchesSpringAtTheirAngle) {
         habit.levelling.fill(0.0f);
         habit.lightSeeking.fill(0.0f);
         habit.wander.fill(0.0f);
-        const GrownForm form = grown(habit, {}, {10.0f, 0.2f, 5.0f}, 2);
+        const GrownForm form = makeForm(habit, {}, {10.0f, 0.2f, 5.0f}, 2);
         double sum = 0.0;
         int count = 0;
         for (const GrownMetamer& metamer : form.metamers) {
@@ -219,26 +211,26 @@ TEST(GrowTree, BranchesSpringAtTheirAngle) {
     }
 }
 
-TEST(GrowTree, AClosedWoodMakesABareStem) {
+TEST(GrowTree, ClosedStandMakesABareStem) {
     for (const TreeHabit& habit : {oakHabit(), spruceHabit()}) {
         GrowthSite wood;
         wood.shade = 1.0f;
         wood.distance = 3.0f;
         const GrowthGoal open{18.0f, 0.4f, 6.0f}, closed{18.0f, 0.25f, 3.5f};
-        const float free = lowestLeaves(grown(habit, {}, open, 1));
-        const float shaded = lowestLeaves(grown(habit, wood, closed, 1));
+        const float free = lowestLeaves(makeForm(habit, {}, open, 1));
+        const float shaded = lowestLeaves(makeForm(habit, wood, closed, 1));
         EXPECT_LT(free, 0.2f);
         EXPECT_GT(shaded, 0.4f);
     }
 }
 
-TEST(GrowTree, AWoodHasStraightStemsWithCrownsOnTheirUpperHalves) {
+TEST(GrowTree, ClosedStandMakesStraightStemsWithHighCrowns) {
     GrowthSite wood;
     wood.shade = 1.0f;
     wood.distance = 6.0f;
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        const GrownForm form = grown(oakHabit(), wood, {24.0f, 0.34f, 6.5f}, seed);
+        const GrownForm form = makeForm(oakHabit(), wood, {24.0f, 0.34f, 6.5f}, seed);
         EXPECT_NEAR(form.heightFactor / form.widthFactor, 1.0f, 0.1f) << "it is distorted";
         const float green = lowestLeaves(form);
         EXPECT_GT(green, 0.4f);
@@ -247,19 +239,19 @@ TEST(GrowTree, AWoodHasStraightStemsWithCrownsOnTheirUpperHalves) {
         for (const GrownMetamer& metamer : form.metamers)
             if (metamer.axis == 0 && metamer.position.z < 12.0f)
                 (metamer.position.z < 6.0f ? middle : top) = metamer.position;
-        EXPECT_GT(top.z, 10.0f) << "it divides where it is dark";
+        EXPECT_GT(top.z, 10.0f) << "the trunk divides too low";
         EXPECT_LT(glm::length(glm::vec2(top)) / top.z, 0.35f) << "leans";
         const glm::vec2 bow = glm::vec2(middle) - glm::vec2(top) * (middle.z / top.z);
         EXPECT_LT(glm::length(bow) / top.z, 0.08f);
     }
 }
 
-TEST(GrowTree, AtAnEdgeItIsGreenToTheGroundOnTheOpenSide) {
+TEST(GrowTree, EdgeTreeIsGreenToTheGroundOnTheOpenSide) {
     GrowthSite edge;
     edge.shade = 1.0f;
     edge.distance = 3.0f;
     edge.openSide = 0.0f;
-    const GrownForm form = grown(spruceHabit(), edge, {18.0f, 0.3f, 5.0f}, 1);
+    const GrownForm form = makeForm(spruceHabit(), edge, {18.0f, 0.3f, 5.0f}, 1);
     EXPECT_GT(lowLeaves(form, 1.0f), 3.0f * lowLeaves(form, -1.0f));
     EXPECT_GT(lowLeaves(form, 1.0f), 2.0f);
 }

@@ -17,10 +17,10 @@ namespace {
 constexpr int rows = 11;
 constexpr float spacing = 2.0f;
 constexpr std::size_t middle = rows * rows / 2;
-constexpr std::size_t atEdge = rows / 2; ///< In the middle of the row at the least y.
+constexpr std::size_t atEdge = rows / 2; ///< Middle of the row with the lowest y.
 
 GrowingStand spruces(int years) {
-    GrowingStand stand(lightCell(spruceHabit()));
+    GrowingStand stand(lightCellSize(spruceHabit()));
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < rows; ++x)
             stand.add(GrowingTree(spruceHabit(), {20.0f, 0.3f, 6.0f},
@@ -31,13 +31,13 @@ GrowingStand spruces(int years) {
     return stand;
 }
 
-/// Grown once for all tests that only look.
+/// Grown once, shared by the tests that do not change it.
 const GrowingStand& grownSpruces() {
     static const GrowingStand stand = spruces(32);
     return stand;
 }
 
-/// Leaves between two heights, shares of the tree's, m². @param side of y; 0: all around.
+/// Leaf area between two relative heights, m². @param side sign of y; 0 for all sides.
 float leaves(const GrowingTree& tree, float from, float to, float side = 0.0f) {
     float area = 0.0f;
     for (const Metamer& metamer : tree.state().metamers) {
@@ -48,23 +48,23 @@ float leaves(const GrowingTree& tree, float from, float to, float side = 0.0f) {
     return area;
 }
 
-TEST(GrowingStand, SprucesAtTwoMetresAreDeadBelowHalfTheirHeight) {
+TEST(GrowingStand, DenseSprucesAreDeadBelowHalfTheirHeight) {
     const GrowingTree& tree = grownSpruces().trees()[middle];
     EXPECT_GT(tree.height(), 10.0f);
     EXPECT_LT(leaves(tree, 0.0f, 0.5f), 0.03f * leaves(tree, 0.0f, 1.1f));
     int dead = 0;
     for (const Metamer& metamer : tree.state().metamers)
         dead += metamer.died >= 0 && metamer.position.z < 0.5f * tree.height();
-    EXPECT_GT(dead, 20) << "dead boughs stay for a time";
+    EXPECT_GT(dead, 20) << "dead boughs do not fall at once";
 }
 
-TEST(GrowingStand, TreesAtTheEdgeAreGreenToTheGroundOnTheirOpenSide) {
+TEST(GrowingStand, EdgeTreesAreGreenToTheGroundOnTheirOpenSide) {
     const GrowingTree& tree = grownSpruces().trees()[atEdge];
     EXPECT_GT(leaves(tree, 0.0f, 0.25f, -1.0f), 4.0f * leaves(tree, 0.0f, 0.25f, 1.0f));
     EXPECT_GT(leaves(tree, 0.0f, 0.25f, -1.0f), 0.05f * leaves(tree, 0.0f, 1.1f, -1.0f));
 }
 
-TEST(GrowingStand, NoBoughLivesThatCannotFeedItsWood) {
+TEST(GrowingStand, LivingBoughsHaveEnoughLightForTheirWood) {
     for (const GrowingTree& tree : grownSpruces().trees()) {
         const std::vector<Metamer>& metamers = tree.state().metamers;
         std::vector<float> fed(metamers.size()), wood(metamers.size());
@@ -83,7 +83,7 @@ TEST(GrowingStand, NoBoughLivesThatCannotFeedItsWood) {
     }
 }
 
-TEST(GrowingStand, NeighboursEnterAGapWithinTenYears) {
+TEST(GrowingStand, NeighboursFillAGapWithinTenYears) {
     GrowingStand stand = spruces(26);
     const glm::vec2 gap(stand.trees()[middle].foot());
     stand.remove(middle);
@@ -114,7 +114,7 @@ TEST(GrowingStand, GrowsTheSameInEveryRun) {
     }
 }
 
-TEST(GrowingStand, NobodyGrowsInAnEmptyStand) {
+TEST(GrowingStand, EmptyStandStaysEmpty) {
     GrowingStand stand(0.4f);
     stand.growYear();
     EXPECT_TRUE(stand.trees().empty());

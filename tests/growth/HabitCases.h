@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-/// A spruce: whorls, boughs that sink, branchlets that hang.
+/// A spruce: whorls, sinking boughs, hanging branchlets.
 inline TreeHabit spruceHabit() {
     TreeHabit h;
     h.annualShoot = {0.42f, 0.17f, 0.24f, 0.16f};
@@ -46,7 +46,7 @@ inline TreeHabit spruceHabit() {
     return h;
 }
 
-/// An oak: a trunk that dissolves into crooked limbs.
+/// An oak: the trunk divides into crooked limbs.
 inline TreeHabit oakHabit() {
     TreeHabit h;
     h.annualShoot = {0.5f, 0.24f, 0.32f, 0.28f};
@@ -66,7 +66,7 @@ inline TreeHabit oakHabit() {
     return h;
 }
 
-/// A habit with every number anywhere in its range.
+/// A random habit; every number is within its range.
 inline TreeHabit anyHabit(std::uint32_t seed) {
     Random random(seed);
     GrowthParameters growth;

@@ -21,7 +21,7 @@ GrownForm anyForm(std::uint32_t seed) {
 
 } // namespace
 
-TEST(PackedForm, GivesTheSameFormToTheBit) {
+TEST(PackedForm, RestoresTheFormBitForBit) {
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         const GrownForm form = anyForm(seed);
         const std::string bytes = packedForm(form);
@@ -32,7 +32,7 @@ TEST(PackedForm, GivesTheSameFormToTheBit) {
     }
 }
 
-TEST(PackedForm, GivesTheLeastAndTheLargestNumbers) {
+TEST(PackedForm, RestoresExtremeNumbers) {
     using Float = std::numeric_limits<float>;
     constexpr int largest = std::numeric_limits<int>::max();
     GrownForm form;
@@ -47,16 +47,16 @@ TEST(PackedForm, GivesTheLeastAndTheLargestNumbers) {
     EXPECT_TRUE(sameBits(form, *again));
 }
 
-TEST(PackedForm, RefusesWhatIsNoTree) {
-    GrownForm sound = anyForm(1);
-    ASSERT_GT(sound.metamers.size(), 20u);
+TEST(PackedForm, RefusesInvalidForms) {
+    const GrownForm valid = anyForm(1);
+    ASSERT_GT(valid.metamers.size(), 20u);
     const auto refuses = [&](auto change) {
-        GrownForm form = sound;
+        GrownForm form = valid;
         change(form.metamers[10]);
         return !unpackedForm(packedForm(form));
     };
     EXPECT_FALSE(refuses([](GrownMetamer&) {}));
-    EXPECT_TRUE(refuses([](GrownMetamer& m) { m.parent = 10; })) << "its own";
+    EXPECT_TRUE(refuses([](GrownMetamer& m) { m.parent = 10; })) << "its own parent";
     EXPECT_TRUE(refuses([](GrownMetamer& m) { m.parent = -1; })) << "a second foot";
     EXPECT_TRUE(refuses([](GrownMetamer& m) { m.axis = -1; }));
     EXPECT_TRUE(refuses([](GrownMetamer& m) { m.order = -1; }));
@@ -75,7 +75,7 @@ TEST(PackedForm, RefusesDamagedBytes) {
         std::string damaged = bytes;
         const auto place = static_cast<std::size_t>(random.uniform() * static_cast<float>(bytes.size() - 1));
         damaged[place] = static_cast<char>(damaged[place] ^ (1 << (i % 8)));
-        const auto again = unpackedForm(damaged); // some bits say nothing
+        const auto again = unpackedForm(damaged); // some bits are unused
         EXPECT_TRUE(!again || sameBits(form, *again)) << "byte " << place;
     }
 }

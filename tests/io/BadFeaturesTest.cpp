@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/io/InventoryReading.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 
 #include <filesystem>
 
@@ -8,13 +8,13 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A file of features, or what is said of it, that is not to be read.
+/// An invalid file of features, or invalid keys for it.
 struct BadFeatures {
     const char* name;
-    std::string file, content; ///< A name without a content: it is made from good trees first.
-    std::string lines;         ///< Of [inventory].
-    std::string message;       ///< Part of what must be said.
-    std::string head = "";     ///< Of the document.
+    std::string file, content; ///< Without content, the file is made from valid trees.
+    std::string lines;         ///< Lines of [inventory].
+    std::string message;       ///< Part of the expected message.
+    std::string head = "";     ///< First lines of the document.
 };
 
 std::ostream& operator<<(std::ostream& out, const BadFeatures& bad) {
@@ -55,33 +55,32 @@ const BadFeatures badFeatures[] = {
     {"OsmCut", "a.osm",
      "<?xml version=\"1.0\"?><osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"2\"><tag k=\"natural\" "
      "v=\"tree\"/></node><no",
-     "", "cannot be read on: XML parsing of OSM"},
+     "", "reading failed: XML parsing of OSM"},
     {"PbfOfText", "a.osm.pbf", "not a protocol buffer", "", "a.osm.pbf: cannot be read: "},
     {"CityJsonCut", "a.json", R"({"type": "CityJSON", "vertices": [[1,2)", "", "a.json: cannot be read: "},
     {"CityJsonWithoutObjects", "a.json", city(""), "", "expected CityObjects"},
-    {"CityJsonWithoutTrees", "a.json", city(R"(, "CityObjects": {})"), "", "an inventory without trees"},
+    {"CityJsonWithoutTrees", "a.json", city(R"(, "CityObjects": {})"), "", "the inventory has no trees"},
     {"CityJsonCrs", "a.json", city(R"(, "metadata": {"referenceSystem": "moon"}, "CityObjects": {})"), "",
      "expected a coordinate reference system that PROJ knows"},
     {"CityJsonVertexAbsent", "a.json", cityTree(R"([{"type": "MultiPoint", "boundaries": [7]}])"), "",
      "feature 0: it has no geometry"},
     {"CityJsonWithoutGeometry", "a.json", cityTree("[]"), "", "feature 0: it has no geometry"},
-    {"LayerEmpty", "a.geojson", geoJson(""), "", "a.geojson: an inventory without trees"},
+    {"LayerEmpty", "a.geojson", geoJson(""), "", "a.geojson: the inventory has no trees"},
     // The layer
     {"LayerUnknown", "a.geojson", goodFeatures, "layer = \"bushes\"\n",
      "no layer \"bushes\"; its only layer is \"a\""},
     {"LayerOfATable", "a.csv", "x,y\n1,2\n", "layer = \"a\"\n" + xy,
-     "inventory.layer: expected only beside a file with layers"},
+     "inventory.layer: applies only to a file with layers"},
     {"DelimiterOfFeatures", "a.geojson", goodFeatures, "delimiter = \";\"\n",
-     "inventory.delimiter: expected only beside a CSV table"},
-    {"FilterOfATable", "a.csv", "x,y\n1,2\n", "filter = \"x > 1\"\n" + xy, "an inventory without trees"},
+     "inventory.delimiter: applies only to a CSV table"},
+    {"FilterOfATable", "a.csv", "x,y\n1,2\n", "filter = \"x > 1\"\n" + xy, "the inventory has no trees"},
     {"FilterBroken", "a.geojson", goodFeatures, "filter = \"h >\"\n",
-     "inventory.filter: at its character 4: expected a column, a number or a text in '...', found nothing"},
+     "inventory.filter: at character 4: expected a column, a number or a text in '...', found nothing"},
     {"FilterOfAColumnAbsent", "a.geojson", goodFeatures, "filter = \"tall > 3\"\n",
-     "inventory.filter: at its character 1: no column \"tall\" in "},
+     "inventory.filter: at character 1: no column \"tall\" in "},
     {"FilterOfAGeoPackage", "b.gpkg", "", "filter = \"tall > 3\"\n", "tall"},
-    {"FilterOfTheDatabase", "b.gpkg", "", "filter = \"h > (SELECT 1)\"\n",
-     "inventory.filter: at its character "},
-    {"FilterLeavesNone", "a.geojson", goodFeatures, "filter = \"h > 100\"\n", "an inventory without trees"},
+    {"FilterOfTheDatabase", "b.gpkg", "", "filter = \"h > (SELECT 1)\"\n", "inventory.filter: at character "},
+    {"FilterLeavesNone", "a.geojson", goodFeatures, "filter = \"h > 100\"\n", "the inventory has no trees"},
     // Columns
     {"ColumnAbsent", "a.geojson", goodFeatures, "columns = { height = \"tall\" }\n",
      "inventory.columns.height: no column \"tall\" in "},
@@ -93,7 +92,7 @@ const BadFeatures badFeatures[] = {
     {"CrsOfTheForestUnknown", "a.geojson", goodFeatures, "",
      "test.treewind:2:7: crs: expected a coordinate reference system", "crs = \"Mars 2000\""},
     {"CrsOfTheForestOnDegrees", "a.geojson", goodFeatures, "",
-     "crs: expected a projected system in metres, found WGS 84, which is on degrees", "crs = \"EPSG:4326\""},
+     "crs: expected a projected system in metres, found WGS 84, which uses degrees", "crs = \"EPSG:4326\""},
     {"CrsOfTheForestInFeet", "a.geojson", goodFeatures, "",
      "crs: expected a projected system in metres, found NAD83 / New York Long Island (ftUS) in US survey "
      "foot",
@@ -101,11 +100,11 @@ const BadFeatures badFeatures[] = {
     {"CrsNotAText", "a.geojson", goodFeatures, "crs = 25832\n",
      "inventory.crs: expected a text in quotes, found 25832"},
     {"CrsAndUnits", "a.csv", "x,y\n9,50\n", "crs = \"EPSG:4326\"\nunits = { x = \"ft\" }\n" + xy,
-     "inventory.units: expected no units of x and y"},
+     "inventory.units: expected no units for x and y"},
     {"LatitudeTooLarge", "a.geojson", geoJson(point("9, 95")), "",
-     "feature 0: the place (9, 95) cannot be brought into the crs of the forest", "crs = \"EPSG:25832\""},
+     "feature 0: the place (9, 95) cannot be transformed to the crs of the forest", "crs = \"EPSG:25832\""},
     {"MetresTakenForDegrees", "a.geojson", geoJson(point("565000, 5934000")), "",
-     "inventory.file: its places are none of WGS 84; expected crs to say of what they are"},
+     "inventory.file: its coordinates are not valid in WGS 84; expected crs to state their system"},
     {"TooFarApart", "a.geojson", geoJson(point("9, 50") + "," + point("19, 50")), "",
      "more than 100 km from the origin"},
     // Features
@@ -125,7 +124,7 @@ const BadFeatures badFeatures[] = {
 
 class BadFeaturesTest : public testing::TestWithParam<BadFeatures> {};
 
-/// `file`, which has no content: good trees in its format, and half of that where it is called "cut".
+/// Writes valid trees in the format of `file`; if the name of the test contains "Cut", truncated.
 void make(const TemporaryFolder& folder, const BadFeatures& bad) {
     folder.write("good.geojson", goodFeatures);
     const std::string path = folder.path() + '/' + bad.file;
@@ -141,7 +140,7 @@ void make(const TemporaryFolder& folder, const BadFeatures& bad) {
 
 } // namespace
 
-TEST_P(BadFeaturesTest, GiveOneClearErrorAndNothingElse) {
+TEST_P(BadFeaturesTest, GiveOneErrorAndNoOutput) {
     const BadFeatures& bad = GetParam();
     const TemporaryFolder folder;
     if (bad.content.empty() && bad.file != "a.geojson") {

@@ -10,11 +10,11 @@ namespace {
 
 using Make = void (*)(const std::string& path);
 
-/// A ground, or what is said of it, that is not to be read.
+/// An invalid ground, or invalid keys for it.
 struct BadGround {
     const char* name;
-    Make make;           ///< Writes the raster; null: there is none.
-    std::string message; ///< Part of what must be said.
+    Make make;           ///< Writes the raster; null: no raster.
+    std::string message; ///< Part of the expected message.
     std::string lines = "file = \"a.tif\"\n";
     std::string tree = "position = [2, 2]\n";
     std::string head = "";
@@ -35,7 +35,7 @@ void ofCrs(const std::string& path) {
 void text(const std::string& path, const std::string& content) {
     std::ofstream(path, std::ios::binary) << content;
 }
-/// A large one, then what `spoil` leaves of its bytes.
+/// Writes a large raster, and then its bytes as changed by `spoil`.
 void spoilt(const std::string& path, bool tiles, std::size_t (*spoil)(std::string&)) {
     RasterFile file;
     file.columns = file.rows = 300;
@@ -115,22 +115,23 @@ void vrt(const std::string& path, const std::string& source, const std::string& 
              source + "</VRTRasterBand></VRTDataset>");
 }
 
-const std::string cannot = "a.tif: cannot be read";
+const std::string cannotOpen = "a.tif: cannot be read";
+const std::string cannotRead = "a.tif: reading failed";
 
 const BadGround badGrounds[] = {
     // The file
     {"Absent", nullptr, "test.treewind:6:8: ground.file: no file \"a.tif\" in "},
-    {"Empty", [](const std::string& path) { text(path, ""); }, cannot},
-    {"OfText", [](const std::string& path) { text(path, "heights, all of them\n"); }, cannot},
-    {"OfZeros", [](const std::string& path) { text(path, std::string(5000, '\0')); }, cannot},
+    {"Empty", [](const std::string& path) { text(path, ""); }, cannotOpen},
+    {"OfText", [](const std::string& path) { text(path, "heights, all of them\n"); }, cannotOpen},
+    {"OfZeros", [](const std::string& path) { text(path, std::string(5000, '\0')); }, cannotOpen},
     {"HeadCut",
      [](const std::string& path) { spoilt(path, false, [](std::string&) -> std::size_t { return 6; }); },
-     cannot},
+     cannotOpen},
     {"CellsCut",
      [](const std::string& path) {
          spoilt(path, false, [](std::string& bytes) { return bytes.size() / 2; });
      },
-     cannot},
+     cannotRead},
     {"TilesBroken",
      [](const std::string& path) {
          spoilt(path, true, [](std::string& bytes) {
@@ -138,27 +139,27 @@ const BadGround badGrounds[] = {
              return bytes.size();
          });
      },
-     cannot},
+     cannotRead},
     {"GridOfTextCut",
      [](const std::string& path) {
          text(path, "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4");
      },
-     cannot},
+     cannotRead},
     {"GridOfWords",
      [](const std::string& path) {
          text(path, "ncols many\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
      },
-     cannot},
-    {"VrtOfNothing", [](const std::string& path) { text(path, "<VRTDataset"); }, cannot},
+     cannotOpen},
+    {"VrtOfNothing", [](const std::string& path) { text(path, "<VRTDataset"); }, cannotOpen},
     {"VrtOfAFileAbsent",
      [](const std::string& path) {
          vrt(path, "<SimpleSource><SourceFilename relativeToVRT=\"1\">no.tif</SourceFilename>"
                    "<SourceBand>1</SourceBand></SimpleSource>");
      },
-     "a.tif: its source \"no.tif\" is no file"},
+     "a.tif: its source \"no.tif\" is not a file"},
     {"VrtHuge", [](const std::string& path) { vrt(path, "", "\"2000000000\""); },
      "a.tif: expected at most 400000000 cells, found 2000000000 x 2000000000"},
-    {"VrtOfNegativeSize", [](const std::string& path) { vrt(path, "", "\"-4\""); }, cannot},
+    {"VrtOfNegativeSize", [](const std::string& path) { vrt(path, "", "\"-4\""); }, cannotOpen},
     // What is in it
     {"Bands", ofBands, "a.tif: expected one band of heights, found 3"},
     {"Palette", ofPalette, "a.tif: expected heights, found colours of a palette"},
@@ -169,28 +170,26 @@ const BadGround badGrounds[] = {
      "a.tif: expected heights in [-12000, 30000] metres, found -32768 in column 3, row 0"},
     {"Infinite", infinite, "a.tif: expected heights in [-12000, 30000] metres, found inf"},
     {"ScaledAway", scaledAway, "a.tif: expected heights in [-12000, 30000] metres"},
-    {"OfAFormatThatIsNotRead", portableGreymap,
-     "a.tif: expected another format than PNM, of those in docs/treewind.md"},
+    {"OfAFormatThatIsNotRead", portableGreymap, "a.tif: expected a format of docs/treewind.md, found PNM"},
     {"CellsWithoutExtent", flat, "a.tif: its cells have no extent"},
     // Where it is
     {"WithoutCrs", goodRaster,
-     "a.tif: it has no coordinate reference system; expected ground.crs to say of what it is",
-     "file = \"a.tif\"\n", "position = [2, 2]\n", "crs = \"EPSG:25832\""},
+     "a.tif: it has no coordinate reference system; expected ground.crs to state it", "file = \"a.tif\"\n",
+     "position = [2, 2]\n", "crs = \"EPSG:25832\""},
     {"CrsUnknown", goodRaster,
      "test.treewind:7:7: ground.crs: expected a coordinate reference system that PROJ knows",
      "file = \"a.tif\"\ncrs = \"EPSG:1\"\n"},
     {"CrsNotAText", goodRaster, "ground.crs: expected a text in quotes, found 25832",
      "file = \"a.tif\"\ncrs = 25832\n"},
     {"MetresAsDegrees", metresAsDegrees,
-     "a.tif: its places are none of WGS 84; expected ground.crs to say of what they are"},
+     "a.tif: its coordinates are not valid in WGS 84; expected ground.crs to state their system"},
     {"SecondWithoutCrs", ofCrs,
-     "a.tif: expected no coordinate reference system, as the file before it has none",
+     "a.tif: expected no coordinate reference system, since the files before it have none",
      "file = [\"good.tif\", \"a.tif\"]\n"},
     // Trees
     {"TreeBeyondTheEdge", goodRaster,
      "test.treewind:7:8: ground.file: no ground below 1 of 1 trees, first tree[0] (id \"ash\") at (4.5, 2): "
-     "there is "
-     "a hole, or it is beyond the edge",
+     "the ground has a hole there or does not extend that far",
      "file = \"a.tif\"\n", "position = [4.5, 2]\nid = \"ash\"\n"},
     {"TreeOverAHole", withHole, "no ground below 1 of 1 trees, first tree[0] at (1.5, 2.5)",
      "file = \"a.tif\"\n", "position = [1.5, 2.5]\n"},
@@ -199,7 +198,7 @@ const BadGround badGrounds[] = {
     {"NoFile", nullptr, "ground.file: missing", ""},
     {"NoFiles", nullptr, "ground.file: expected at least one file", "file = []\n"},
     {"FileNotAText", nullptr, "ground.file: expected a text in quotes, found 7", "file = 7\n"},
-    {"NoneAndAFile", goodRaster, "ground.none: expected neither file nor crs beside it",
+    {"NoneAndAFile", goodRaster, "ground.none: cannot be combined with file or crs",
      "none = true\nfile = \"a.tif\"\n"},
     {"NoneNotABoolean", nullptr, "ground.none: expected true or false", "none = 1\n"},
     {"KeyUnknown", goodRaster, "ground.fiel: unknown key", "file = \"a.tif\"\nfiel = 1\n"},
@@ -209,7 +208,7 @@ class BadGroundTest : public testing::TestWithParam<BadGround> {};
 
 } // namespace
 
-TEST_P(BadGroundTest, GivesOneClearErrorAndNothingElse) {
+TEST_P(BadGroundTest, GivesOneErrorAndNoOutput) {
     const BadGround& bad = GetParam();
     const TemporaryFolder folder;
     goodRaster(folder.path() + "/good.tif");

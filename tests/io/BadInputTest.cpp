@@ -13,15 +13,15 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A document that cannot be read. The '@' in `document`, or else in `content`, stands before the place that
-/// must be named and is taken out before reading.
+/// An invalid document. A '@' in `document`, or else in `content`, marks the position that the problem must
+/// have, and is removed before reading.
 struct BadInput {
     const char* name;
     std::string document;
-    const char* key;     ///< Dotted key or column name the problem must name.
-    const char* message; ///< Part of what must be said.
+    const char* key;     ///< Expected dotted key or column name.
+    const char* message; ///< Part of the expected message.
     const char* file = "";
-    std::string content = ""; ///< Of `file`, which stands beside the document.
+    std::string content = ""; ///< Content of `file`, beside the document.
 };
 
 std::ostream& operator<<(std::ostream& out, const BadInput& bad) {
@@ -32,7 +32,7 @@ struct Place {
     int line = 0, column = 0;
 };
 
-/// Takes the marker out of the text.
+/// Removes the marker from the text. @return its position.
 Place takeMarker(std::string& text) {
     const std::size_t at = text.find('@');
     if (at == std::string::npos)
@@ -69,7 +69,7 @@ std::string csvWind(const std::string& lines) {
     return wind("kind = \"series\"\nfile = \"a.csv\"\n" + lines);
 }
 
-/// A species of the scanned tree a.txt.
+/// A species with the scan a.txt.
 std::string scan(const std::string& lines = "") {
     return species("scan = @\"a.txt\"\n" + lines);
 }
@@ -157,7 +157,7 @@ const BadInput badInputs[] = {
      "species", "at most 50000000 are possible"},
     {"LikeNone", species("like = @\"lamp post\"\n"), "species.like", "no built-in species \"lamp post\""},
     {"CrownOfNoShape", species("[species.growth]\nshape = @\"ball\"\n"), "species.growth.shape",
-     "no outline of a crown is called \"ball\""},
+     "no crown shape is called \"ball\""},
     {"TrunkTwice", species("[species.growth]\nradius = 0.2\ntrunk_diameter = @0.4\n"),
      "species.growth.trunk_diameter", "give either this or radius"},
     {"TwoForms", species("[species.growth]\n@[species.habit]\n"), "species.habit",
@@ -192,16 +192,16 @@ const BadInput badInputs[] = {
     {"UnknownNestedKey", species("[species.tree]\n@level = 3\n"), "species.tree.level",
      "did you mean levels?"},
 
-    // [[species]] with scan; what is wrong in the file is said at the key
+    // [[species]] with scan; problems of the file are reported at the key
     {"ScanAbsent", species("scan = @\"no.txt\"\n"), "species.scan", "no file \"no.txt\" in "},
     {"ScanOneOfManyAbsent", species("scan = @[\"a.txt\", \"no.txt\"]\n"), "species.scan",
      "no file \"no.txt\" in ", "a.txt", qsmRow},
     {"ScanNone", species("scan = @[]\n"), "species.scan", "at least one"},
     {"ScanAsNumber", species("scan = @3\n"), "species.scan", "expected a text in quotes, found 3"},
     {"ScanWithTree", species("scan = \"a.txt\"\n@[species.tree]\nlevels = 3\n"), "species.tree",
-     "expected none beside scan", "a.txt", qsmRow},
+     "cannot be combined with scan", "a.txt", qsmRow},
     {"ScanWithShapes", species("scan = \"a.txt\"\nshapes = @3\n"), "species.shapes",
-     "expected none beside scan", "a.txt", qsmRow},
+     "cannot be combined with scan", "a.txt", qsmRow},
     {"ScanEmpty", scan(), "species.scan", "/a.txt: the file is empty", "a.txt", ""},
     {"ScanBinary", scan(), "species.scan", "/a.txt:1:3: expected text, found binary", "a.txt",
      std::string("1 \0", 3)},
@@ -211,11 +211,12 @@ const BadInput badInputs[] = {
     {"ScanParentAbsent", scan(), "species.scan", "/a.txt:2: expected a parent of the same tree, found 7",
      "a.txt", qsmRow + qsmNext("7")},
     {"ScanTwoRoots", scan(), "species.scan",
-     "/a.txt:2: expected one root, found another one than in line 1; all others bear 50 % of the wood, and "
-     "at most 5 % are joined to what is nearest",
+     "/a.txt:2: expected one root, found a second one besides line 1; branches without a parent have 50 % of "
+     "the "
+     "wood, and at most 5 % can be joined to the nearest cylinder",
      "a.txt", qsmRow + qsmNext("0")},
-    {"ScanTextInNumber", scan(), "species.scan", "/a.txt:2:19: expected the number of a cylinder", "a.txt",
-     qsmRow + qsmNext("oak")},
+    {"ScanTextInNumber", scan(), "species.scan", "/a.txt:2:19: expected the number of the parent cylinder",
+     "a.txt", qsmRow + qsmNext("oak")},
     {"ScanRadiusZero", scan(), "species.scan", "/a.txt:2:1: expected a radius above 0", "a.txt",
      qsmRow + "0 1 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n"},
     {"ScanNaN", scan(), "species.scan", "/a.txt:2:7: expected metres within 1e9, found 'nan'", "a.txt",
@@ -305,7 +306,7 @@ const BadInput badInputs[] = {
     {"DefaultUnknown", inventory("x = \"x\", y = \"y\"", "default_species = @\"kelp\"\n"),
      "inventory.default_species", "no species \"kelp\"", "a.csv", csvHead + "1,2,3,oak\n"},
     {"CsvEmpty", inventory(), "", "empty", "a.csv", ""},
-    {"CsvWithoutRows", inventory(), "", "without trees", "a.csv", "@" + csvHead},
+    {"CsvWithoutRows", inventory(), "", "the inventory has no trees", "a.csv", "@" + csvHead},
     {"CsvRagged", inventory(), "", "expected 4", "a.csv", csvHead + "1,2,3,oak\n@1,2,3\n"},
     {"CsvNaN", inventory(), "y", "found", "a.csv", csvHead + "1,@nan,3,oak\n"},
     {"CsvNoPosition", inventory(), "x", "found", "a.csv", csvHead + "@,2,3,oak\n"},
@@ -334,7 +335,7 @@ const BadInput badInputs[] = {
      wind("kind = \"uniform\"\nspeed = @3.0\ndirection_from = 1.0\ndirection_toward = 2.0\n"), "wind.speed",
      "either direction_from or direction_toward"},
     {"WindVelocityAndDirection", wind("kind = \"uniform\"\nvelocity = [1, 2, 0]\ndirection_from = @3.0\n"),
-     "wind.direction_from", "velocity says"},
+     "wind.direction_from", "velocity already gives the direction"},
     {"WindSpeedNegative", wind("kind = \"uniform\"\nspeed = @-3.0\ndirection_from = 1.0\n"), "wind.speed",
      "in [0, 200]"},
     {"WindUnitUnknown", wind("kind = \"uniform\"\nvelocity = [1, 2, 0]\nunit = @\"furlong\"\n"), "wind.unit",
@@ -398,11 +399,11 @@ const BadInput badInputs[] = {
     {"FileAndFiles", wind("kind = \"file\"\nfile = \"a.csv\"\nfiles = @[\"a.csv\"]\ntimes = [0]\n"),
      "wind.files", "give either this or file", "a.csv", "1"},
     {"FilesWithoutTimes", head + tree + "@[wind]\nkind = \"file\"\nfiles = [\"a.csv\"]\n", "wind",
-     "expected times, one for each file: ", "a.csv",
+     "expected one time for each file", "a.csv",
      "# vtk DataFile Version 3.0\none point\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
      "POINT_DATA 1\nVECTORS wind float\n1 2 0\n"},
     {"FileWithTimes", wind("kind = \"file\"\nfile = \"a.csv\"\ntimes = @[0]\n"), "wind.times",
-     "expected only beside files", "a.csv", "1"},
+     "cannot be used without files", "a.csv", "1"},
     {"FilesCount", wind("kind = \"file\"\nfiles = [\"a.csv\", \"a.csv\"]\ntimes = @[0]\n"), "wind.times",
      "expected 2 numbers, one for each file, found 1", "a.csv", "1"},
     {"FilesBackwards", wind("kind = \"file\"\nfiles = [\"a.csv\", \"a.csv\"]\ntimes = @[1, 0]\n"),
@@ -423,7 +424,7 @@ class BadInputTest : public testing::TestWithParam<BadInput> {};
 
 } // namespace
 
-TEST_P(BadInputTest, GivesOneProblemWithItsPlace) {
+TEST_P(BadInputTest, GivesOneProblemWithItsPosition) {
     const BadInput& bad = GetParam();
     const TemporaryFolder folder;
     std::string document = bad.document, content = bad.content;
@@ -442,7 +443,7 @@ TEST_P(BadInputTest, GivesOneProblemWithItsPlace) {
     EXPECT_EQ(problem.file, inFile ? folder.path() + '/' + bad.file : "bad.treewind");
     if (const Place place = inFile ? inContent : inDocument; place.line > 0) {
         EXPECT_EQ(problem.line, place.line);
-        if (!inFile) { // a table of cells knows the line only
+        if (!inFile) { // problems in CSV files have no column
             EXPECT_EQ(problem.column, place.column);
         }
     }
@@ -454,20 +455,20 @@ TEST_P(BadInputTest, GivesOneProblemWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(All, BadInputTest, testing::ValuesIn(badInputs),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(BadInput, MissingFileIsNamed) {
+TEST(BadInput, ReportsAMissingFile) {
     const auto result = readForestFile("/nowhere/at/all.treewind");
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.problems().front().text(), "/nowhere/at/all.treewind: no such file");
 }
 
-TEST(BadInput, FolderIsNotAFile) {
+TEST(BadInput, RejectsAFolder) {
     const TemporaryFolder folder;
     const auto result = readForestFile(folder.path());
     ASSERT_FALSE(result.ok());
     EXPECT_NE(result.problems().front().message.find("not a regular file"), std::string::npos);
 }
 
-TEST(BadInput, KeysOfVeryManyPartsAreRefused) {
+TEST(BadInput, RejectsKeysWithTooManyParts) {
     std::string key = "a";
     for (int i = 0; i < 250000; ++i)
         key += ".a";
@@ -480,7 +481,7 @@ TEST(BadInput, KeysOfVeryManyPartsAreRefused) {
     }
 }
 
-TEST(BadInput, EveryProblemIsReportedInTheOrderOfTheFile) {
+TEST(BadInput, ReportsAllProblemsInTheOrderOfTheFile) {
     std::istringstream input(
         "seed = -1\n[wind]\nkind = \"gale\"\n[[tree]]\nheight = 0\n[[tree]]\nposition = 3\n"
         "colour = 1\n");
@@ -493,7 +494,7 @@ TEST(BadInput, EveryProblemIsReportedInTheOrderOfTheFile) {
                                                 "5 tree.height", "7 tree.position", "8 tree.colour"}));
 }
 
-TEST(BadInput, ProblemsAreCapped) {
+TEST(BadInput, LimitsTheNumberOfProblems) {
     std::string document = head;
     for (int i = 0; i < 1000; ++i)
         document += "[[tree]]\n";

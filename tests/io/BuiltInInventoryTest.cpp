@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-TEST(BuiltInInventory, NamesNoSpeciesHasAreBuiltInOrTheDefault) {
+TEST(BuiltInInventory, UnknownNamesAreBuiltInSpeciesOrTheDefault) {
     const TemporaryFolder folder;
     folder.write("a.csv",
                  "x,y,s\n1,2,Picea abies\n3,4,OAK\n5,6,moon tree\n7,8,Fagus sylvatica\n9,9,moon tree\n");
@@ -23,7 +23,7 @@ TEST(BuiltInInventory, NamesNoSpeciesHasAreBuiltInOrTheDefault) {
     for (const TreePlacement& tree : forest.value().trees)
         names.push_back(forest.value().species[tree.species].name);
     EXPECT_EQ(names, (std::vector<std::string>{"Norway spruce", "mine", "broadleaf", "beech", "broadleaf"}));
-    ASSERT_EQ(forest.value().notes.size(), 2u) << "and of sizes";
+    ASSERT_EQ(forest.value().notes.size(), 2u) << "the other is about sizes";
     EXPECT_NE(forest.value().notes[0].find("moon tree (2)"), std::string::npos);
     EXPECT_FLOAT_EQ(forest.value().gain, 2.5f);
 }
@@ -37,14 +37,14 @@ TEST(BuiltInSpeciesOfTrees, NeedNoDeclaration) {
     const auto name = [&](std::size_t tree) {
         return forest.value().species[forest.value().trees[tree].species].name;
     };
-    ASSERT_EQ(forest.value().species.size(), 2u) << "and no unused default";
+    ASSERT_EQ(forest.value().species.size(), 2u) << "the unused default is removed";
     EXPECT_EQ(name(0), "oak");
     EXPECT_EQ(name(1), "Norway spruce");
     EXPECT_EQ(name(6), "oak");
     EXPECT_GT(forest.value().species[0].wood.crownDrag, 0.0f);
 }
 
-TEST(BuiltInSpeciesOfTrees, AreOneByAllTheirNames) {
+TEST(BuiltInSpeciesOfTrees, AreFoundByAllTheirNames) {
     std::istringstream input("version = 1\n[[tree]]\nspecies = \"Quercus robur\"\nposition = [0, 0]\n"
                              "[[tree]]\nspecies = \"English oak\"\nposition = [9, 0]\n");
     const auto forest = readForest(input);
@@ -52,7 +52,7 @@ TEST(BuiltInSpeciesOfTrees, AreOneByAllTheirNames) {
     EXPECT_EQ(forest.value().species.size(), 1u);
 }
 
-TEST(BuiltInSpeciesOfTrees, GiveWayToTheFilesOwn) {
+TEST(BuiltInSpeciesOfTrees, AreOverriddenByTheFile) {
     std::istringstream input("version = 1\n[[species]]\nname = \"Oak\"\nshapes = 7\n"
                              "[[tree]]\nspecies = \"English oak\"\nposition = [9, 0]\n");
     const auto forest = readForest(input);
@@ -61,7 +61,7 @@ TEST(BuiltInSpeciesOfTrees, GiveWayToTheFilesOwn) {
     EXPECT_EQ(forest.value().species[0].shapes, 7);
 }
 
-TEST(BuiltInSpeciesOfTrees, DoNotCountAsSpeciesOfTheFile) {
+TEST(BuiltInSpeciesOfTrees, AreNotSpeciesOfTheFile) {
     std::istringstream input("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0, 0]\n"
                              "[[tree]]\nposition = [9, 0]\n"
                              "[scatter]\ncount = 5\narea = [20, 0, 60, 40]\n");

@@ -19,9 +19,9 @@
 
 using namespace osgTreeWind;
 
-TEST(BuiltInSpecies, BearWhatGreenWoodDoes) {
+TEST(BuiltInSpecies, HaveStrengthsOfGreenWood) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
-        if (species.name == "palm") // nobody knows
+        if (species.name == "palm") // unknown
             continue;
         // Of all in the Wood Handbook: northern white cedar to shellbark hickory.
         EXPECT_GE(species.wood.bendingStrength, 29.0e6f) << species.name;
@@ -29,12 +29,12 @@ TEST(BuiltInSpecies, BearWhatGreenWoodDoes) {
     }
 }
 
-TEST(BuiltInSpecies, ThereAreAtLeastTwelveAndEachHasASource) {
+TEST(BuiltInSpecies, AreAtLeastTwelveAndHaveSources) {
     const auto& all = SpeciesCatalogue::builtIn().species();
     std::size_t conifers = 0;
     for (const Species& species : all) {
         EXPECT_FALSE(species.source.empty()) << species.name;
-        conifers += species.appearance.needles();
+        conifers += species.appearance.hasNeedles();
     }
     EXPECT_GE(all.size(), 12u);
     EXPECT_GE(conifers, 5u);
@@ -50,7 +50,7 @@ TEST(BuiltInSpecies, AreFoundByCommonAndScientificNameInAnyCase) {
     EXPECT_EQ(defaultSpecies().name, "broadleaf");
 }
 
-TEST(BuiltInSpecies, ModuliAreThoseOfTheTable) {
+TEST(BuiltInSpecies, HaveTheModuliOfTheTable) {
     // ForestGALES: Sitka spruce 5.9 GPa, C 2.35, n 0.51; beech 9.8 GPa, C 2.4141, n 0.904.
     const Species sitka = *findSpecies("Sitka spruce"), beech = *findSpecies("beech");
     EXPECT_FLOAT_EQ(sitka.wood.elasticModulus, 5.9e9f);
@@ -61,11 +61,11 @@ TEST(BuiltInSpecies, ModuliAreThoseOfTheTable) {
     EXPECT_FLOAT_EQ(beech.wood.streamlining, 0.904f);
 }
 
-TEST(BuiltInSpecies, ConifersHaveTheStemsAndBranchesOfForestry) {
+TEST(BuiltInSpecies, ConifersHaveStemAndBranchMassesOfForestry) {
     // In a stand: stem over trunk section at breast height times height 0.4 to 0.5 (form factor); branches
     // about 0.15 to 0.2 of the wood's mass (Jenkins et al. 2003).
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
-        if (!species.appearance.needles())
+        if (!species.appearance.hasNeedles())
             continue;
         const TreeModel model = makeTreeModel(growthOf(species, false), 0);
         const TreeScale scale = fitTree(model, {20.0f, 0.3f, 0.0f});
@@ -88,7 +88,7 @@ TEST(BuiltInSpecies, ConifersHaveTheStemsAndBranchesOfForestry) {
     }
 }
 
-TEST(BuiltInSpecies, CrownsOfTownTreesAre22To28TimesAsWideAsTheirStems) {
+TEST(BuiltInSpecies, UrbanCrownsAre22To28TimesAsWideAsTheirStems) {
     // Coombes, Martin, Slater 2019.
     for (const char* name : {"oak", "sycamore", "silver birch", "Norway maple"}) {
         float sum = 0.0f;
@@ -101,7 +101,7 @@ TEST(BuiltInSpecies, CrownsOfTownTreesAre22To28TimesAsWideAsTheirStems) {
     }
 }
 
-TEST(BuiltInSpecies, LeavesDrawnHaveTheAreaOfTheMechanics) {
+TEST(BuiltInSpecies, DrawnLeavesHaveTheAreaOfTheMechanics) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         const TreeModel model = makeTreeModel(species.tree);
         const float card = glm::distance(model.leafMesh[0].corner, model.leafMesh[1].corner) *
@@ -123,7 +123,7 @@ TEST(BuiltInSpecies, AreCheapEnoughToDraw) {
         }
 }
 
-TEST(BuiltInSpecies, StandOnFeet) {
+TEST(BuiltInSpecies, HaveFlaredTrunks) {
     const auto flare = [](const Species& species) {
         return species.tree.growth ? species.tree.growth->flare : species.tree.palm->flare;
     };
@@ -133,7 +133,7 @@ TEST(BuiltInSpecies, StandOnFeet) {
     EXPECT_GT(flare(*findSpecies("oak")), flare(*findSpecies("palm")));
 }
 
-TEST(BuiltInSpecies, TreesOfACampusFindTheirKind) {
+TEST(BuiltInSpecies, TreesOfACampusAreMatched) {
     // What botanists call the trees of the University of Utah.
     const std::vector<std::pair<const char*, const char*>> kinds = {
         {"Gleditsia triacanthos", "honey locust"},

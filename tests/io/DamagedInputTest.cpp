@@ -20,7 +20,7 @@ std::string readAll(const std::string& name) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Damaged or not: a sane forest, or problems with a message. Never a crash.
+/// Expects a valid forest or problems with messages.
 void expectForestOrProblems(const std::string& text) {
     std::istringstream input(text);
     const auto result = readForest(input, {"damaged", OSGTREEWIND_SOURCE_DIR "/examples"});
@@ -45,14 +45,14 @@ class DamagedInputTest : public testing::TestWithParam<const char*> {};
 
 } // namespace
 
-TEST_P(DamagedInputTest, TruncationIsSurvived) {
+TEST_P(DamagedInputTest, SurvivesTruncation) {
     const std::string text = readAll(GetParam());
     ASSERT_FALSE(text.empty());
     for (std::size_t length = 0; length < text.size(); length += 7)
         expectForestOrProblems(text.substr(0, length));
 }
 
-TEST_P(DamagedInputTest, ChangedBytesAreSurvived) {
+TEST_P(DamagedInputTest, SurvivesChangedBytes) {
     const std::string text = readAll(GetParam());
     ASSERT_FALSE(text.empty());
     Random random(2);
@@ -78,7 +78,7 @@ TEST_P(DamagedInputTest, ChangedBytesAreSurvived) {
     }
 }
 
-TEST(DamagedInput, DeepNestingIsAProblem) {
+TEST(DamagedInput, RejectsDeepNesting) {
     for (const char* open : {"[", "{a=", "[{a="}) {
         std::string text = "version = 1\na = ";
         for (int i = 0; i < 100000; ++i)

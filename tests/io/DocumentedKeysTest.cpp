@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
+#include <type_traits>
 
 namespace osgTreeWind {
 
@@ -46,7 +47,7 @@ bool needsFile(const std::string& example) {
     return example.rfind("# needs a file", 0) == 0;
 }
 
-/// Every key that the reader asks for anywhere.
+/// All keys that the reader reads in any section.
 std::set<std::string> knownKeys() {
     const TemporaryFolder folder;
     folder.write("a.csv", "t\n1\n");
@@ -81,17 +82,17 @@ std::set<std::string> knownKeys() {
     return keys;
 }
 
-/// Type, range and default of a field as they stand in the manual.
+/// Type, range and default of a field, formatted for the manual.
 struct ManualCells {
     const Field& field;
     std::string type, range, value;
 
-    ManualCells(const Field& described, const void* usual) : field(described) {
+    ManualCells(const Field& described, const void* defaults) : field(described) {
         range = field.range.text();
         range = range.substr(range.rfind("in ", 0) == 0 ? 3 : 0);
-        std::visit(*this, field.of(usual));
+        std::visit(*this, field.of(defaults));
         if (field.doc.find("without it") != std::string::npos)
-            value.clear(); // the default is told there
+            value.clear(); // the description gives the default
         type += field.unit.empty() || field.unit == "file" ? "" : ", " + field.unit;
     }
 
@@ -109,12 +110,14 @@ struct ManualCells {
     void operator()(const float* member) {
         const double number = static_cast<double>(*member);
         type = "number";
-        if (memberRange(field).contains(number)) // else it is not given
+        if (memberRange(field).contains(number)) // otherwise the default means "not given"
             value = rounded(field.degrees() ? glm::degrees(number) : number);
     }
     void operator()(const double* member) { type = "number", value = rounded(*member); }
-    void operator()(const glm::vec3* member) {
-        type = "array of 3 numbers", range = "each " + range;
+    template <typename Number>
+    void operator()(const glm::vec<3, Number>* member) {
+        type = std::is_integral_v<Number> ? "array of 3 whole numbers" : "array of 3 numbers";
+        range = "each " + range;
         value = "`[" + rounded(static_cast<double>(member->x)) + ", " +
                 rounded(static_cast<double>(member->y)) + ", " + rounded(static_cast<double>(member->z)) +
                 "]`";
@@ -127,10 +130,15 @@ struct ManualCells {
         value += "]`";
     }
     void operator()(const std::string*) { type = "text"; }
-    template <typename T>
-    void operator()(const T*) {} // arrays of the wind: the manual says more of them
+    template <typename Number>
+    void operator()(const std::vector<Number>*) {
+        type = "array of numbers", range = "each " + range;
+    }
+    void operator()(const std::vector<glm::vec3>*) {
+        type = "array of arrays of 3 numbers", range = "each " + range;
+    }
     void operator()(const std::vector<std::string>*) { type = "array of texts", value = "`[]`"; }
-    void operator()(const WordMember& word) {
+    void operator()(const EnumMember& word) {
         type = "text";
         for (const auto& [text, number] : field.words) {
             range += (range.empty() ? "`\"" : ", `\"") + text + "\"`";
@@ -138,8 +146,15 @@ struct ManualCells {
                 value = "`\"" + text + "\"`";
         }
     }
-    void operator()(const PartMember&) { type = "table"; }
+    void operator()(const NestedMember&) { type = "table"; }
 };
+
+/// The cell "default" for required keys.
+const std::map<std::string, std::string>& requiredKeys() {
+    static const std::map<std::string, std::string> keys = {{"wind.source.kind", "required"},
+                                                            {"wind.source.place", "this or `position`"}};
+    return keys;
+}
 
 std::string rowOf(const std::vector<std::string>& cells) {
     std::string row = "|";
@@ -148,41 +163,43 @@ std::string rowOf(const std::vector<std::string>& cells) {
     return row;
 }
 
-/// A row for every field, and for those of its parts.
-/// @param tables where such a struct stands, and its defaults.
+/// Adds a row for each field, including nested ones. @param tables with these fields, and defaults.
 void addRows(std::vector<std::string>& rows, const Fields& fields,
              const std::vector<std::pair<std::string, const void*>>& tables) {
     std::map<const Fields*, std::vector<std::pair<std::string, const void*>>> parts;
     for (const Field& field : fields) {
         std::string keys, values;
         std::set<std::string> distinct;
-        for (const auto& [table, usual] : tables) {
-            const ManualCells cells(field, usual);
+        for (const auto& [table, defaults] : tables) {
+            const ManualCells cells(field, defaults);
             const std::string key = (table.empty() ? "" : table + '.') + field.key;
             keys += (keys.empty() ? "`" : ", `") + key + '`';
-            if (distinct.insert(cells.value).second)
-                values += (values.empty() ? "" : ", ") + cells.value;
-            if (const Member member = field.of(usual); const auto part = std::get_if<PartMember>(&member))
+            const auto required = requiredKeys().find(key);
+            const std::string& value = required != requiredKeys().end() ? required->second : cells.value;
+            if (distinct.insert(value).second)
+                values += (values.empty() ? "" : ", ") + value;
+            if (const Member member = field.of(defaults);
+                const auto part = std::get_if<NestedMember>(&member))
                 parts[part->fields].push_back({key, part->object});
         }
         const ManualCells cells(field, tables.front().second);
         if (cells.type != "table")
             rows.push_back(rowOf({keys, cells.type, cells.range, values, field.doc}));
     }
-    for (const auto& [of, where] : parts)
-        addRows(rows, *of, where);
+    for (const auto& [partFields, partTables] : parts)
+        addRows(rows, *partFields, partTables);
 }
 
 template <typename Struct>
 void addRows(std::vector<std::string>& rows, const std::string& table) {
-    const Struct usual{};
-    addRows(rows, fieldsOf<Struct>(), {{table, &usual}});
+    const Struct defaults{};
+    addRows(rows, fieldsOf<Struct>(), {{table, &defaults}});
 }
 
 } // namespace
 
-/// With OSGTREEWIND_WRITE_MANUAL in the environment the manual is mended.
-TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
+/// Updates the manual if the environment variable OSGTREEWIND_WRITE_MANUAL is set.
+TEST(DocumentedKeys, ManualMatchesTheFields) {
     std::vector<std::string> rows;
     addRows<GustWind::Parameters>(rows, "wind");
     addRows<WindClock>(rows, "wind");
@@ -190,7 +207,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     addRows<WindSource>(rows, "wind.source");
     addRows<WindCanopy>(rows, "wind");
     const ForestDescription forest;
-    addRows(rows, fieldsOfFile(), {{"", &forest}});
+    addRows(rows, forestFileFields(), {{"", &forest}});
     addRows<ForestDescription>(rows, "motion");
     addRows<DrawingOptions>(rows, "drawing");
     addRows<Species>(rows, "species");
@@ -212,7 +229,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
         std::ofstream(OSGTREEWIND_SOURCE_DIR "/docs/treewind.md") << text;
 }
 
-TEST(DocumentedKeys, EveryKeyOfTheReaderIsInTheManual) {
+TEST(DocumentedKeys, EveryKeyOfTheReaderIsDocumented) {
     const std::string text = manual();
     const std::set<std::string> keys = knownKeys();
     EXPECT_GT(keys.size(), 100u);
@@ -236,7 +253,7 @@ TEST(DocumentedKeys, EveryKeyOfTheManualIsRead) {
     }
 }
 
-TEST(DocumentedKeys, EveryExampleOfTheManualIsRead) {
+TEST(DocumentedKeys, EveryExampleOfTheManualReads) {
     const std::vector<std::string> examples = examplesOf(manual());
     EXPECT_GT(examples.size(), 8u);
     for (const std::string& example : examples) {

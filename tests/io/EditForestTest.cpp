@@ -33,20 +33,20 @@ const std::string document = "# Wäldchen am Fluß\n"
                              "[[species]] # all of them\n"
                              "name = \"oak\"\n";
 
-/// The file, read, and as a forest tells it while it runs.
+/// A file, and the description of a running forest that was read from it.
 class EditForestTest : public ::testing::Test {
 protected:
     EditForestTest() {
         _folder.write("trees.csv", "x,y\n1.1,2.3\n3,4\n5,6\n");
         file = _folder.write("wood.treewind", document);
         const auto read = readForestFile(file);
-        EXPECT_TRUE(read) << linesOf(read.problems());
+        EXPECT_TRUE(read) << toString(read.problems());
         now = ForestSimulation(read.value()).describe();
     }
 
     std::string edit(const std::string& name = "edited.treewind") {
         const std::string path = (std::filesystem::path(file).parent_path() / name).string();
-        EXPECT_EQ(linesOf(editForestFile(now, file, path)), "");
+        EXPECT_EQ(toString(editForestFile(now, file, path)), "");
         std::stringstream text;
         text << std::ifstream(path, std::ios::binary).rdbuf();
         return text.str();
@@ -58,7 +58,7 @@ protected:
     }
     ForestDescription again(const std::string& name = "edited.treewind") {
         const auto read = readForestFile((std::filesystem::path(file).parent_path() / name).string());
-        EXPECT_TRUE(read) << linesOf(read.problems());
+        EXPECT_TRUE(read) << toString(read.problems());
         return read ? read.value() : ForestDescription();
     }
 
@@ -69,33 +69,33 @@ protected:
 
 } // namespace
 
-TEST_F(EditForestTest, whatIsAsItWasStaysToTheByte) {
+TEST_F(EditForestTest, unchangedForestKeepsTheText) {
     EXPECT_EQ(edit(), document);
 }
 
-TEST_F(EditForestTest, aValueChangesInItsPlace) {
+TEST_F(EditForestTest, changesAValueInPlace) {
     now.season = 3.0f;
     EXPECT_EQ(edit(), with(document, "season = \"summer\" # see", "season = 3 # see"));
 }
 
-TEST_F(EditForestTest, aNewKeyComesBehindThoseOfItsTable) {
+TEST_F(EditForestTest, appendsANewKeyToItsTable) {
     now.wind.adjustment = {1.5, 20.0};
     EXPECT_EQ(edit(), with(document, "direction_from = 270.0\n",
                            "direction_from = 270.0\nstrength = 1.5\nturn = 20\n"));
 }
 
-TEST_F(EditForestTest, aNewTableComesLast) {
+TEST_F(EditForestTest, appendsANewTable) {
     now.gain = 2.0f;
     EXPECT_EQ(edit(), document + "\n[motion]\ngain = 2\n");
 }
 
-TEST_F(EditForestTest, aKeyThatIsAsUsualAgainGoes) {
+TEST_F(EditForestTest, removesAKeyWithItsDefaultValue) {
     std::ofstream(file, std::ios::binary)
         << with(document, "seed = 5\n", "seed = 5\nmotion.gain = 2.0 # more\n");
     EXPECT_EQ(edit(), document);
 }
 
-TEST_F(EditForestTest, sourcesComeBehindTheWind) {
+TEST_F(EditForestTest, insertsSourcesAfterTheWind) {
     now.wind.sources.resize(2);
     const std::string two = edit("wood.treewind");
     EXPECT_EQ(two.find("[[wind.source]]"), two.find("270.0\n") + 7);
@@ -107,7 +107,7 @@ TEST_F(EditForestTest, sourcesComeBehindTheWind) {
     EXPECT_EQ(edit().find("wind.source"), std::string::npos);
 }
 
-TEST_F(EditForestTest, anotherKindOfWindTakesThePlaceOfTheSection) {
+TEST_F(EditForestTest, replacesTheSectionForAnotherKindOfWind) {
     now.wind = GustWind::create({}).value();
     const std::string text = edit();
     for (const char* kept :
@@ -117,31 +117,31 @@ TEST_F(EditForestTest, anotherKindOfWindTakesThePlaceOfTheSection) {
     EXPECT_LT(text.find("gusts"), text.find("# Our trees"));
 }
 
-TEST_F(EditForestTest, aFileMayBeEditedInItsPlace) {
+TEST_F(EditForestTest, editsAFileInPlace) {
     now.season = 3.0f;
     edit("wood.treewind");
     now.season = 1.0f;
     EXPECT_EQ(edit("wood.treewind"), with(document, "season = \"summer\"", "season = 1"));
 }
 
-TEST_F(EditForestTest, otherTreesAreWrittenOut) {
+TEST_F(EditForestTest, changedTreesRewriteTheFile) {
     now.trees.pop_back();
     EXPECT_NE(edit().find("[[tree]]"), std::string::npos);
     EXPECT_EQ(again().trees.size(), 2u);
 }
 
-TEST_F(EditForestTest, inAnotherFolderWhatLiesBesideTheFileIsFound) {
+TEST_F(EditForestTest, anotherFolderKeepsPathsValid) {
     const TemporaryFolder other;
     const std::string path = other.path() + "/edited.treewind";
     now.season = 3.0f;
-    ASSERT_EQ(linesOf(editForestFile(now, file, path)), "");
+    ASSERT_EQ(toString(editForestFile(now, file, path)), "");
     const auto read = readForestFile(path);
-    ASSERT_TRUE(read) << linesOf(read.problems());
+    ASSERT_TRUE(read) << toString(read.problems());
     EXPECT_EQ(read.value().trees.size(), 3u);
     EXPECT_EQ(read.value().season, 3.0f);
 }
 
-TEST_F(EditForestTest, aFileThatIsGoneIsWrittenAnew) {
+TEST_F(EditForestTest, missingSourceIsWrittenAsANewFile) {
     std::filesystem::remove(file);
     EXPECT_NE(edit().find("[[tree]]"), std::string::npos);
 }

@@ -12,7 +12,7 @@ inline std::string bytesOf(const std::string& file) {
     return {std::istreambuf_iterator<char>(input), {}};
 }
 
-/// The bytes of all files in a folder and below, by their paths from there.
+/// The bytes of all files in a folder, recursively, by their relative paths.
 inline std::map<std::string, std::string> filesOf(const std::string& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))

@@ -18,7 +18,7 @@ namespace {
 
 const std::string examples = OSGTREEWIND_SOURCE_DIR "/examples/";
 
-/// The forest, or an empty one and a test failure for every problem.
+/// The forest; problems are test failures.
 ForestDescription expectForest(const Result<ForestDescription>& result) {
     if (result.ok())
         return result.value();
@@ -54,7 +54,7 @@ TEST(ForestFile, ThesisExampleIsOneReferenceTree) {
     expectNear(asField(forest.wind)->velocity({}, 0.0), {4, 0, 0});
 }
 
-TEST(ForestFile, ASeasonIsAWordANumberOrADate) {
+TEST(ForestFile, SeasonIsAWordANumberOrADate) {
     EXPECT_EQ(forestOf(treeAtOrigin).season, midsummer);
     EXPECT_EQ(forestOf("season = \"autumn\"\n" + treeAtOrigin).season, midautumn);
     EXPECT_EQ(forestOf("season = 1\n" + treeAtOrigin).season, midspring);
@@ -87,13 +87,13 @@ TEST(ForestFile, ForestExampleKeepsItsSpacing) {
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_GE(glm::distance(a.position, forest.trees[j].position), 7.0);
     }
-    EXPECT_GT(oaks, 10u); // three of six, give or take
+    EXPECT_GT(oaks, 10u); // about three of six
     EXPECT_LT(oaks, 30u);
     EXPECT_NE(asField(forest.wind)->velocity({0, 0, 10}, 3.0),
               asField(forest.wind)->velocity({0, 0, 10}, 9.0));
 }
 
-TEST(ForestFile, ScatterIsTheSameOnEveryMachine) {
+TEST(ForestFile, ScatterIsReproducible) {
     const ForestDescription forest = forestOf("[scatter]\ncount = 2\narea = [0, 0, 1, 1]\nseed = 0\n");
     // First two numbers of SplitMix64 from seed 0 (Vigna's reference: e220a8397b1dcdaf, 6e789e6aa1b965f4).
     ASSERT_EQ(forest.trees.size(), 2u);
@@ -101,7 +101,7 @@ TEST(ForestFile, ScatterIsTheSameOnEveryMachine) {
     EXPECT_DOUBLE_EQ(forest.trees[0].position.y, static_cast<double>(0x6e789e6aa1b965f4ull >> 11) * 0x1p-53);
 }
 
-TEST(ForestFile, CampusExampleIsWhatWasMeasured) {
+TEST(ForestFile, CampusExampleHasMeasuredSizes) {
     REQUIRE_REAL_DATA(csv, "utah_campus/utah_campus_trees.csv");
     const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
     ASSERT_EQ(forest.trees.size(), 1233u);
@@ -146,7 +146,7 @@ TEST(ForestFile, ReadsPlotInventoryWithUnits) {
     EXPECT_EQ(forest.origin, glm::dvec3(0.0)); // plot coordinates need no other origin
 }
 
-TEST(ForestFile, InventoriesKeepTheirIds) {
+TEST(ForestFile, InventoryTreesKeepTheirIds) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,tag\n1,2,T 7\n3,4,\n5,6,0012\n7,8,T 7\n");
     folder.write("b.csv", "x,y,tag\n1,2,T 8\n3,4,0012\n");
@@ -160,7 +160,7 @@ TEST(ForestFile, InventoriesKeepTheirIds) {
     EXPECT_EQ(names, std::vector<std::string>({"T 7", "", "0012", "", "T 8", ""}));
     std::vector<std::string> repeated;
     for (const std::string& note : forest.notes)
-        if (note.find("of trees with the same id the first one has it, 1 go without: ") != std::string::npos)
+        if (note.find("1 trees have no id, because another tree has it: ") != std::string::npos)
             repeated.push_back(note);
     ASSERT_EQ(repeated.size(), 2u);
     EXPECT_NE(repeated[0].find("a.csv: "), std::string::npos) << repeated[0];
@@ -168,7 +168,7 @@ TEST(ForestFile, InventoriesKeepTheirIds) {
     EXPECT_NE(repeated[1].find("0012"), std::string::npos) << repeated[1];
 }
 
-TEST(ForestFile, TagsOfAPlotAreFoundAgain) {
+TEST(ForestFile, PlotTreesKeepTheirTags) {
     REQUIRE_REAL_DATA(csv, "scbi/scbi_joined_xy_height_dbh.csv");
     const ForestDescription forest =
         forestOf("[inventory]\nfile = \"" + csv + "\"\ncolumns = { id = \"tag\", x = \"px\", y = \"py\" }\n");
@@ -176,7 +176,7 @@ TEST(ForestFile, TagsOfAPlotAreFoundAgain) {
     EXPECT_EQ(forest.trees[1].name, "111182");
 }
 
-TEST(ForestFile, EmptyCellsAreSizesNotGiven) {
+TEST(ForestFile, EmptyCellsMeanNotGiven) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,2,\n3,4,30\n");
     const ForestDescription forest =
@@ -189,7 +189,7 @@ TEST(ForestFile, EmptyCellsAreSizesNotGiven) {
     EXPECT_NEAR(forest.trees[1].size.height, 9.144f, 1e-5f);
 }
 
-TEST(ForestFile, LargeCoordinatesGetAnOriginAmongTheTrees) {
+TEST(ForestFile, LargeCoordinatesGetAnOriginNearTheTrees) {
     const ForestDescription forest = forestOf("[[tree]]\nposition = [428759.19, 4512931.77, 1423.6]\n"
                                               "[[tree]]\nposition = [428760.19, 4512933.77, 1424.6]\n");
     EXPECT_EQ(forest.origin, glm::dvec3(428760, 4512933, 1423));
@@ -206,7 +206,7 @@ TEST(ForestFile, AnglesAreDegrees) {
     EXPECT_FLOAT_EQ(forest.species[0].tree.wood.inclination, 0.5235988f);
 }
 
-TEST(ForestFile, ASpeciesSaysAllThatBuiltInOnesDo) {
+TEST(ForestFile, SpeciesMayHaveAllFieldsOfBuiltInOnes) {
     const ForestDescription forest =
         forestOf(treeAtOrigin + "[[species]]\nname = \"elm\"\nsource = \"by hand\"\naliases = [\"Ulmus\"]\n"
                                 "[species.habit]\nheight = 26\ntrunk_diameter = "
@@ -227,7 +227,7 @@ TEST(ForestFile, ASpeciesSaysAllThatBuiltInOnesDo) {
     EXPECT_EQ(elm.wood.branchWood, WoodAllometry::Broadleaf);
 }
 
-TEST(ForestFile, DrawingIsReadAndKeepsWhatIsNotGiven) {
+TEST(ForestFile, DrawingKeepsDefaultsOfMissingKeys) {
     const DrawingOptions drawing =
         forestOf(
             "[[tree]]\nposition = [0, 0]\n[drawing]\ntiers = false\nfull = 500\nimpostor = 0\nblend = 0.5\n")
@@ -239,7 +239,7 @@ TEST(ForestFile, DrawingIsReadAndKeepsWhatIsNotGiven) {
     EXPECT_EQ(drawing.blend, 0.5f);
 }
 
-TEST(ForestFile, PicturesOfASpeciesAreFoundAsOtherFilesAre) {
+TEST(ForestFile, FindsPicturesOfASpecies) {
     const TemporaryFolder folder;
     const std::string spray = folder.write("spray.png", "found by name only");
     const ForestDescription forest = forestOf(
@@ -260,7 +260,7 @@ TEST(ForestFile, FindsFilesBesideTheDocumentThenInSearch) {
     EXPECT_EQ(forestOf(search + text, folder.path()).trees.size(), 2u);
 }
 
-TEST(ForestFile, SourceAndFolderGiveTheSameForestAgain) {
+TEST(ForestFile, SourceAndFolderReadBackAsTheSameForest) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n1,2\n3,4\n");
     const std::string path = folder.write("f.treewind", "version = 1\n[inventory]\nfile = \"a.csv\"\n"
@@ -273,18 +273,18 @@ TEST(ForestFile, SourceAndFolderGiveTheSameForestAgain) {
     EXPECT_EQ(second.source, first.source);
 }
 
-TEST(ForestFile, CalmIsNoWind) {
+TEST(ForestFile, CalmHasNoField) {
     EXPECT_TRUE(forestOf(treeAtOrigin).wind.isCalm());
     EXPECT_TRUE(forestOf(treeAtOrigin + "[wind]\nkind = \"calm\"\n").wind.isCalm());
 }
 
-TEST(ForestFile, UniformWindKnowsUnitsAndDirections) {
+TEST(ForestFile, UniformWindSupportsUnitsAndDirections) {
     expectNear(windOf("kind = \"uniform\"\nvelocity = [1, 2, 3]\n"), {1, 2, 3});
     expectNear(windOf("kind = \"uniform\"\nspeed = 36\nunit = \"km/h\"\ndirection_from = 0\n"), {0, -10, 0});
     expectNear(windOf("kind = \"uniform\"\nspeed = 10\ndirection_toward = 90\n"), {10, 0, 0});
 }
 
-TEST(ForestFile, GridIsGivenInWorldCoordinates) {
+TEST(ForestFile, GridIsInWorldCoordinates) {
     const ForestDescription forest = forestOf(
         "[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"grid\"\norigin = [499990, 4000000, 0]\n"
         "points = [2, 1]\ncell = [20, 20]\nvalues = [1, 0, 0, 3, 0, 0]\n");
@@ -293,7 +293,7 @@ TEST(ForestFile, GridIsGivenInWorldCoordinates) {
     expectNear(asField(forest.wind)->velocity({0, 0, 0}, 0.0), {2, 0, 0});
 }
 
-TEST(ForestFile, SourcesOfWindStandInWorldCoordinates) {
+TEST(ForestFile, WindSourcesAreInWorldCoordinates) {
     const ForestDescription forest =
         forestOf("[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"uniform\"\nvelocity = [0, 1, "
                  "0]\nturn = 90\n"
@@ -306,7 +306,7 @@ TEST(ForestFile, SourcesOfWindStandInWorldCoordinates) {
     expectNear(asField(forest.wind)->velocity({-20, 0, 2}, 0.0), {0.5f, 0, 0});
 }
 
-TEST(ForestFile, ForestWindReadsItsArrayFromAFile) {
+TEST(ForestFile, ForestWindReadsAnArrayFile) {
     const TemporaryFolder folder;
     folder.write("w.txt", "# u v w in thesis axes\n1 0 0\n2, 0, 0\n");
     expectNear(windOf("kind = \"forest_wind\"\nwidth = 2\nlength = 1\nfile = \"w.txt\"\n", {1.5f, 0, 0}, 0.0,
@@ -346,7 +346,7 @@ TEST(ForestFile, SpeciesAreFoundByAliasInAnyCase) {
     EXPECT_EQ(forest.trees[0].species, 1u);
 }
 
-TEST(ForestFile, MessagesCarryFileLineAndColumn) {
+TEST(ForestFile, MessagesHaveFileLineAndColumn) {
     std::istringstream input("version = 1\n[[tree]]\nposition = [0, 0]\nheight = -2\n");
     const auto result = readForest(input, {"my.treewind", ""});
     ASSERT_FALSE(result.ok());
@@ -354,7 +354,7 @@ TEST(ForestFile, MessagesCarryFileLineAndColumn) {
               "my.treewind:4:10: tree.height: expected a finite number in (0, 150], found -2");
 }
 
-TEST(ForestFile, SettingsStandInPlaceOfTheDocumentsKeys) {
+TEST(ForestFile, SettingsOverrideKeysOfTheDocument) {
     const std::string document = "version = 1\nseason = \"winter\"\n[wind]\nkind = \"uniform\"\nspeed = 3.0\n"
                                  "direction_from = 270.0\n" +
                                  treeAtOrigin;
@@ -367,7 +367,7 @@ TEST(ForestFile, SettingsStandInPlaceOfTheDocumentsKeys) {
     expectNear(asField(forest.wind)->velocity({}, 0.0), {15, 0, 0});
     EXPECT_EQ(forest.season, expectForest(with({"season=\"autumn\""})).season);
     EXPECT_NE(forest.season, expectForest(with({})).season);
-    EXPECT_EQ(forest.source, "") << "it says something else";
+    EXPECT_EQ(forest.source, "") << "the source does not include the settings";
     const auto problem = [&](const std::string& setting) {
         const auto result = with({setting});
         return result.ok() ? "" : result.problems().front().text();
@@ -377,10 +377,10 @@ TEST(ForestFile, SettingsStandInPlaceOfTheDocumentsKeys) {
     EXPECT_EQ(problem("wind.sped=3"),
               "setting \"wind.sped=3\":1:6: wind.sped: unknown key; did you mean speed?");
     EXPECT_EQ(problem("season").rfind("setting \"season\":1:", 0), 0u) << problem("season");
-    EXPECT_NE(problem("tree.height=3"), "") << "an array of tables";
+    EXPECT_NE(problem("tree.height=3"), "") << "keys in arrays of tables cannot be set";
 }
 
-TEST(ForestFile, AForestThatDoesNotFitIntoMemoryIsRefusedOnce) {
+TEST(ForestFile, RejectsAForestThatDoesNotFitIntoMemory) {
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "100M");
     std::istringstream input("version = 1\n[scatter]\ncount = 1000000\narea = [0, 0, 9000, 9000]\n");
     const Result<ForestDescription> forest = readForest(input, {"large.treewind", ""});
@@ -392,16 +392,17 @@ TEST(ForestFile, AForestThatDoesNotFitIntoMemoryIsRefusedOnce) {
     EXPECT_NE(text.find("the limit is 100 MB"), std::string::npos) << text;
 }
 
-TEST(ForestFile, ASpeciesCalledAsABuiltInOneSaysThatItIsNotLikeIt) {
+TEST(ForestFile, NotesThatANamesakeOfABuiltInSpeciesHasTheDefaultShape) {
     const auto notesOf = [](const std::string& species) {
         std::istringstream document("version = 1\n[[species]]\nname = \"silver birch\"\n" + species +
                                     "[[tree]]\nposition = [0, 0]\n");
         const auto forest = readForest(document, {"f.treewind", ""});
         return forest ? forest.value().notes : std::vector<std::string>{forest.problems().front().text()};
     };
-    EXPECT_EQ(notesOf(""), std::vector<std::string>{
-                               "the species \"silver birch\" has the shape of the thesis' tree; like = "
-                               "\"silver birch\" gives it that of the built-in one"});
+    EXPECT_EQ(notesOf(""),
+              std::vector<std::string>{
+                  "the species \"silver birch\" has the shape of the thesis' tree; for that of the "
+                  "built-in species, set like = \"silver birch\""});
     EXPECT_TRUE(notesOf("like = \"silver birch\"\n").empty());
     EXPECT_TRUE(notesOf("[species.habit]\nheight = 12\n").empty());
 }

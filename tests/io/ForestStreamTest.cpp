@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A forest of which only some trees are in memory is the one that is read at once.
+// Compares a forest read as a stream with the same forest read at once.
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/places/RasterFile.h>
@@ -19,8 +19,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Trees of all sections on a slope, some with ids, one id twice, far from the map's zero. They do not grow
-/// by light: a stream knows nothing of neighbours.
+/// Trees of all sections on a slope, some with ids, one id twice, far from the map's origin. Their species do
+/// not grow by light, because a stream does not support growing spaces.
 std::string variedFile(const TemporaryFolder& folder) {
     RasterFile slope;
     slope.columns = slope.rows = 100;
@@ -45,10 +45,10 @@ std::string variedFile(const TemporaryFolder& folder) {
             species);
 }
 
-ForestStream streamOf(const std::string& file, const TemporaryFolder& folder, std::size_t atOnce) {
+ForestStream streamOf(const std::string& file, const TemporaryFolder& folder, std::size_t treesAtOnce) {
     ForestStreamOptions options;
     options.folder = folder.path();
-    options.treesAtOnce = atOnce;
+    options.treesAtOnce = treesAtOnce;
     auto stream = ForestStream::read(file, options);
     for (const Diagnostic& problem : stream.problems())
         ADD_FAILURE() << problem.text();
@@ -64,7 +64,7 @@ std::vector<std::string> textsOf(const Diagnostics& problems) {
 
 } // namespace
 
-TEST(ForestStreamTest, itsTreesAreThoseThatAreReadAtOnce) {
+TEST(ForestStreamTest, treesEqualThoseReadAtOnce) {
     const TemporaryFolder folder;
     const std::string file = variedFile(folder);
     const ForestDescription whole = readForestFile(file).value();
@@ -102,7 +102,7 @@ TEST(ForestStreamTest, itsTreesAreThoseThatAreReadAtOnce) {
     }
 }
 
-TEST(ForestStreamTest, itsWorldHasTheBytesOfTheWholeForests) {
+TEST(ForestStreamTest, tiledFilesEqualThoseOfTheWholeForest) {
     const TemporaryFolder folder, worlds;
     const std::string file = variedFile(folder);
     ASSERT_TRUE(writeTiledForest(readForestFile(file).value(), worlds.path() + "/whole"));
@@ -115,7 +115,7 @@ TEST(ForestStreamTest, itsWorldHasTheBytesOfTheWholeForests) {
     }
 }
 
-TEST(ForestStreamTest, itsProblemsAreThoseOfTheWholeForest) {
+TEST(ForestStreamTest, problemsEqualThoseOfTheWholeForest) {
     const TemporaryFolder folder;
     variedFile(folder);
     ForestStreamOptions options;
@@ -135,13 +135,13 @@ TEST(ForestStreamTest, itsProblemsAreThoseOfTheWholeForest) {
         ASSERT_FALSE(stream) << text;
         EXPECT_EQ(textsOf(stream.problems()), textsOf(whole.problems()));
     }
-    options.mostTrees = 10;
+    options.maxTrees = 10;
     const auto many = ForestStream::read(folder.path() + "/forest.treewind", options);
     ASSERT_FALSE(many);
     EXPECT_NE(many.problems().front().text().find("more than 10 trees in all"), std::string::npos);
 }
 
-TEST(ForestStreamTest, aFolderThatCannotHoldItsTreesIsNamed) {
+TEST(ForestStreamTest, reportsAFolderThatCannotHoldTheTrees) {
     const TemporaryFolder folder;
     const std::string file = variedFile(folder);
     const auto stream = ForestStream::read(file, {folder.path() + "/nowhere"});
@@ -150,7 +150,7 @@ TEST(ForestStreamTest, aFolderThatCannotHoldItsTreesIsNamed) {
     ForestStreamOptions options;
     options.folder = folder.path();
     ASSERT_TRUE(ForestStream::read(file, options));
-    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/trees.part")) << "nothing is left of it";
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/trees.part")) << "the temporary file is removed";
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Files as cities, weather services and other programs write them: small ones of our own, and those of
-// shared/data/cases.
+// SPDX-License-Identifier: MIT Files of cities, weather services and other programs: synthetic ones and those
+// of shared/data/cases.
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/InventoryReading.h>
@@ -9,6 +8,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +37,8 @@ std::string speciesOf(const ForestDescription& forest, std::size_t tree) {
 
 } // namespace
 
-/// 60 trees as a newcomer's spreadsheet has them: ; and decimal commas, Latin-1, German names, gaps and
-/// zeros.
-TEST(FoundFiles, ATableOfANewcomerStandsAtTheFirstTry) {
+/// A spreadsheet with semicolons, decimal commas, Latin-1, German names, gaps and zeros.
+TEST(FoundFiles, ReadsATypicalSpreadsheet) {
     const char* const names[] = {"Spitz-Ahorn", "Winterlinde", "Platane",  "Stieleiche",   "Ro\xdfkastanie",
                                  "Hainbuche",   "Sandbirke",   "Rotbuche", "Schwarz-Erle", "Gemeine Kiefer",
                                  "Eberesche",   "Robinie",     "Esche",    "Kugelahorn",   "Quitte"};
@@ -72,17 +71,17 @@ TEST(FoundFiles, ATableOfANewcomerStandsAtTheFirstTry) {
     const std::string notes = notesOf(forest);
     for (const char* const note :
          {"is no UTF-8 and is read as Windows-1252",
-          "its cells are parted by \";\", and its numbers may have decimal commas",
-          "4 trees, whose names no species has, stand as what they are called after: Kugelahorn as sycamore "
+          "its cells are separated by \";\", and its numbers may have decimal commas",
+          "4 trees of unknown species are read as related species: Kugelahorn as sycamore "
           "(4)",
-          "4 trees, whose names no species has, stand as \"broadleaf\": Quitte (4)",
-          "0 and marks such as -99 count as not measured: circumference of 15, height of 9 rows",
-          "not given, by the laws of the species"})
+          "4 trees of unknown species are read as \"broadleaf\": Quitte (4)",
+          "0 and markers such as -99 count as not measured: circumference of 15, height of 9 rows",
+          "estimated by the laws of the species"})
         EXPECT_NE(notes.find(note), std::string::npos) << note << "\nin\n" << notes;
     EXPECT_EQ(forest.notes.size(), 6u) << notes;
 }
 
-TEST(FoundFiles, KindsStandAsWhatTheyAreCalledAfter) {
+TEST(FoundFiles, FindsRelatedSpecies) {
     const SpeciesCatalogue& ours = SpeciesCatalogue::builtIn();
     for (const auto& [name, species] : {std::pair("Eastern White Pine", "Scots pine"),
                                         {"WHITE OAK", "oak"},
@@ -93,11 +92,11 @@ TEST(FoundFiles, KindsStandAsWhatTheyAreCalledAfter) {
                                         {"Canary Island Date Palm", "palm"},
                                         {"Kugel-Ahorn", "sycamore"},
                                         {"S\xc3\xa4uleneiche", "oak"}}) {
-        const Species* kin = ours.findKin(name);
+        const Species* kin = ours.findRelated(name);
         EXPECT_EQ(kin ? kin->name : "", species) << name;
     }
     for (const char* const name : {"STUMP", "Unknown", "TBD", "", "Quitte", "oak stump"})
-        EXPECT_FALSE(ours.findKin(name)) << name;
+        EXPECT_FALSE(ours.findRelated(name)) << name;
     for (const auto& [name, species] : {std::pair("Maple, Norway", "Norway maple"),
                                         {"Maple - Norway", "Norway maple"},
                                         {"Acer platanoides 'Globosum'", "Norway maple"},
@@ -118,7 +117,7 @@ TEST(FoundFiles, KindsStandAsWhatTheyAreCalledAfter) {
     }
 }
 
-TEST(FoundFiles, APlaceMayStandInOneCell) {
+TEST(FoundFiles, ReadsAPlaceFromOneCell) {
     const TemporaryFolder folder;
     const std::string lines = "[inventory]\nfile = \"a.csv\"\n";
     folder.write("a.csv", "id;geo_point_2d\n1;48.8760, 2.3007\n2;48.8761, 2.3009\n");
@@ -144,9 +143,9 @@ TEST(FoundFiles, APlaceMayStandInOneCell) {
               356000.0);
 }
 
-TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
-    const TemporaryFolder
-        folder; // PROJ's cs2cs of 2.35 E 48.85 N, and of places 100 m east and north of it (geod)
+TEST(FoundFiles, ReprojectsWebMaps) {
+    const TemporaryFolder folder;
+    // 2.35 E 48.85 N, and places 100 m east and north of it, by PROJ's geod and cs2cs.
     folder.write("a.csv",
                  "x,y\n261600.8034,6249447.7528\n261752.4828,6249447.7514\n261600.8034,6249599.8763\n");
     const std::string lines =
@@ -160,18 +159,18 @@ TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
               std::string::npos)
         << notesOf(forest);
 
-    const ForestDescription said = forestIn(
+    const ForestDescription stated = forestIn(
         folder.path(),
         "crs = \"EPSG:3857\"\norigin = [261600.8034, 6249447.7528, 0]\n[[tree]]\nposition = [261600.8034, "
         "6249447.7528]\n[[tree]]\nposition = [261752.4828, 6249447.7514]\n[wind]\nkind = "
         "\"calm\"\n[[wind.source]]"
         "\nkind = \"jet\"\nposition = [261752.4828, 6249447.7514, 2]\nvelocity = [9, 0, 0]\nradius = 1.0\n");
-    EXPECT_EQ(said.crs, "EPSG:32631");
-    ASSERT_EQ(said.trees.size(), 2u);
-    EXPECT_NEAR(glm::distance(said.trees[1].position, said.trees[0].position), 100.0, 0.1);
-    EXPECT_NEAR(glm::distance(said.trees[0].position, said.origin), 0.0, 1e-3);
-    ASSERT_EQ(said.wind.sources.size(), 1u);
-    EXPECT_NEAR(glm::length(glm::dvec2(said.wind.sources[0].position)), 100.0, 0.1);
+    EXPECT_EQ(stated.crs, "EPSG:32631");
+    ASSERT_EQ(stated.trees.size(), 2u);
+    EXPECT_NEAR(glm::distance(stated.trees[1].position, stated.trees[0].position), 100.0, 0.1);
+    EXPECT_NEAR(glm::distance(stated.trees[0].position, stated.origin), 0.0, 1e-3);
+    ASSERT_EQ(stated.wind.sources.size(), 1u);
+    EXPECT_NEAR(glm::length(glm::dvec2(stated.wind.sources[0].position)), 100.0, 0.1);
 
     const ForestDescription kept = forestIn(folder.path(), "stretched = true\ncrs = \"EPSG:3857\"\n" + lines);
     EXPECT_EQ(kept.crs, "EPSG:3857");
@@ -181,7 +180,7 @@ TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
     EXPECT_EQ(readForest(again).value().trees.at(1).position, kept.trees[1].position);
 }
 
-TEST(FoundFiles, SpacingIsInMetresOfTheScene) {
+TEST(FoundFiles, SpacingIsInMetresOnTheGround) {
     const TemporaryFolder folder;
     const std::string scatter = "crs = \"EPSG:3857\"\n[scatter]\narea = [261600, 6249400, 261632, "
                                 "6249432]\ncount = 36\nspacing = 3\n";
@@ -192,19 +191,19 @@ TEST(FoundFiles, SpacingIsInMetresOfTheScene) {
                 least = &a == &b ? least : std::min(least, glm::distance(a.position, b.position));
         return least;
     };
-    // 36 trees 3 m apart in 32 x 32 m: near enough to jamming that some stand barely farther apart.
+    // 36 trees 3 m apart in 32 x 32 m are so dense that some pairs are barely farther apart.
     EXPECT_NEAR(nearest(forestIn(folder.path(), scatter)), 3.0, 0.25);
     EXPECT_NEAR(nearest(forestIn(folder.path(), "stretched = true\n" + scatter)), 3.0, 0.25);
 }
 
-TEST(FoundFiles, TimesOfNinesAreTimes) {
+TEST(FoundFiles, DoesNotTreatTimesOfNinesAsMissing) {
     const TemporaryFolder folder;
     folder.write("a.csv", "time,u,v\n998,1,0\n999,2,0\n1000,M,0\n9999,3,0\n");
     const WindFile wind = readWindFile(folder.path() + "/a.csv").value();
     EXPECT_EQ(wind.summary.times, (std::vector<double>{0.0, 1.0, 9001.0}));
 }
 
-TEST(FoundFiles, CasesOfInventories) {
+TEST(FoundFiles, ReadsInventories) {
     REQUIRE_REAL_DATA(zero, "cases/01-zero-means-unknown/trees.treewind");
     EXPECT_EQ(caseOf(zero).trees.size(), 6u);
     REQUIRE_REAL_DATA(census, "cases/01-zero-means-unknown/census.csv");
@@ -235,12 +234,12 @@ TEST(FoundFiles, CasesOfInventories) {
         << "of a cell, and bilinear";
 }
 
-TEST(FoundFiles, CasesOfScans) {
+TEST(FoundFiles, ReadsScans) {
     for (const char* const file : {"cylinder_orphan_txt", "orphan_csv", "orphan_mat", "orphan_swc"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/09-qsm-orphans/") + file + ".treewind");
         const ForestDescription forest = caseOf(path);
         const ScanReport& report = forest.species.at(0).tree.scans->at(0).report;
-        const bool isSwc = std::string(file) == "orphan_swc"; // radii are those of the upper ends
+        const bool isSwc = std::string(file) == "orphan_swc"; // its radii are those of the upper ends
         EXPECT_NEAR(report.cylinderVolume, isSwc ? 0.43478 : 0.4388, 2.5e-4) << file;
         EXPECT_NEAR(report.height, 8.0, 1e-6) << file;
         EXPECT_NE(notesOf(forest).find("1 branches without a parent"), std::string::npos) << notesOf(forest);
@@ -252,7 +251,7 @@ TEST(FoundFiles, CasesOfScans) {
     EXPECT_EQ(report.cylinders, 8u);
 }
 
-TEST(FoundFiles, CasesOfRecords) {
+TEST(FoundFiles, ReadsRecords) {
     const auto velocity = [](const ForestDescription& forest, double time) {
         return asField(forest.wind)->velocity({0.0f, 0.0f, 10.0f}, time);
     };
@@ -276,13 +275,13 @@ TEST(FoundFiles, CasesOfRecords) {
     }
 }
 
-TEST(FoundFiles, CasesOfGriddedWinds) {
+TEST(FoundFiles, ReadsGriddedWinds) {
     const std::string folder = "cases/11-wind-not-over-forest/";
     for (const char* const file : {"era5_sydney", "era5_edge", "map_385900", "map_386800", "map_395000",
                                    "palm_far", "sydney_in_french_wind"}) {
         REQUIRE_REAL_DATA(path, folder + file + ".treewind");
         const auto forest = readForestFile(path);
-        EXPECT_NE(firstProblem(forest).find("no tree stands where the wind of"), std::string::npos) << file;
+        EXPECT_NE(firstProblem(forest).find("no tree is inside the grid of"), std::string::npos) << file;
         const auto held = readForestFile(path, 100, {"wind.beyond=hold"});
         ASSERT_TRUE(held) << firstProblem(held);
         EXPECT_NE(notesOf(held.value()).find("1 of 1 trees stand outside the grid of"), std::string::npos)
@@ -298,7 +297,7 @@ TEST(FoundFiles, CasesOfGriddedWinds) {
         << "of the last cell";
     for (const char* const file : {"grib", "nc"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/17-components-in-two-files/") + file + ".treewind");
-        EXPECT_NE(notesOf(caseOf(path)).find("put together two and two"), std::string::npos) << file;
+        EXPECT_NE(notesOf(caseOf(path)).find("read from pairs of files"), std::string::npos) << file;
     }
     REQUIRE_REAL_DATA(u, "cases/17-components-in-two-files/u_10m.grib2");
     REQUIRE_REAL_DATA(v, "cases/17-components-in-two-files/v_10m.grib2");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/io/InventoryReading.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 #include <tests/places/RasterFile.h>
 
 #include <osgTreeWind/forest/StandOnGround.h>
@@ -21,9 +21,9 @@ ForestDescription forestIn(const std::string& folder, const std::string& text) {
 }
 
 const std::string ground = "[ground]\nfile = \"a.tif\"\n";
-const std::string thin = "trunk_diameter = 0.002\n"; // hardly sunk
+const std::string thin = "trunk_diameter = 0.002\n"; // the foot is hardly lower than the trunk's centre
 
-/// A slope of a half toward the north-east corner, 100 m square.
+/// A raster of 100 m x 100 m that rises eastward by 0.5 m per metre.
 RasterFile slope() {
     RasterFile file;
     file.columns = file.rows = 100;
@@ -34,7 +34,7 @@ RasterFile slope() {
 
 } // namespace
 
-TEST(GroundSection, TreesWithoutAHeightStandOnItOthersWhereTheySay) {
+TEST(GroundSection, PlacesOnlyTreesWithoutAHeight) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     folder.write("a.csv", "x,y,z\n50,50,7\n50,50,\n");
@@ -53,10 +53,10 @@ TEST(GroundSection, TreesWithoutAHeightStandOnItOthersWhereTheySay) {
     EXPECT_EQ(forest.trees[7].position.z, 7.0);
     EXPECT_NEAR(forest.trees[8].position.z, 1025.0, 0.5);
     EXPECT_NEAR(forest.trees[9].position.z, 1025.0, 0.5);
-    EXPECT_EQ(forest.origin, glm::dvec3(0.0)) << "near enough";
+    EXPECT_EQ(forest.origin, glm::dvec3(0.0)) << "the trees are near it";
 }
 
-TEST(GroundSection, AFootIsSunkToTheLowestPointOfItsTrunk) {
+TEST(GroundSection, FootIsAtTheLowestPointOfTheTrunk) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     const ForestDescription forest =
@@ -67,11 +67,11 @@ TEST(GroundSection, AFootIsSunkToTheLowestPointOfItsTrunk) {
     ASSERT_EQ(forest.trees.size(), 3u);
     EXPECT_NEAR(forest.trees[0].position.z, 1010.0 - 0.5 * 0.4, 1e-3);
     const double sunk = 1010.0 - forest.trees[1].position.z;
-    EXPECT_GT(sunk, 0.02) << "not measured: as the shape has it";
+    EXPECT_GT(sunk, 0.02) << "the diameter is that of the shape";
     EXPECT_NEAR(1010.0 - forest.trees[2].position.z, 2.0 * sunk, 0.02);
 }
 
-TEST(GroundSection, NoneIsFlat) {
+TEST(GroundSection, NoneMeansFlat) {
     const ForestDescription forest = forestIn("/", "[[tree]]\nposition = [2, 3]\n[ground]\nnone = true\n");
     EXPECT_FALSE(forest.ground);
     EXPECT_EQ(forest.trees.at(0).position, glm::dvec3(2, 3, 0));
@@ -89,7 +89,7 @@ TEST(GroundSection, GeometryWithAHeightKeepsIt) {
     EXPECT_NEAR(forest.trees[1].position.z, 1010.0, 0.5);
 }
 
-TEST(GroundSection, ItsMapBecomesTheForestsUnlessThereIsOne) {
+TEST(GroundSection, SetsTheCrsOfTheForestUnlessItHasOne) {
     const TemporaryFolder folder;
     RasterFile file = slope();
     file.crs = "EPSG:25832";
@@ -97,10 +97,10 @@ TEST(GroundSection, ItsMapBecomesTheForestsUnlessThereIsOne) {
     const std::string tree = "[[tree]]\nposition = [20, 50]\n";
     ForestDescription forest = forestIn(folder.path(), tree + ground);
     EXPECT_EQ(forest.crs, "EPSG:25832");
-    EXPECT_TRUE(forest.crsChosen);
+    EXPECT_TRUE(forest.crsFromInventory);
     forest = forestIn(folder.path(), "crs = \"EPSG:25832\"\n" + tree + ground);
-    EXPECT_FALSE(forest.crsChosen);
-    // An inventory on degrees chooses first, and the ground follows it there.
+    EXPECT_FALSE(forest.crsFromInventory);
+    // An inventory in degrees sets the CRS first, and the ground uses it.
     file.transform = {500000, 1, 0, 5538680, 0, -1};
     file.write(folder.path() + "/a.tif");
     folder.write("b.geojson", geoJson(point("9.0005, 50.0")));
@@ -110,7 +110,7 @@ TEST(GroundSection, ItsMapBecomesTheForestsUnlessThereIsOne) {
     EXPECT_NEAR(forest.trees[0].position.z, 1000.0 + 0.5 * 35.8, 0.5);
 }
 
-TEST(GroundSection, WrittenItReadsBackTheSame) {
+TEST(GroundSection, ReadsBackAfterWriting) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     const ForestDescription forest =
@@ -127,10 +127,11 @@ TEST(GroundSection, WrittenItReadsBackTheSame) {
     EXPECT_EQ(rasters->source().files, std::vector<std::string>{folder.path() + "/a.tif"});
     EXPECT_EQ(rasters->source().crs, "EPSG:25832");
     for (std::size_t i = 0; i < 9; ++i)
-        EXPECT_EQ(back.value().trees[i].position, forest.trees[i].position) << "to the bit, not sunk again";
+        EXPECT_EQ(back.value().trees[i].position, forest.trees[i].position)
+            << "must not be placed on the ground again";
 }
 
-TEST(GroundSection, ACallableIsRefusedByName) {
+TEST(GroundSection, CallableCannotBeWritten) {
     ForestDescription forest;
     forest.species.emplace_back().name = "oak";
     forest.ground = std::make_shared<FunctionGround>([](double x, double) { return x; });
@@ -138,29 +139,29 @@ TEST(GroundSection, ACallableIsRefusedByName) {
     const Diagnostics problems = writeForest(forest, output);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems.front().text(),
-              "ground: a ground that no file can say: expected one from files, not a callable");
+              "ground: this ground cannot be written to a file: expected one from files, not a callable");
 }
 
-TEST(StandOnGround, TreesOfCodeStandOnACallable) {
+TEST(StandOnGround, SupportsCallableGrounds) {
     ForestDescription forest;
     forest.species.emplace_back().name = "oak";
     forest.trees.resize(3);
     forest.trees[1].position = {10, 0, 5};
     forest.trees[2].position = {-10, 0, 5};
     forest.trees[2].name = "7b";
-    EXPECT_TRUE(standOnGround(forest, {0, 1, 2}).empty()) << "without a ground nothing happens";
+    EXPECT_TRUE(standOnGround(forest, {0, 1, 2}).empty()) << "there is no ground yet";
     forest.ground =
         std::make_shared<FunctionGround>([](double x, double) { return x < -1 ? std::nan("") : 3.0; });
     const Diagnostics problems = standOnGround(forest, {0, 1, 2});
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems.front().text(),
               "ground: no ground below 1 of 3 trees, first tree[2] (id \"7b\") at (-10, 0): "
-              "there is a hole, or it is beyond the edge");
+              "the ground has a hole there or does not extend that far");
     EXPECT_EQ(forest.trees[1].position.z, 3.0);
     EXPECT_EQ(forest.trees[2].position.z, 5.0);
 }
 
-TEST(GroundSection, ScatteredTreesStandOnTheModelOfMissoula) {
+TEST(GroundSection, PlacesScatteredTreesOnTheModelOfMissoula) {
     REQUIRE_REAL_DATA(path, "place/dem.tif");
     const ForestDescription forest =
         forestIn("/", "[scatter]\ncount = 500\narea = [726400, 5209000, 729400, 5213800]\n" + thin +
@@ -169,7 +170,7 @@ TEST(GroundSection, ScatteredTreesStandOnTheModelOfMissoula) {
     EXPECT_EQ(forest.crs, "EPSG:32611");
     for (const TreePlacement& tree : forest.trees)
         EXPECT_NEAR(tree.position.z, forest.ground->height(glm::dvec2(tree.position)).value(), 0.01);
-    EXPECT_GT(forest.origin.z, 900.0) << "heights are counted from the lowest tree";
+    EXPECT_GT(forest.origin.z, 900.0) << "the origin is at the lowest tree";
 }
 
 } // namespace osgTreeWind

@@ -37,7 +37,7 @@ const std::string oakByLight =
 
 } // namespace
 
-TEST(Habit, EachBuiltInSpeciesThatHasAGenusHasOneWithinItsRanges) {
+TEST(Habit, BuiltInSpeciesHaveValidHabits) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         if (species.name == "palm")
             continue;
@@ -49,7 +49,7 @@ TEST(Habit, EachBuiltInSpeciesThatHasAGenusHasOneWithinItsRanges) {
     }
 }
 
-TEST(Habit, ASpeciesHasTheSizeOfTheOneThatItIsLikeUnlessTold) {
+TEST(Habit, LikeCopiesTheSizeUnlessGiven) {
     const GrowthGoal model = SpeciesCatalogue::builtIn().find("oak")->tree.growth->size;
     const GrowthGoal grown = speciesByLight(oakByLight).tree.growth->size;
     EXPECT_FLOAT_EQ(grown.height, model.height);
@@ -60,12 +60,12 @@ TEST(Habit, ASpeciesHasTheSizeOfTheOneThatItIsLikeUnlessTold) {
     EXPECT_FLOAT_EQ(told.tree.growth->habit.branchAngle[3], 0.87266463f);
 }
 
-TEST(Habit, ItsTreeHasTheSizeItGrowsToAndShootsThatBearItsLeaves) {
+TEST(Habit, TreeHasItsSizeAndLeavesOnItsShoots) {
     const Species species =
         speciesByLight(oakByLight + "height = 12\ntrunk_diameter = 0.4\ncrown_width = 9\n");
     const TreeModel model = makeTreeModel(species.tree);
     const TreeSize size = measureTree(model);
-    EXPECT_NEAR(size.height, 12.0f, 0.8f); // with its leaves
+    EXPECT_NEAR(size.height, 12.0f, 0.8f); // including leaves
     EXPECT_NEAR(size.trunkDiameter, 0.4f, 0.03f);
     EXPECT_NEAR(size.crownWidth, 9.0f, 2.0f);
     EXPECT_LE(model.skeleton.units.size(), 250u);
@@ -76,14 +76,14 @@ TEST(Habit, ItsTreeHasTheSizeItGrowsToAndShootsThatBearItsLeaves) {
         EXPECT_GT(leaf.anchor.z, 0.3f);
 }
 
-TEST(Habit, TreesOfAForestGrowInItsShade) {
+TEST(Habit, TreesInAStandGrowInShade) {
     const Species species = speciesByLight(oakByLight);
     ASSERT_TRUE(growsByLight(species));
     EXPECT_EQ(growthOf(species, true).growth->site.shade, 0.0f);
     EXPECT_GT(growthOf(species, false).growth->site.shade, 0.2f);
     const TreeModel open = makeTreeModel(growthOf(species, true)),
                     closed = makeTreeModel(growthOf(species, false));
-    const auto lowest = [](const TreeModel& model) { // but for one in twenty
+    const auto lowest = [](const TreeModel& model) { // 5 % quantile
         std::vector<float> heights;
         for (const LeafCluster& leaf : model.leaves)
             heights.push_back(leaf.anchor.z);
@@ -93,7 +93,7 @@ TEST(Habit, TreesOfAForestGrowInItsShade) {
     EXPECT_GT(lowest(closed), lowest(open) + 1.0f);
 }
 
-TEST(Habit, IsWrittenAndReadToTheBit) {
+TEST(Habit, ReadsBackExactly) {
     const auto forest =
         readHabitFile(oakByLight + "model = \"Massart\"\nsink = [0, -1.5, 3, 120]\nseed = 7\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
@@ -101,11 +101,11 @@ TEST(Habit, IsWrittenAndReadToTheBit) {
     ASSERT_TRUE(writeForest(forest.value(), text).empty());
     const auto again = readForest(text, {"b.treewind", "/nowhere"});
     ASSERT_TRUE(again) << firstProblem(again);
-    EXPECT_TRUE(
-        sameFields(*again.value().species.front().tree.growth, *forest.value().species.front().tree.growth));
+    EXPECT_TRUE(areFieldsEqual(*again.value().species.front().tree.growth,
+                               *forest.value().species.front().tree.growth));
 }
 
-TEST(Habit, SaysWhatIsWrongWithIt) {
+TEST(Habit, ReportsInvalidValues) {
     const std::string start = "[[species]]\nname = \"a\"\n";
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nlike = \"kelp\"\n"),
               "a.treewind:5:8: species.habit.like: no built-in species with a habit is called \"kelp\"");

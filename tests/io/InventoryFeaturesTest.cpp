@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/io/InventoryReading.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -35,16 +35,16 @@ void expectThreeTrees(const ForestDescription& forest) {
     EXPECT_FLOAT_EQ(forest.trees[0].size.height, 12.5f);
     EXPECT_TRUE(forest.trees[1].estimated.height);
     EXPECT_FLOAT_EQ(forest.trees[0].size.trunkDiameter, 0.4f);
-    EXPECT_NEAR(forest.trees[1].size.trunkDiameter, 0.5f, 1e-6f) << "of its girth";
-    EXPECT_FLOAT_EQ(forest.trees[2].size.trunkDiameter, 0.1f) << "measured goes before girth";
-    ASSERT_EQ(forest.notes.size(), 2u) << "and of sizes";
-    EXPECT_NE(forest.notes[0].find("1 trees, whose names no species has, stand as \"beech\": moon tree (1)"),
+    EXPECT_NEAR(forest.trees[1].size.trunkDiameter, 0.5f, 1e-6f) << "from its girth";
+    EXPECT_FLOAT_EQ(forest.trees[2].size.trunkDiameter, 0.1f) << "the diameter has precedence over the girth";
+    ASSERT_EQ(forest.notes.size(), 2u) << "the other is about sizes";
+    EXPECT_NE(forest.notes[0].find("1 trees of unknown species are read as \"beech\": moon tree (1)"),
               std::string::npos);
 }
 
 } // namespace
 
-TEST(InventoryFeatures, OfAnyFormatAreTheSameTrees) {
+TEST(InventoryFeatures, AllFormatsGiveTheSameTrees) {
     const TemporaryFolder folder;
     folder.write("a.geojson", trees);
     const ForestDescription first = inventoryOf(folder.path(), "file = \"a.geojson\"\n" + featureColumns);
@@ -54,7 +54,7 @@ TEST(InventoryFeatures, OfAnyFormatAreTheSameTrees) {
     for (const char* name : {"b.gpkg", "b.fgb", "b.shp", "b.gml"}) {
         SCOPED_TRACE(name);
         convert(folder, "a.geojson", name,
-                name == std::string("b.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // their order
+                name == std::string("b.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // keeps the order
         const ForestDescription forest =
             inventoryOf(folder.path(), "file = \"" + std::string(name) + "\"\n" + featureColumns);
         expectThreeTrees(forest);
@@ -64,7 +64,7 @@ TEST(InventoryFeatures, OfAnyFormatAreTheSameTrees) {
     }
 }
 
-TEST(InventoryFeatures, AreThoseOfALayerAndAFilter) {
+TEST(InventoryFeatures, SelectsALayerAndFilters) {
     REQUIRE_PROGRAM("ogr2ogr");
     const TemporaryFolder folder;
     folder.write("a.geojson", trees);
@@ -78,8 +78,8 @@ TEST(InventoryFeatures, AreThoseOfALayerAndAFilter) {
     }
 }
 
-/// Feet of a person, of the US survey, inches.
-TEST(InventoryFeatures, UnitsAreThoseOfTheColumns) {
+/// International feet, US survey feet and inches.
+TEST(InventoryFeatures, ConvertsUnitsOfColumns) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h,d,g,c\n1000,0,100,10,,30\n0,0,,,100,\n");
     const ForestDescription forest = inventoryOf(
@@ -94,8 +94,8 @@ TEST(InventoryFeatures, UnitsAreThoseOfTheColumns) {
     EXPECT_NEAR(forest.trees[1].size.trunkDiameter, 2.54f / glm::pi<float>(), 1e-6f);
 }
 
-/// A crown of 8 m from east to west and 6 from south to north, at 60 degrees north in degrees.
-TEST(InventoryFeatures, OutlinesAreCrownsInMetres) {
+/// A crown of 8 m east-west and 6 m north-south at 60 degrees north, in degrees.
+TEST(InventoryFeatures, OutlinesGiveCrownWidthsInMetres) {
     const TemporaryFolder folder;
     folder.write(
         "a.geojson",
@@ -112,10 +112,11 @@ TEST(InventoryFeatures, OutlinesAreCrownsInMetres) {
                  geoJson(feature(R"({"type": "Polygon", "coordinates": [[[0,0],[9,0],[9,9],[0,9],[0,0]]]})",
                                  R"("w": 5)"),
                          utm));
-    EXPECT_EQ(inventoryOf(folder.path(), column).trees[0].size.crownWidth, 5.0f) << "a column goes first";
+    EXPECT_EQ(inventoryOf(folder.path(), column).trees[0].size.crownWidth, 5.0f)
+        << "the column has precedence";
 }
 
-TEST(InventoryFeatures, ShapesWithoutAProjectionAreInMetresAsTheyAre) {
+TEST(InventoryFeatures, ShapefilesWithoutAProjectionAreInMetres) {
     REQUIRE_PROGRAM("ogr2ogr");
     const TemporaryFolder folder;
     folder.write("a.geojson", trees);
@@ -129,8 +130,8 @@ TEST(InventoryFeatures, ShapesWithoutAProjectionAreInMetresAsTheyAre) {
     EXPECT_EQ(forest.crs, "EPSG:25832");
 }
 
-/// The campus as outlines without a .prj is the campus as a table.
-TEST(InventoryFeatures, ShapesOfTheCampusAreItsTable) {
+/// Compares the campus as outlines without a .prj with the campus as a table.
+TEST(InventoryFeatures, ShapefileOfTheCampusEqualsItsTable) {
     REQUIRE_REAL_DATA(shapes, "utah_campus/EngQuad_AlEqTreeCleaned.shp");
     REQUIRE_REAL_DATA(table, "utah_campus/utah_campus_trees.csv");
     const ForestDescription outlines =
@@ -205,7 +206,7 @@ TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
 }})");
     const ForestDescription forest = inventoryOf(folder.path(), "file = \"city.json\"\n");
     ASSERT_EQ(forest.trees.size(), 2u);
-    EXPECT_EQ(forest.crs, "EPSG:28992") << "the map of its compound system";
+    EXPECT_EQ(forest.crs, "EPSG:28992") << "the horizontal part of a compound CRS";
     expectAt(forest.trees[0], 100002.0, 400001.0);
     EXPECT_NEAR(forest.trees[0].position.z, 2.0, 1e-9);
     EXPECT_EQ(forest.trees[0].name, "t1");
@@ -217,7 +218,7 @@ TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
     EXPECT_EQ(inventoryOf(folder.path(), "file = \"city.json\"\nfilter = \"height > 3\"\n").trees.size(), 1u);
 }
 
-TEST(InventoryFeatures, ThousandsOfUnknownNamesAreOneLine) {
+TEST(InventoryFeatures, ThousandsOfUnknownNamesGiveOneNote) {
     const TemporaryFolder folder;
     std::string rows = "x,y,s\n1,2,\n3,4,\n";
     for (int i = 0; i < 3000; ++i)
@@ -225,8 +226,8 @@ TEST(InventoryFeatures, ThousandsOfUnknownNamesAreOneLine) {
     folder.write("a.csv", rows);
     const ForestDescription forest =
         inventoryOf(folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", species = \"s\" }\n");
-    ASSERT_EQ(forest.notes.size(), 2u) << "and of sizes";
-    EXPECT_NE(forest.notes[0].find("stand as \"beech\": bush (3000), no name (2), weed 0 (1), "),
+    ASSERT_EQ(forest.notes.size(), 2u) << "the other is about sizes";
+    EXPECT_NE(forest.notes[0].find("read as \"beech\": bush (3000), no name (2), weed 0 (1), "),
               std::string::npos)
         << forest.notes[0];
     EXPECT_NE(forest.notes[0].find("and 2702 more names"), std::string::npos) << forest.notes[0];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/io/InventoryReading.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// cs2cs, which knows nothing of us. @param places as "x y" lines.
+/// Transforms places with the independent program cs2cs. @param places as "x y" lines.
 std::vector<glm::dvec2> cs2cs(const std::string& from, const std::string& to, const std::string& places) {
     const TemporaryFolder folder;
     folder.write("in", places);
@@ -15,11 +15,11 @@ std::vector<glm::dvec2> cs2cs(const std::string& from, const std::string& to, co
         "cs2cs -f %.6f '" + from + "' '" + to + "' " + folder.path() + "/in > " + folder.path() + "/out";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream out(folder.path() + "/out");
-    std::vector<glm::dvec2> there;
+    std::vector<glm::dvec2> transformed;
     glm::dvec3 place;
     while (out >> place.x >> place.y >> place.z)
-        there.emplace_back(place.x, place.y);
-    return there;
+        transformed.emplace_back(place.x, place.y);
+    return transformed;
 }
 
 void expectAllAt(const ForestDescription& forest, const std::vector<glm::dvec2>& places, double tolerance) {
@@ -30,13 +30,13 @@ void expectAllAt(const ForestDescription& forest, const std::vector<glm::dvec2>&
 
 } // namespace
 
-TEST(InventoryCrs, CuestasTreesStandWhereCs2csPutsThem) {
+TEST(InventoryCrs, TreesOfCuestaMatchCs2cs) {
     REQUIRE_REAL_DATA(file, "place/cuesta_trees.geojson");
     REQUIRE_PROGRAM("cs2cs");
     const ForestDescription forest = inventoryOf(
         "", "file = \"" + file + "\"\ncolumns = { id = \"tree_id\", species = \"scientific_name\" }\n");
     std::ifstream text(file);
-    std::string places; // latitude first, as the authority has it
+    std::string places; // latitude first, the axis order of EPSG:4326
     for (std::string line, key = "\"coordinates\": ["; std::getline(text, line);)
         if (const std::size_t at = line.find(key); at != std::string::npos) {
             const std::string x = line.substr(at + key.size(), line.find(',', at) - at - key.size());
@@ -45,16 +45,16 @@ TEST(InventoryCrs, CuestasTreesStandWhereCs2csPutsThem) {
         }
     ASSERT_EQ(forest.trees.size(), 99u);
     EXPECT_EQ(forest.crs, "EPSG:32610");
-    EXPECT_TRUE(forest.crsChosen);
+    EXPECT_TRUE(forest.crsFromInventory);
     EXPECT_EQ(forest.trees[0].name, "46");
     expectAllAt(forest, cs2cs("EPSG:4326", "EPSG:32610", places), 0.001);
-    // And on another map, of another datum.
+    // On another map with another datum.
     const ForestDescription state = inventoryOf("", "file = \"" + file + "\"\n", "crs = \"EPSG:26943\"");
-    EXPECT_FALSE(state.crsChosen);
+    EXPECT_FALSE(state.crsFromInventory);
     expectAllAt(state, cs2cs("EPSG:4326", "EPSG:26943", places), 0.1);
 }
 
-TEST(InventoryCrs, TablesOnDegreesSayThatOrAreCalledSo) {
+TEST(InventoryCrs, TablesInDegreesAreStatedOrDetectedByColumnNames) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n9.0,0.0\n9.0,0.0001\n");
     folder.write("b.csv", "Longitude,LAT\n9.0,0.0\n9.0,0.0001\n");
@@ -66,16 +66,16 @@ TEST(InventoryCrs, TablesOnDegreesSayThatOrAreCalledSo) {
         ASSERT_EQ(forest.trees.size(), 2u);
         expectAt(forest.trees[0], 500000.0, 0.0);
         expectAt(forest.trees[1], 500000.0, 11.053, 0.01);
-        EXPECT_EQ(forest.origin, glm::dvec3(500000, 6, 0)) << "the middle, as without a crs";
+        EXPECT_EQ(forest.origin, glm::dvec3(500000, 6, 0)) << "the centre, as without a crs";
     }
 }
 
-TEST(InventoryCrs, WithoutAnyMetresStayAsTheyAre) {
+TEST(InventoryCrs, WithoutACrsCoordinatesAreUnchanged) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n9.0,0.5\n");
     const ForestDescription forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy);
     EXPECT_EQ(forest.crs, "");
-    EXPECT_FALSE(forest.crsChosen);
+    EXPECT_FALSE(forest.crsFromInventory);
     EXPECT_EQ(forest.trees[0].position, glm::dvec3(9.0, 0.5, 0.0));
     const ForestDescription known =
         inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy, "crs = \"EPSG:25832\"");
@@ -83,7 +83,7 @@ TEST(InventoryCrs, WithoutAnyMetresStayAsTheyAre) {
     EXPECT_EQ(known.crs, "EPSG:25832");
 }
 
-TEST(InventoryCrs, AMapInMetresBecomesTheForestsAndOtherInventoriesFollow) {
+TEST(InventoryCrs, FirstProjectedMapIsUsedForTheForest) {
     const TemporaryFolder folder;
     folder.write("a.geojson", geoJson(point("565000.25, 5934000.5"), "urn:ogc:def:crs:EPSG::25832"));
     std::istringstream input("version = 1\n[[inventory]]\nfile = \"a.geojson\"\n[[inventory]]\n"
@@ -93,16 +93,16 @@ TEST(InventoryCrs, AMapInMetresBecomesTheForestsAndOtherInventoriesFollow) {
     const auto forest = readForest(input, {"test.treewind", folder.path()});
     ASSERT_TRUE(forest) << forest.problems().front().text();
     EXPECT_EQ(forest.value().crs, "EPSG:25832");
-    EXPECT_TRUE(forest.value().crsChosen);
-    EXPECT_EQ(forest.value().trees[0].position, glm::dvec3(565000.25, 5934000.5, 0.0)) << "to the bit";
+    EXPECT_TRUE(forest.value().crsFromInventory);
+    EXPECT_EQ(forest.value().trees[0].position, glm::dvec3(565000.25, 5934000.5, 0.0)) << "unchanged";
     if (hasProgram("cs2cs")) {
-        const glm::dvec2 there = cs2cs("EPSG:25831", "EPSG:25832", "960000 5950000\n").front();
-        expectAt(forest.value().trees[1], there.x, there.y);
+        const glm::dvec2 expected = cs2cs("EPSG:25831", "EPSG:25832", "960000 5950000\n").front();
+        expectAt(forest.value().trees[1], expected.x, expected.y);
     }
 }
 
-/// New York's state plane is in feet of the US survey.
-TEST(InventoryCrs, MapsInFeetAreBroughtIntoMetres) {
+/// The state plane of New York is in US survey feet.
+TEST(InventoryCrs, ReprojectsMapsInFeet) {
     REQUIRE_PROGRAM("cs2cs");
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n985000,200000\n985100,200000\n");
@@ -116,8 +116,8 @@ TEST(InventoryCrs, MapsInFeetAreBroughtIntoMetres) {
                 cs2cs("EPSG:2263", "EPSG:6347", places), 0.001);
 }
 
-/// GML in EPSG:4326 has the latitude first, New Zealand's map the northing.
-TEST(InventoryCrs, AxesOfAnAuthorityAreTurned) {
+/// In GML, EPSG:4326 has the latitude first, and EPSG:2193 (New Zealand) the northing.
+TEST(InventoryCrs, IgnoresTheAxisOrderOfTheAuthority) {
     const TemporaryFolder folder;
     const auto gml = [](const std::string& crs, const std::string& place) {
         return "<?xml version=\"1.0\"?>\n<ogr:FeatureCollection xmlns:ogr=\"http://ogr.maptools.org/\" "
@@ -140,8 +140,8 @@ TEST(InventoryCrs, AxesOfAnAuthorityAreTurned) {
     expectAt(forest.trees[0], 1748000.0, 5427000.0);
 }
 
-/// The columns of a layer that stands on a map of its own.
-TEST(InventoryCrs, ColumnsCalledSoAreDegreesWhateverTheGeometryIsIn) {
+/// The layer's geometry has another CRS.
+TEST(InventoryCrs, ColumnNamesImplyDegreesForAnyGeometry) {
     const TemporaryFolder folder;
     folder.write("a.geojson", geoJson(point("565000, 5934000", R"("lon": 9.0, "lat": 0.0)"),
                                       "urn:ogc:def:crs:EPSG::25832"));
@@ -151,9 +151,9 @@ TEST(InventoryCrs, ColumnsCalledSoAreDegreesWhateverTheGeometryIsIn) {
     expectAt(forest.trees[0], 500000.0, 0.0);
 }
 
-TEST(InventoryCrs, ItsOwnGoesBeforeTheFiles) {
+TEST(InventoryCrs, StatedCrsOverridesTheFile) {
     const TemporaryFolder folder;
-    folder.write("a.geojson", geoJson(point("565000, 5934000"))); // GeoJSON that says degrees, and is not
+    folder.write("a.geojson", geoJson(point("565000, 5934000"))); // not in degrees as GeoJSON requires
     const ForestDescription forest =
         inventoryOf(folder.path(), "file = \"a.geojson\"\ncrs = \"EPSG:25832\"\n");
     EXPECT_EQ(forest.crs, "EPSG:25832");

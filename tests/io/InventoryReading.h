@@ -14,14 +14,14 @@ namespace osgTreeWind {
 inline const std::string utm = "urn:ogc:def:crs:EPSG::25832";
 inline const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
 
-/// A forest of one [inventory] with these lines, of beeches unless they say more.
+/// Reads a forest with one [inventory] of these lines, with the default species beech.
 inline Result<ForestDescription> readInventoryOf(const std::string& folder, const std::string& lines,
                                                  const std::string& head = "") {
     std::istringstream input("version = 1\n" + head + "\n[inventory]\ndefault_species = \"beech\"\n" + lines);
     return readForest(input, {"test.treewind", folder});
 }
 
-/// The same, which has to go well.
+/// The same; problems are test failures.
 inline ForestDescription inventoryOf(const std::string& folder, const std::string& lines,
                                      const std::string& head = "") {
     const auto forest = readInventoryOf(folder, lines, head);
@@ -35,7 +35,7 @@ inline void expectAt(const TreePlacement& tree, double x, double y, double toler
     EXPECT_NEAR(tree.position.y, y, tolerance);
 }
 
-/// All notes, a line each.
+/// All notes, one per line.
 inline std::string notesOf(const ForestDescription& forest) {
     std::string all;
     for (const std::string& note : forest.notes)

@@ -31,7 +31,7 @@ void expectSame(const std::map<std::string, TreeSize>& a, const std::map<std::st
 
 } // namespace
 
-TEST(InventorySizes, StayTheSameInAnyOrderFileAndSeed) {
+TEST(InventorySizes, EstimatesDoNotDependOnOrderFileOrSeed) {
     const TemporaryFolder folder;
     const std::string head = "nr,x,y,h,d\n", a = "a,1,2,,0.3\n", b = "b,3,4,9,\n", c = "c,5,6,,\n";
     folder.write("one.csv", head + a + b + c);
@@ -45,20 +45,20 @@ TEST(InventorySizes, StayTheSameInAnyOrderFileAndSeed) {
     expectSame(one, sizesOf(inventoryOf(folder.path(), "file = \"one.csv\"\n" + std::string(sizeColumns))));
 }
 
-TEST(InventorySizes, FollowTheIdOrElseTheNumberOfTheRow) {
+TEST(InventorySizes, EstimatesDependOnTheIdOrRowNumber) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\n,1,2,,0.3\n5,1,3,,0.3\n5,1,4,,0.3\n,1,5,,0.3\n2,1,6,,0.3\n");
     const auto trees = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).trees;
     ASSERT_EQ(trees.size(), 5u);
-    const float law = 31.8f * std::pow(0.3f, 0.441f); // beeches in a forest
+    const float law = 31.8f * std::pow(0.3f, 0.441f); // beeches in a stand
     EXPECT_NEAR(std::log(trees[0].size.height / law), 0.186 * residual("1", "height"), 1e-5);
     EXPECT_NEAR(std::log(trees[3].size.height / law), 0.186 * residual("4", "height"), 1e-5);
     EXPECT_NEAR(std::log(trees[4].size.height / law), 0.186 * residual("2", "height"), 1e-5);
-    EXPECT_EQ(trees[1].size.height, trees[2].size.height) << "of one id";
+    EXPECT_EQ(trees[1].size.height, trees[2].size.height) << "they have the same id";
     EXPECT_TRUE(trees[2].name.empty());
 }
 
-TEST(InventorySizes, FollowTheRoomThatTreesHave) {
+TEST(InventorySizes, EstimatesDependOnTheGrowingSpace) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\n");
     const std::string lines = "file = \"a.csv\"\n" + std::string(sizeColumns);
@@ -68,18 +68,18 @@ TEST(InventorySizes, FollowTheRoomThatTreesHave) {
     EXPECT_LT(forest.crownWidth, open.crownWidth);
 }
 
-TEST(InventorySizes, AreSaidInANote) {
+TEST(InventorySizes, EstimatesAreNoted) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,\nc,1,3,,\nd,1,3,9,0.3\n");
     const auto notes = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).notes;
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("a.csv: not given, by the laws of the species: height of 2, trunk diameter of 1, "
+    EXPECT_NE(notes[0].find("a.csv: estimated by the laws of the species: height of 2, trunk diameter of 1, "
                             "crown width of 3 trees"),
               std::string::npos)
         << notes[0];
 }
 
-TEST(InventorySizes, AreWrittenAsWhatTheyAre) {
+TEST(InventorySizes, EstimatesAreWrittenAsSuch) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
     const ForestDescription forest =
@@ -95,7 +95,7 @@ TEST(InventorySizes, AreWrittenAsWhatTheyAre) {
     EXPECT_TRUE(trees[1].estimated.crownWidth);
 }
 
-TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
+TEST(InventorySizes, EstimatesAreKeptByPlacedForest) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
     PlacedForest placed(inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)));
@@ -104,14 +104,14 @@ TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
         tree.heading = 1.0f;
         return tree;
     }();
-    placed.put(0, placed.fitted(turned, &placed.trees[0]), turned.name);
+    placed.put(0, placed.makePlacedTree(turned, &placed.trees[0]), turned.name);
     const auto trees = placed.describe().trees;
     EXPECT_TRUE(trees[0].estimated.height && !trees[0].estimated.trunkDiameter);
     EXPECT_EQ(trees[0].heading, 1.0f);
     EXPECT_FALSE(trees[1].estimated.height);
 }
 
-TEST(InventorySizes, OfASpeciesWithoutLawsFollowItsShape) {
+TEST(InventorySizes, FollowTheShapeWithoutLaws) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\n");
     const TreePlacement tree = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns),
@@ -121,7 +121,7 @@ TEST(InventorySizes, OfASpeciesWithoutLawsFollowItsShape) {
     EXPECT_FALSE(tree.estimated.height);
 }
 
-TEST(InventorySizes, BadLawsAreOneErrorWithTheirKey) {
+TEST(InventorySizes, InvalidLawsAreOneErrorWithTheirKey) {
     for (const auto& [line, expected] : {std::pair("scale = -1.0", "species.height.scale"),
                                          {"power = 0.0", "species.height.power"},
                                          {"spread = 2.5", "species.height.spread"},
@@ -138,7 +138,7 @@ TEST(InventorySizes, BadLawsAreOneErrorWithTheirKey) {
     }
 }
 
-TEST(InventorySizes, NoSpeciesAtAllIsAnErrorToo) {
+TEST(InventorySizes, EmptySpeciesArrayIsAnError) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,s\n1,2,moon tree\n");
     std::istringstream input("version = 1\nspecies = []\n[inventory]\nfile = \"a.csv\"\n"
@@ -146,7 +146,7 @@ TEST(InventorySizes, NoSpeciesAtAllIsAnErrorToo) {
     EXPECT_FALSE(readForest(input, {"test.treewind", folder.path()}).ok());
 }
 
-TEST(InventorySizes, ThoseOfNoTreeCountAsNotGivenAndAreCounted) {
+TEST(InventorySizes, ImpossibleSizesCountAsNotGiven) {
     const TemporaryFolder folder;
     folder.write("a.csv",
                  "x,y,h,d\n1,1,9,30\n2,2,327,0\n3,3,0,-99\n4,4,-9999,25\n5,5,tall,999\n6,6,8,77\n7,7,7,40\n");
@@ -154,23 +154,23 @@ TEST(InventorySizes, ThoseOfNoTreeCountAsNotGivenAndAreCounted) {
         "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", trunk_diameter = "
         "\"d\" }\nunits = { trunk_diameter = \"cm\" }\n";
     const ForestDescription forest = inventoryOf(folder.path(), lines + "missing = [77]\n");
-    ASSERT_EQ(forest.trees.size(), 7u) << "one bad size costs no tree";
+    ASSERT_EQ(forest.trees.size(), 7u) << "impossible sizes do not remove trees";
     EXPECT_TRUE(forest.trees[1].estimated.height);
     EXPECT_TRUE(forest.trees[5].estimated.trunkDiameter);
     EXPECT_FALSE(inventoryOf(folder.path(), lines).trees[5].estimated.trunkDiameter);
     const std::string notes = notesOf(forest);
     EXPECT_NE(
-        notes.find("0 and marks such as -99 count as not measured: height of 2, trunk diameter of 4 rows"),
+        notes.find("0 and markers such as -99 count as not measured: height of 2, trunk diameter of 4 rows"),
         std::string::npos)
         << notes;
-    EXPECT_NE(notes.find("sizes that no tree has count as not measured: height of 2 rows, the first: "),
+    EXPECT_NE(notes.find("impossible sizes count as not measured: height of 2 rows, the first: "),
               std::string::npos)
         << notes;
     EXPECT_NE(notes.find("a.csv:3: h: expected in (0, 116] metres, found \"327\""), std::string::npos)
         << notes;
 }
 
-TEST(InventorySizes, MostOfThemBeingImpossibleIsAWrongUnit) {
+TEST(InventorySizes, MostlyImpossibleSizesAreAProblem) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,1,900\n2,2,1200\n3,3,1500\n4,4,20\n");
     const auto forest = readInventoryOf(
@@ -178,11 +178,12 @@ TEST(InventorySizes, MostOfThemBeingImpossibleIsAWrongUnit) {
     ASSERT_FALSE(forest);
     const std::string problem = forest.problems().front().text();
     EXPECT_NE(problem.find("a.csv:2: h: "), std::string::npos) << problem;
-    EXPECT_NE(problem.find("so are 3 of 4: give their unit as inventory.units.height"), std::string::npos)
+    EXPECT_NE(problem.find("the same applies to 3 of 4 rows: set their unit with inventory.units.height"),
+              std::string::npos)
         << problem;
 }
 
-TEST(InventorySkip, RowsWithoutAPlaceAreLeftOutAndCounted) {
+TEST(InventorySkip, SkipsAndCountsRowsWithoutAPlace) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,1,9\n2,,8\n,,9\n4,4,7\n5,5,6\n");
     const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
@@ -194,20 +195,20 @@ TEST(InventorySkip, RowsWithoutAPlaceAreLeftOutAndCounted) {
     EXPECT_EQ(readInventoryOf(folder.path(), lines + "skip = false\n").problems().size(), 3u);
 }
 
-TEST(InventorySkip, MostRowsWithoutAPlaceAreAProblemUnlessWanted) {
+TEST(InventorySkip, MostRowsWithoutAPlaceAreAProblemUnlessRequested) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n1,1\nleft,2\nright,3\n");
     const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
     const auto forest = readInventoryOf(folder.path(), lines);
     ASSERT_FALSE(forest);
     EXPECT_NE(forest.problems().front().text().find(
-                  "so it is with 2 of 3 rows: inventory.skip = true leaves them out"),
+                  "the same applies to 2 of 3 rows: to leave them out, set inventory.skip = true"),
               std::string::npos)
         << forest.problems().front().text();
     EXPECT_EQ(inventoryOf(folder.path(), lines + "skip = true\n").trees.size(), 1u);
 }
 
-TEST(InventorySkip, NoTreesAtAllAreStillAProblem) {
+TEST(InventorySkip, NoTreesAreAProblem) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n2,,9\n");
     const auto forest = readInventoryOf(
@@ -218,7 +219,7 @@ TEST(InventorySkip, NoTreesAtAllAreStillAProblem) {
               std::string::npos);
 }
 
-TEST(InventoryPlaces, TheOneFarFromAllOthersIsNamed) {
+TEST(InventoryPlaces, ReportsAnOutlier) {
     const TemporaryFolder folder;
     std::string rows = "x,y\n";
     for (int i = 0; i < 30; ++i)

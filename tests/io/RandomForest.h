@@ -19,7 +19,7 @@
 
 namespace osgTreeWind {
 
-/// Descriptions made in code and documents by chance, from the tables of fields. Their trees are tiny.
+/// Generates random descriptions and documents from the tables of fields. Their trees are tiny.
 class RandomForest {
 public:
     explicit RandomForest(std::uint64_t seed) : _random(seed) {}
@@ -58,7 +58,7 @@ public:
         return forest;
     }
 
-    /// Some keys, in decimals of any length, and one tree at least.
+    /// A random document with some keys, in decimals of any length, and at least one tree.
     std::string document() {
         std::string text =
             "version = 1\nseed = " + std::to_string(whole(0, 9)) + "\nseason = " + decimal(seasons) + '\n';
@@ -95,7 +95,7 @@ private:
     int whole(int low, int high) {
         return low + static_cast<int>(_random.next() % static_cast<std::uint64_t>(high - low + 1));
     }
-    /// Often an end of the range, or of any magnitude.
+    /// A number in the range, often one of its limits or a small one.
     double number(const Range& range) {
         const double share = 0x1p-53 * static_cast<double>(_random.next() >> 11);
         const double any = range.min + (range.max - range.min) * share;
@@ -159,14 +159,14 @@ private:
                 texts->push_back(std::to_string(forest._random.next()) + forest.text());
         }
         template <typename T>
-        void operator()(T*) const {} // arrays of the wind are made below
-        void operator()(const WordMember& word) const {
+        void operator()(T*) const {} // wind() makes arrays
+        void operator()(const EnumMember& word) const {
             word.set(word.object, field
                                       .words[static_cast<std::size_t>(
                                           forest.whole(0, static_cast<int>(field.words.size()) - 1))]
                                       .second);
         }
-        void operator()(const PartMember& part) const { forest.fillAll(*part.fields, part.object); }
+        void operator()(const NestedMember& part) const { forest.fillAll(*part.fields, part.object); }
     };
     void fillAll(const Fields& fields, void* owner) {
         for (const Field& field : fields)
@@ -178,7 +178,7 @@ private:
         fillAll(fieldsOf<Struct>(), &value);
     }
 
-    /// A line for some keys of a table, in words of a file.
+    /// Lines of a file for some keys of a table.
     template <typename Struct>
     std::string keys(const std::vector<std::string>& without = {}) {
         std::string lines;
@@ -189,7 +189,7 @@ private:
             const Member member = field.of(&value);
             if (std::holds_alternative<float*>(member) || std::holds_alternative<double*>(member)) {
                 lines += std::string(field.key) + " = " + decimal(field.range) + '\n';
-            } else if (!std::holds_alternative<PartMember>(member)) {
+            } else if (!std::holds_alternative<NestedMember>(member)) {
                 std::visit(Fill{*this, field}, member);
                 std::ostringstream line;
                 writeFields(line, "", {field}, &value, nullptr);

@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// One row of some cells.
+/// A single row.
 class OneRow final : public TreeRows {
 public:
     explicit OneRow(std::vector<std::string> cells) : _cells(std::move(cells)) {}
@@ -22,7 +22,7 @@ public:
     const std::vector<std::string>& columns() const override { return _columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind(const CrsWay&, const std::vector<std::size_t>&) override {}
+    void rewind(const CrsTransform&, const std::vector<std::size_t>&) override {}
     Result<bool> next() override { return true; }
     bool has(std::size_t column) const override { return !_cells[column].empty(); }
     std::string text(std::size_t column) const override { return _cells[column]; }
@@ -49,7 +49,7 @@ bool matches(const std::string& condition, const OneRow& row) {
 
 } // namespace
 
-TEST(RowFilter, UnderstandsConditionsAsSqlDoes) {
+TEST(RowFilter, EvaluatesConditionsLikeSql) {
     const OneRow row({"12.5", "Quercus robur", "", "7"});
     for (const char* const yes : {"height > 3",
                                   "height>=12.5",
@@ -87,25 +87,25 @@ TEST(RowFilter, UnderstandsConditionsAsSqlDoes) {
         EXPECT_FALSE(matches(no, row)) << no;
 }
 
-TEST(RowFilter, SaysWhereItDoesNotUnderstand) {
+TEST(RowFilter, ReportsThePositionOfErrors) {
     const OneRow row({"1", "a", "b", "c"});
     for (const auto& [condition, problem] :
-         {std::pair("", "at its character 1: expected a column, a number or a text in '...', found nothing"),
+         {std::pair("", "at character 1: expected a column, a number or a text in '...', found nothing"),
           {"height",
-           "at its character 7: expected =, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL, found nothing"},
-          {"height > 3 kind", "at its character 12: expected AND, OR or the end, found 'kind'"},
-          {"height > 'x", "at its character 10: expected a ' at its end"},
-          {"hight > 3", "at its character 1: no column \"hight\" in f.csv; the nearest is \"height\""},
+           "at character 7: expected =, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL, found nothing"},
+          {"height > 3 kind", "at character 12: expected AND, OR or the end, found 'kind'"},
+          {"height > 'x", "at character 10: expected a ' at its end"},
+          {"hight > 3", "at character 1: no column \"hight\" in f.csv; did you mean \"height\"?"},
           {"height > (SELECT 1)",
-           "at its character 10: expected a column, a number or a text in '...', found '('"},
-          {"height > 3; DROP TABLE x", "at its character 11: expected AND, OR or the end, found ';'"},
-          {"height NOT = 3", "at its character 12: expected IN, LIKE or BETWEEN, found '='"},
-          {"kind LIKE kind", "at its character 11: expected a text in '...', found 'kind'"},
-          {"(height > 3", "at its character 12: expected ), found nothing"}})
+           "at character 10: expected a column, a number or a text in '...', found '('"},
+          {"height > 3; DROP TABLE x", "at character 11: expected AND, OR or the end, found ';'"},
+          {"height NOT = 3", "at character 12: expected IN, LIKE or BETWEEN, found '='"},
+          {"kind LIKE kind", "at character 11: expected a text in '...', found 'kind'"},
+          {"(height > 3", "at character 12: expected ), found nothing"}})
         EXPECT_EQ(firstProblem(RowFilter::parse(condition, row)), problem) << condition;
 }
 
-TEST(RowFilter, IsNotDeepOrSlowWhateverIsGiven) {
+TEST(RowFilter, LimitsDepthAndTime) {
     const OneRow row({"1", std::string(20000, 'a'), "b", "c"});
     EXPECT_FALSE(RowFilter::parse(std::string(100000, '(') + "height > 3", row));
     EXPECT_FALSE(matches("kind LIKE '%a%a%a%a%a%a%a%a%a%a%b'", row));

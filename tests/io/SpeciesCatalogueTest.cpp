@@ -33,7 +33,7 @@ std::size_t ours() {
 
 } // namespace
 
-TEST(SpeciesCatalogue, ASpeciesOfTheFileIsFoundAfterTheBuiltInOnes) {
+TEST(SpeciesCatalogue, AppendsSpeciesOfTheFile) {
     const SpeciesCatalogue catalogue =
         hosts("[[species]]\nname = \"dragon tree\"\naliases = [\"Dracaena draco\"]\nlike = \"oak\"\n"
               "[species.wood]\ndensity = 1000\n");
@@ -48,7 +48,7 @@ TEST(SpeciesCatalogue, ASpeciesOfTheFileIsFoundAfterTheBuiltInOnes) {
     EXPECT_FALSE(SpeciesCatalogue::builtIn().find("dragon tree"));
 }
 
-TEST(SpeciesCatalogue, ASpeciesOfOurNameTakesItsPlaceAndKeepsItsAliases) {
+TEST(SpeciesCatalogue, ReplacesASpeciesAndKeepsItsAliases) {
     const SpeciesCatalogue catalogue = hosts("[[species]]\nname = \"Oak\"\nlike = \"oak\"\n"
                                              "[species.wood]\ndensity = 1000\n");
     EXPECT_EQ(catalogue.species().size(), ours());
@@ -58,7 +58,7 @@ TEST(SpeciesCatalogue, ASpeciesOfOurNameTakesItsPlaceAndKeepsItsAliases) {
               SpeciesCatalogue::builtIn().find("oak")->tree.growth->size.height);
 }
 
-TEST(SpeciesCatalogue, AnAliasGoesToTheSpeciesOfTheFile) {
+TEST(SpeciesCatalogue, MovesAliasesToTheSpeciesOfTheFile) {
     const SpeciesCatalogue catalogue = hosts(
         "[[species]]\nname = \"blue spruce\"\naliases = [\"Picea pungens\"]\nlike = \"white spruce\"\n");
     EXPECT_EQ(catalogue.find("Picea pungens")->name, "blue spruce");
@@ -67,18 +67,18 @@ TEST(SpeciesCatalogue, AnAliasGoesToTheSpeciesOfTheFile) {
     EXPECT_EQ(catalogue.find("white spruce")->aliases, std::vector<std::string>{"Picea glauca"});
 }
 
-TEST(SpeciesCatalogue, AGroupIsNoTreeButAModel) {
+TEST(SpeciesCatalogue, GroupsAreOnlyForLike) {
     const SpeciesCatalogue catalogue =
         hosts("[[group]]\nname = \"my conifers\"\nlike = \"conifers\"\n[group.wood]\ndensity = 700\n"
               "[[species]]\nname = \"my fir\"\nlike = \"my conifers\"\n");
     EXPECT_FALSE(catalogue.find("my conifers"));
-    EXPECT_TRUE(catalogue.findModel("my conifers"));
+    EXPECT_TRUE(catalogue.findTemplate("my conifers"));
     EXPECT_EQ(catalogue.species().size(), ours() + 1);
     EXPECT_EQ(catalogue.find("my fir")->wood.density, 700.0f);
     EXPECT_EQ(catalogue.find("my fir")->wood.branchWood, WoodAllometry::Conifer);
 }
 
-TEST(SpeciesCatalogue, TheExampleOfTheManualIsRead) {
+TEST(SpeciesCatalogue, ReadsTheExampleOfTheManual) {
     std::ifstream file(OSGTREEWIND_SOURCE_DIR "/docs/species.md");
     const std::string manual{std::istreambuf_iterator<char>(file), {}}, open = "```toml\nversion = 1\n";
     const std::size_t start = manual.find(open, manual.find("## A catalogue of your own")) + open.size();
@@ -88,7 +88,7 @@ TEST(SpeciesCatalogue, TheExampleOfTheManualIsRead) {
     EXPECT_EQ(catalogue.find("English oak")->wood.density, 1050.0f);
 }
 
-TEST(SpeciesCatalogue, WhatIsWrongIsSaidWithItsPlace) {
+TEST(SpeciesCatalogue, ReportsProblemsWithTheirPosition) {
     EXPECT_EQ(
         problemOf("[[species]]\nname = \"oak\"\n[species.wood]\ndensity = -1\n"),
         "species.treewind:5:11: species.wood.density: expected a finite number in [1, 10000], found -1");

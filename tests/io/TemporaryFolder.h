@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-/// A folder of its own for one test, gone with it.
+/// Creates a temporary folder and removes it on destruction.
 class TemporaryFolder {
 public:
     TemporaryFolder() : _path(std::filesystem::temp_directory_path() / "osgTreeWind-XXXXXX") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A forest cut into tiles and read again.
+// Writes a forest as tiles and reads it back.
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Trees of all kinds over 3 x 2 km of a map, far from its zero.
+/// Varied trees on 3 x 2 km of a map, far from its origin.
 ForestDescription variedForest(int count) {
     std::istringstream text("version = 1\norigin = [691000.0, 5334500.0, 510.0]\n"
                             "[wind]\nkind = \"uniform\"\nvelocity = [6.0, 0.0, 0.0]\n"
@@ -69,7 +69,7 @@ TilingOptions ofSize(double metres) {
     return options;
 }
 
-bool same(const TreePlacement& a, const TreePlacement& b) {
+bool isSameTree(const TreePlacement& a, const TreePlacement& b) {
     return a.species == b.species && std::abs(std::sin(0.5f * (a.heading - b.heading))) < 1e-6f &&
            a.size.height == b.size.height && a.size.trunkDiameter == b.size.trunkDiameter &&
            a.size.crownWidth == b.size.crownWidth && a.leaves == b.leaves && a.seed == b.seed &&
@@ -87,7 +87,7 @@ ForestDescription worldOf(const std::string& folder) {
 
 } // namespace
 
-TEST(TiledForestTest, allTreesComeBack) {
+TEST(TiledForestTest, allTreesReadBack) {
     const TemporaryFolder folder;
     const ForestDescription forest = variedForest(3000);
     const auto tiles = writeTiledForest(forest, folder.path() + "/world", ofSize(500.0));
@@ -109,12 +109,12 @@ TEST(TiledForestTest, allTreesComeBack) {
     for (const TreePlacement& tree : world.trees)
         bySeed[tree.seed] = tree;
     for (const TreePlacement& tree : forest.trees) {
-        ASSERT_TRUE(same(bySeed[tree.seed], tree)) << tree.seed;
+        ASSERT_TRUE(isSameTree(bySeed[tree.seed], tree)) << tree.seed;
         EXPECT_TRUE(tree.name.empty() || bySeed[tree.seed].name == tree.name) << tree.name;
     }
 }
 
-TEST(TiledForestTest, aFlightOverItComesWithIt) {
+TEST(TiledForestTest, writesAFlightPath) {
     const TemporaryFolder folder;
     const auto tiles = writeTiledForest(variedForest(300), folder.path());
     ASSERT_TRUE(tiles);
@@ -126,7 +126,8 @@ TEST(TiledForestTest, aFlightOverItComesWithIt) {
     for (; path >> next >> eye.x >> eye.y >> eye.z >> rotation.x >> rotation.y >> rotation.z >> rotation.w;
          ++count, before = eye, time = next) {
         EXPECT_GT(next, time);
-        const glm::dvec2 at = glm::dvec2(eye) + glm::dvec2(691000.0, 5334500.0); // the forest's origin
+        const glm::dvec2 at =
+            glm::dvec2(eye) + glm::dvec2(691000.0, 5334500.0); // relative to the forest's origin
         EXPECT_TRUE(at.x > 689500.0 && at.x < 692500.0 && at.y > 5334000.0 && at.y < 5336000.0);
         EXPECT_GT(eye.z + 510.0, 560.0) << "above all feet";
         const glm::dvec3 ahead = rotation * glm::dvec3(0.0, 0.0, -1.0),
@@ -134,7 +135,7 @@ TEST(TiledForestTest, aFlightOverItComesWithIt) {
         EXPECT_LT(ahead.z, 0.0);
         EXPECT_GT(up.z, 0.9);
         if (count > 0) {
-            EXPECT_GT(glm::dot(glm::normalize(eye - before), ahead), 0.5) << "nearly as it flies";
+            EXPECT_GT(glm::dot(glm::normalize(eye - before), ahead), 0.5) << "it looks about where it flies";
         }
     }
     EXPECT_TRUE(path.eof());
@@ -142,7 +143,7 @@ TEST(TiledForestTest, aFlightOverItComesWithIt) {
     EXPECT_NEAR(time * 50.0, 4844.0, 200.0) << "once around an ellipse of 1000 m by 500 m";
 }
 
-TEST(TiledForestTest, treesWithoutAnIdAreCalledByTheirTile) {
+TEST(TiledForestTest, treesWithoutAnIdAreNamedByTheirTile) {
     const TemporaryFolder folder;
     ForestDescription forest = variedForest(30);
     for (TreePlacement& tree : forest.trees)
@@ -155,13 +156,13 @@ TEST(TiledForestTest, treesWithoutAnIdAreCalledByTheirTile) {
         EXPECT_EQ(world.trees[i].name, "1_1/" + std::to_string(i));
 }
 
-TEST(TiledForestTest, partsHaveEachTreeOnceAndThoseAroundThem) {
+TEST(TiledForestTest, loadsEachTreeOnceAndTheNeighbours) {
     const TemporaryFolder folder;
     const ForestDescription forest = variedForest(3000);
     ASSERT_TRUE(writeTiledForest(forest, folder.path(), ofSize(500.0)));
     ForestDescription edited = worldOf(folder.path());
     TreePlacement own = forest.trees[0];
-    for (const double x : {680000.0, 690100.0, 700000.0}) { // two beyond the world's edge
+    for (const double x : {680000.0, 690100.0, 700000.0}) { // two outside of the tiles
         own.position = {x, 5335100.0, 500.0};
         own.name = "own " + std::to_string(edited.trees.size());
         edited.trees.push_back(own);
@@ -181,17 +182,17 @@ TEST(TiledForestTest, partsHaveEachTreeOnceAndThoseAroundThem) {
             else
                 EXPECT_TRUE(x >= box.firstColumn - 0.401 && x <= std::min(box.lastColumn, 9u) + 1.401) << x;
         }
-        EXPECT_GT(part.trees.size(), wanted.value() + 50) << "there are some around";
+        EXPECT_GT(part.trees.size(), wanted.value() + 50) << "neighbours are included";
     }
     EXPECT_EQ(count, 3003u);
     EXPECT_EQ(met.size(), 3003u);
     ForestDescription none = edited;
     const Result<std::size_t> beyond = loadTiles(none, {6, 0, 7, 0});
     ASSERT_FALSE(beyond);
-    EXPECT_EQ(beyond.problems().front().text(), "tiles: there are 6 columns and 4 rows of them, found 6,0");
+    EXPECT_EQ(beyond.problems().front().text(), "tiles: there are 6 columns and 4 rows of tiles, found 6,0");
 }
 
-TEST(TiledForestTest, theSameBytesWhateverTheThreads) {
+TEST(TiledForestTest, filesDoNotDependOnThreads) {
     const TemporaryFolder folder;
     const ForestDescription forest = variedForest(1000);
     ASSERT_TRUE(writeTiledForest(forest, folder.path() + "/one", ofSize(300.0)));
@@ -201,18 +202,18 @@ TEST(TiledForestTest, theSameBytesWhateverTheThreads) {
     EXPECT_EQ(filesOf(folder.path() + "/one"), filesOf(folder.path() + "/four"));
 }
 
-TEST(TiledForestTest, aSecondWorldLeavesNothingOfTheFirst) {
+TEST(TiledForestTest, rewritingRemovesTheOldTiles) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(1000), folder.path() + "/a", ofSize(300.0)));
     ASSERT_TRUE(writeTiledForest(variedForest(20), folder.path() + "/a", ofSize(300.0)));
-    EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second has tiles-2";
+    EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second world is in tiles-2";
     EXPECT_EQ(readForestFile(folder.path() + "/a/world.treewind").value().tiles->treeCount(), 20u);
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/a", ofSize(300.0)));
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/b", ofSize(300.0)));
     EXPECT_EQ(filesOf(folder.path() + "/a"), filesOf(folder.path() + "/b"));
 }
 
-TEST(TiledForestTest, aFolderOfOtherThingsIsLeftAlone) {
+TEST(TiledForestTest, keepsForeignFolders) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() + "/tiles");
     folder.write("tiles/photo.jpg", "mine");
@@ -223,7 +224,7 @@ TEST(TiledForestTest, aFolderOfOtherThingsIsLeftAlone) {
     EXPECT_EQ(bytesOf(folder.path() + "/tiles/photo.jpg"), "mine");
 }
 
-TEST(TiledForestTest, theWorldOfBeforeStaysUntilTheNewOneIsWhole) {
+TEST(TiledForestTest, keepsTheOldWorldUntilTheNewOneIsComplete) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path()));
     folder.write("tiles-2", "a file where the folder should be");
@@ -235,7 +236,7 @@ TEST(TiledForestTest, theWorldOfBeforeStaysUntilTheNewOneIsWhole) {
     EXPECT_EQ(filesOf(folder.path()), before);
 }
 
-TEST(TiledForestTest, aForestThatIsNoWorldIsNotOverwritten) {
+TEST(TiledForestTest, doesNotOverwriteAForestWithoutTiles) {
     const TemporaryFolder folder;
     const std::string file = folder.write("world.treewind", "version = 1\n[[tree]]\nposition = [0, 0]\n");
     const auto before = filesOf(folder.path());
@@ -245,17 +246,17 @@ TEST(TiledForestTest, aForestThatIsNoWorldIsNotOverwritten) {
     EXPECT_EQ(filesOf(folder.path()), before);
 }
 
-TEST(TiledForestTest, twoProgramsDoNotWriteOneWorld) {
+TEST(TiledForestTest, locksTheFolder) {
     const TemporaryFolder folder;
     const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
     ASSERT_EQ(flock(other, LOCK_EX), 0);
-    EXPECT_EQ(linesOf(writeTiledForest(variedForest(10), folder.path()).problems()),
+    EXPECT_EQ(toString(writeTiledForest(variedForest(10), folder.path()).problems()),
               folder.path() + ": another program is writing a world into it");
     close(other);
     EXPECT_TRUE(writeTiledForest(variedForest(10), folder.path()));
 }
 
-TEST(TiledForestTest, manySmallTilesBecomeFewerLargerOnes) {
+TEST(TiledForestTest, limitsTheNumberOfTiles) {
     const TemporaryFolder folder;
     ForestDescription forest = variedForest(100);
     forest.trees[0].position += glm::dvec3(60000.0, 0.0, 0.0);
@@ -265,7 +266,7 @@ TEST(TiledForestTest, manySmallTilesBecomeFewerLargerOnes) {
     EXPECT_GT(tiles.value().size, 10.0);
 }
 
-TEST(TiledForestTest, aWorldIsWrittenAgainAsOne) {
+TEST(TiledForestTest, tiledForestReadsBackAfterWriting) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
     const ForestDescription world = worldOf(folder.path());
@@ -278,7 +279,7 @@ TEST(TiledForestTest, aWorldIsWrittenAgainAsOne) {
     EXPECT_EQ(again.value().tiles->inOpen, world.tiles->inOpen);
 }
 
-TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
+TEST(TiledForestTest, reportsProblemsOfTheWorld) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
     const std::string good = bytesOf(folder.path() + "/world.treewind");
@@ -289,7 +290,7 @@ TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
         {"rows = 2", "rows = 3", "tiles.trees: expected 3 rows"},
         {"in_forest = [", "in_forest = [\"fern\", ", "tiles.in_forest: no [[species]] \"fern\""},
         {"origin = [", "# origin = [", "origin: missing"},
-        {"[motion]\n", "[motion]\nlaw = \"thesis\"\n", "tiles: expected the law \"modal\" with it"},
+        {"[motion]\n", "[motion]\nlaw = \"thesis\"\n", "tiles: expected the law \"modal\" with tiles"},
     };
     for (const auto& [from, to, expected] : cases) {
         std::string bad = good;
@@ -297,14 +298,12 @@ TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
         bad.replace(bad.find(from), from.size(), to);
         const auto world = readForestFile(folder.write("bad.treewind", bad));
         ASSERT_FALSE(world) << to;
-        std::string said;
-        for (const Diagnostic& problem : world.problems())
-            said += problem.text() + '\n';
-        EXPECT_NE(said.find(expected), std::string::npos) << said;
+        const std::string problems = toString(world.problems());
+        EXPECT_NE(problems.find(expected), std::string::npos) << problems;
     }
 }
 
-TEST(TiledForestTest, whatIsWrongWithATileIsSaid) {
+TEST(TiledForestTest, reportsProblemsOfATile) {
     const std::string head =
         "species,x,y,z,heading,height,trunk_diameter,crown_width,leaves,seed,open_grown,estimated,id\n";
     const auto problemOf = [&](const std::string& text) {
@@ -332,7 +331,7 @@ TEST(TiledForestTest, whatIsWrongWithATileIsSaid) {
     EXPECT_NE(problemOf(""), "");
 }
 
-TEST(TiledForestTest, aTileThatLacksTreesIsRefused) {
+TEST(TiledForestTest, rejectsATileWithMissingTrees) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
     ForestDescription world = worldOf(folder.path());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written into a document is read back, whatever it is; an edit leaves all else.
+// Property tests: TOML values survive writing and reading, and edits preserve everything else.
 #include <osgTreeWind/io/Toml.h>
 #include <osgTreeWind/io/TomlEdit.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -25,7 +25,7 @@ rc::Gen<std::string> text() {
         rc::gen::elementOf(std::string("\"'\\#=[]{}\n\r\t\b\f\x1f\x7f ")), rc::gen::inRange<char>('0', 'z')));
 }
 
-/// Keys of [wind] and [motion] with their values, and a comment behind each.
+/// A document with the tables [wind] and [motion] and a comment on each line.
 std::string documentOf(const std::map<std::string, int>& wind, const std::map<std::string, int>& motion) {
     std::string lines = "# a forest\nversion = 1\n";
     for (const auto& [name, table] : {std::pair("wind", &wind), std::pair("motion", &motion)}) {
@@ -38,7 +38,7 @@ std::string documentOf(const std::map<std::string, int>& wind, const std::map<st
 
 } // namespace
 
-RC_GTEST_PROP(TomlProperty, EveryTextIsReadBack, ()) {
+RC_GTEST_PROP(TomlProperty, EveryTextReadsBack, ()) {
     const std::string written = *text();
     const toml::parse_result document = toml::parse("a = " + tomlText(written) + "\nb = 1\n");
     RC_ASSERT(document.succeeded());
@@ -46,7 +46,7 @@ RC_GTEST_PROP(TomlProperty, EveryTextIsReadBack, ()) {
     RC_ASSERT(document["b"].value<int>() == 1);
 }
 
-RC_GTEST_PROP(TomlProperty, EveryFloatIsReadBackToTheBit, (std::uint32_t bits)) {
+RC_GTEST_PROP(TomlProperty, EveryFloatReadsBackExactly, (std::uint32_t bits)) {
     float number = 0.0f;
     std::memcpy(&number, &bits, sizeof number);
     RC_PRE(std::isfinite(number));
@@ -55,7 +55,7 @@ RC_GTEST_PROP(TomlProperty, EveryFloatIsReadBackToTheBit, (std::uint32_t bits)) 
     RC_ASSERT(static_cast<float>(*document["a"].value<double>()) == number);
 }
 
-RC_GTEST_PROP(TomlProperty, AnEditChangesKeysAndKeepsTheOtherLines, ()) {
+RC_GTEST_PROP(TomlProperty, EditsKeepOtherLines, ()) {
     const auto keys = rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 8));
     const auto name = [](int key) { return std::string(1, static_cast<char>('a' + key)); };
     std::map<std::string, int> wind, motion;

@@ -36,8 +36,8 @@ TEST(WindSection, FileIsReadInWorldCoordinates) {
     EXPECT_EQ(windOf(forest, {10, 20, 10}), glm::vec3(3, 0.5f, 0.25f));
 }
 
-/// A westerly on degrees, 10 m/s from the west at 11.9 E, 47 N, in zone 32: 2.12 degrees of convergence.
-TEST(WindSection, WindOnAnotherMapIsBroughtToTheForests) {
+/// A wind from the west at 11.9 E, 47 N, in degrees; the meridian convergence in UTM zone 32 is 2.12 degrees.
+TEST(WindSection, ReprojectsWindOfAnotherMap) {
     const TemporaryFolder folder;
     RasterFile pair;
     pair.transform = {11.5, 0.25, 0, 47.5, 0, -0.25};
@@ -58,12 +58,12 @@ TEST(WindSection, WindOnAnotherMapIsBroughtToTheForests) {
         << forest.value().notes.back();
 }
 
-TEST(WindSection, DateIsForFilesThatSayTheirs) {
+TEST(WindSection, DateNeedsFilesWithDates) {
     for (const auto& [wind, part] :
          {std::pair("kind = \"uniform\"\nvelocity = [1, 0, 0]\ndate = 2017-10-26T15:00:00Z\n",
-                    "wind.date: expected a wind from files that say their dates"),
+                    "wind.date: expected a wind from files that contain dates"),
           {"kind = \"calm\"\ndate = \"2017-10-26T15:00Z\"\n",
-           "wind.date: expected a wind from files that say their dates"},
+           "wind.date: expected a wind from files that contain dates"},
           {"kind = \"calm\"\ndate = 2017-10-26T15:00:00Z\nstart = 5\n",
            "wind.date: give either this or start"},
           {"kind = \"calm\"\ndate = \"noon\"\n",
@@ -74,7 +74,7 @@ TEST(WindSection, DateIsForFilesThatSayTheirs) {
 const char* const record =
     "kind = \"series\"\ntimes = [0, 10, 20]\nvelocities = [[2, 0, 0], [6, 0, 0], [2, 0, 0]]\n";
 
-TEST(WindSection, ARecordTravelsOverTheForest) {
+TEST(WindSection, RecordTravelsOverTheForest) {
     for (const char* travel : {"travel = \"mean\"\n", "travel = [4, 0]\n"}) {
         const auto forest = readWith(record + std::string(travel));
         EXPECT_EQ(windOf(forest, {}, 10.0), glm::vec3(6, 0, 0)) << travel;
@@ -87,14 +87,14 @@ TEST(WindSection, ARecordTravelsOverTheForest) {
     }
 }
 
-TEST(WindSection, TravelNeedsAWindThatGoesSomewhere) {
+TEST(WindSection, TravelNeedsAMovingWind) {
     for (const auto& [wind, part] :
          {std::pair(record + std::string("travel = [0, 0.05]\n"),
                     "wind.travel: expected 0.1 m/s or more, found 0.05"),
           {record + std::string("travel = \"fast\"\n"),
            "wind.travel: expected \"mean\" or [u, v] in m/s, found"},
           {record + std::string("travel = [1, 2, 3]\n"), "wind.travel: "},
-          {"kind = \"calm\"\ntravel = \"mean\"\n", "wind.travel: \"mean\" is that of a record"}})
+          {"kind = \"calm\"\ntravel = \"mean\"\n", "wind.travel: \"mean\" needs a record"}})
         EXPECT_NE(firstProblem(readWith(wind)).find(part), std::string::npos) << firstProblem(readWith(wind));
 }
 
@@ -104,24 +104,24 @@ TEST(WindSection, OffsetMovesTheFile) {
     EXPECT_EQ(windOf(forest, {0, 0, 10}), glm::vec3(2, 0, 0));
 }
 
-TEST(WindSection, FileInAnotherUnit) {
+TEST(WindSection, ConvertsTheSpeedUnit) {
     const auto forest =
         readWith("kind = \"file\"\nfile = \"vectors.vtk\"\nspeed_unit = \"km/h\"\nbeyond = \"hold\"\n",
                  "origin = [120, 200, 0]\n");
     EXPECT_FLOAT_EQ(windOf(forest, {0, 0, 5}).x, 3 / 3.6f);
 }
 
-TEST(WindSection, BrokenFileIsNamedWithItsLine) {
+TEST(WindSection, ReportsTheLineOfABrokenFile) {
     const auto forest = readWith("kind = \"file\"\nfile = \"small.cdl\"\n");
-    EXPECT_NE(firstProblem(forest).find("small.cdl: no known format of wind data"), std::string::npos)
+    EXPECT_NE(firstProblem(forest).find("small.cdl: unknown format of wind data"), std::string::npos)
         << firstProblem(forest);
 }
 
-TEST(WindSection, FileMustBeNamed) {
+TEST(WindSection, RequiresAFile) {
     EXPECT_NE(firstProblem(readWith("kind = \"file\"\n")).find("wind.file"), std::string::npos);
 }
 
-TEST(WindSection, FilesAreStepsOfOneWind) {
+TEST(WindSection, FilesAreTimeStepsOfOneWind) {
     const TemporaryFolder folder;
     const std::string head = "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
     folder.write("1_vel.asc", head + "4\n");
@@ -138,56 +138,56 @@ TEST(WindSection, FilesAreStepsOfOneWind) {
     EXPECT_NEAR(between.y, 0.75f * 6 / 3.6f, 1e-5f);
 }
 
-TEST(WindSection, AFileUnlikeTheFirstIsNamed) {
+TEST(WindSection, RejectsAFileUnlikeTheFirst) {
     const auto forest =
         readWith("kind = \"file\"\nfiles = [\"vectors.vtk\", \"pair_vel.asc\"]\ntimes = [0, 1]\n");
     EXPECT_NE(firstProblem(forest).find("pair_vel.asc: expected the points"), std::string::npos)
         << firstProblem(forest);
 }
 
-TEST(WindSection, NotesOfAFileArePassedOn) {
-    const auto forest = readWith("file = \"pair_vel.asc\"\n" // and its kind goes without saying
+TEST(WindSection, NotesOfAFileAreNotesOfTheForest) {
+    const auto forest = readWith("file = \"pair_vel.asc\"\n" // `kind` may be omitted
                                  "offset = [890, 1790, 0]\n",
                                  "search = [\"" OSGTREEWIND_TEST_DATA "/wind\"]\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
     ASSERT_FALSE(forest.value().notes.empty());
-    EXPECT_NE(forest.value().notes.back().find("pair_vel.asc: the file names no unit of speed"),
+    EXPECT_NE(forest.value().notes.back().find("pair_vel.asc: the file gives no unit of speed"),
               std::string::npos)
         << forest.value().notes.back();
 }
 
-TEST(WindSection, TreesOutsideTheGridOfAFileAreNoted) {
+TEST(WindSection, NotesTreesOutsideTheGrid) {
     const std::string file = "file = \"vectors.vtk\"\n"; // x 100 to 120, y 200 to 220; the tree at 1000, 2000
-    const auto noted = [](const Result<ForestDescription>& forest) {
+    const auto lastNote = [](const Result<ForestDescription>& forest) {
         EXPECT_TRUE(forest) << firstProblem(forest);
         return forest && !forest.value().notes.empty() ? forest.value().notes.back() : std::string();
     };
-    EXPECT_NE(firstProblem(readWith(file)).find("no tree stands where the wind of"), std::string::npos);
+    EXPECT_NE(firstProblem(readWith(file)).find("no tree is inside the grid of"), std::string::npos);
     EXPECT_NE(
         firstProblem(readWith(file + "offset = [880, 1780, 0]\nbeyond = \"ebb\"\n")).find("wind.beyond"),
         std::string::npos);
-    const std::string hold = file + "beyond = \"hold\"\n", far = noted(readWith(hold));
-    EXPECT_EQ(far.rfind("1 of 1 trees stand outside the grid of ", 0), 0u) << far;
-    EXPECT_NE(far.find("vectors.vtk, x 100 to 120, y 200 to 220; the wind at its edges holds there"),
+    const std::string hold = file + "beyond = \"hold\"\n", note = lastNote(readWith(hold));
+    EXPECT_EQ(note.rfind("1 of 1 trees stand outside the grid of ", 0), 0u) << note;
+    EXPECT_NE(note.find("vectors.vtk, x 100 to 120, y 200 to 220; they get the wind at its edge"),
               std::string::npos)
-        << far;
-    EXPECT_EQ(noted(readWith(file + "offset = [880, 1780, 0]\n")).find("outside"), std::string::npos);
+        << note;
+    EXPECT_EQ(lastNote(readWith(file + "offset = [880, 1780, 0]\n")).find("outside"), std::string::npos);
     EXPECT_NE(
-        noted(readWith(hold + "offset = [901.0049, 1780, 0]\n")).find("x 1001 to 1021, y 1980 to 2000;"),
+        lastNote(readWith(hold + "offset = [901.0049, 1780, 0]\n")).find("x 1001 to 1021, y 1980 to 2000;"),
         std::string::npos);
     EXPECT_EQ(
-        noted(readWith(file + "offset = [880, 1780, 0]\n", "origin = [900, 1900, 0]\n")).find("outside"),
+        lastNote(readWith(file + "offset = [880, 1780, 0]\n", "origin = [900, 1900, 0]\n")).find("outside"),
         std::string::npos);
 }
 
-TEST(WindSection, ARecordAtOnePointHasNoOutside) {
+TEST(WindSection, RecordAtOnePointCoversAllTrees) {
     const auto forest = readWith("file = \"table.csv\"\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
     for (const std::string& note : forest.value().notes)
         EXPECT_EQ(note.find("outside"), std::string::npos) << note;
 }
 
-TEST(WindSection, WhatBelongsToSeriesOrGridIsNoDataFile) {
+TEST(WindSection, FilesWithKeysOfOtherKindsNeedAKind) {
     for (const char* wind : {"file = \"table.csv\"\ncolumns = { time = \"time\" }\n",
                              "file = \"values.txt\"\npoints = [2, 2]\ncell = [1, 1]\n"})
         EXPECT_NE(firstProblem(readWith(wind)).find("wind.kind"), std::string::npos)
@@ -205,14 +205,14 @@ TEST(WindSection, GustsVaryAroundTheMean) {
     EXPECT_NE(windOf(forest, {0, 0, 5}, 0.0), windOf(forest, {0, 0, 5}, 1.0));
 }
 
-TEST(WindSection, GustsTakeTheirSeedFromTheForest) {
+TEST(WindSection, GustsUseTheSeedOfTheForest) {
     const std::string gusts = "kind = \"gusts\"\nvelocity = [10, 0, 0]\n";
     const glm::vec3 one = windOf(readWith(gusts), {}), two = windOf(readWith(gusts, "seed = 2\n"), {});
     EXPECT_NE(one, two);
     EXPECT_EQ(two, windOf(readWith(gusts + "seed = 2\n"), {}));
 }
 
-TEST(WindSection, GustsWithAProfileAreCalmAtTheGround) {
+TEST(WindSection, GustsWithAProfileVanishAtTheGround) {
     const auto forest = readWith("kind = \"gusts\"\nvelocity = [10, 0, 0]\nheight = 10\nroughness = 0.5\n");
     EXPECT_EQ(windOf(forest, {0, 0, 0.1f}), glm::vec3(0.0f));
 }

@@ -20,7 +20,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Collects the keys of which two forests say other things.
+/// Collects the keys in which two forests differ.
 struct Differences {
     std::string keys;
 
@@ -32,7 +32,7 @@ struct Differences {
     template <typename Struct>
     void fields(const std::string& path, const Struct& a, const Struct& b) {
         for (const Field& field : fieldsOf<Struct>())
-            if (!sameField(field, &a, &b))
+            if (!isFieldEqual(field, &a, &b))
                 keys += path + '.' + field.key + ' ';
     }
     template <typename Struct>
@@ -55,7 +55,7 @@ struct Differences {
     }
 
     template <typename Wind>
-    static bool both(const WindFieldPtr& a, const WindFieldPtr& b, const Wind*& left, const Wind*& right) {
+    static bool areBoth(const WindFieldPtr& a, const WindFieldPtr& b, const Wind*& left, const Wind*& right) {
         left = dynamic_cast<const Wind*>(a.get()), right = dynamic_cast<const Wind*>(b.get());
         return left && right;
     }
@@ -68,23 +68,23 @@ struct Differences {
             fields("wind.source", a.sources[i], b.sources[i]);
         if (!a.isCalm())
             compare("wind.frame", a.frame, b.frame);
-        const WindCanopy usual;
-        fields("wind", a.canopy.value_or(usual), b.canopy.value_or(usual));
+        const WindCanopy defaults;
+        fields("wind", a.canopy.value_or(defaults), b.canopy.value_or(defaults));
     }
     void field(const WindFieldPtr& a, const WindFieldPtr& b) {
         if (!a || !b)
             return compare("wind", a, b);
-        if (const UniformWind * x, *y; both(a, b, x, y)) {
+        if (const UniformWind * x, *y; areBoth(a, b, x, y)) {
             compare("wind.velocity", x->velocity(), y->velocity());
-        } else if (const GustWind * x, *y; both(a, b, x, y)) {
+        } else if (const GustWind * x, *y; areBoth(a, b, x, y)) {
             compare("wind.velocity", x->parameters().mean, y->parameters().mean);
             fields("wind", x->parameters(), y->parameters());
             optionalFields("wind", x->parameters().profile, y->parameters().profile);
-        } else if (const GridWind * x, *y; both(a, b, x, y)) {
+        } else if (const GridWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->grid(), y->grid());
-        } else if (const ForestWind * x, *y; both(a, b, x, y)) {
+        } else if (const ForestWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->array(), y->array());
-        } else if (const TimeSeriesWind * x, *y; both(a, b, x, y)) {
+        } else if (const TimeSeriesWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->series(), y->series());
             optionalFields("wind", x->series().profile, y->series().profile);
         } else {
@@ -132,7 +132,7 @@ ForestDescription read(const std::string& document) {
     return forest ? forest.value() : ForestDescription();
 }
 
-/// The first thing that keeps a forest from being written.
+/// The first problem that keeps a forest from being written.
 std::string refusalOf(const ForestDescription& forest) {
     std::ostringstream output;
     const Diagnostics problems = writeForest(forest, output);
@@ -149,7 +149,7 @@ ForestDescription smallForest() {
 
 } // namespace
 
-TEST(WriteForest, DescriptionsMadeInCodeReadBackTheSame) {
+TEST(WriteForest, RandomDescriptionsReadBack) {
     for (int seed = 0; seed < casesToRun(2000, 300); ++seed) {
         const ForestDescription forest = RandomForest(static_cast<std::uint64_t>(seed)).description();
         const std::string document = written(forest);
@@ -158,7 +158,7 @@ TEST(WriteForest, DescriptionsMadeInCodeReadBackTheSame) {
     }
 }
 
-TEST(WriteForest, DocumentsReadBackTheSameWhenWritten) {
+TEST(WriteForest, RandomDocumentsReadBack) {
     for (int seed = 0; seed < casesToRun(2000, 300); ++seed) {
         const std::string document = RandomForest(static_cast<std::uint64_t>(seed)).document();
         const ForestDescription forest = read(document);
@@ -167,7 +167,7 @@ TEST(WriteForest, DocumentsReadBackTheSameWhenWritten) {
     }
 }
 
-TEST(WriteForest, ExamplesReadBackTheSame) {
+TEST(WriteForest, ExamplesReadBack) {
     for (const char* example : {"forest", "thesis"}) {
         const auto forest =
             readForestFile(OSGTREEWIND_SOURCE_DIR "/examples/" + std::string(example) + ".treewind");
@@ -176,13 +176,13 @@ TEST(WriteForest, ExamplesReadBackTheSame) {
     }
 }
 
-TEST(WriteForest, BuiltInSpeciesReadBackTheSame) {
+TEST(WriteForest, BuiltInSpeciesReadBack) {
     ForestDescription forest;
     forest.species = SpeciesCatalogue::builtIn().species();
     EXPECT_EQ(differenceOf(read(written(forest)), forest), "");
 }
 
-TEST(WriteForest, ScansPicturesAndWindOfFilesAreFoundAgain) {
+TEST(WriteForest, PathsOfScansPicturesAndWindReadBack) {
     const std::string data = OSGTREEWIND_TEST_DATA;
     const TemporaryFolder folder;
     folder.write("leaf.png", "no picture, but there");
@@ -203,13 +203,13 @@ TEST(WriteForest, ScansPicturesAndWindOfFilesAreFoundAgain) {
     EXPECT_EQ(written(back), document);
 }
 
-TEST(WriteForest, AForestWithoutTreesIsOne) {
+TEST(WriteForest, AcceptsAForestWithoutTrees) {
     ForestDescription forest = smallForest();
     forest.trees.clear();
     EXPECT_EQ(differenceOf(read(written(forest)), forest), "");
 }
 
-TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
+TEST(WriteForest, ReportsWhatCannotBeWritten) {
     const auto refused = [](const char* expected, auto spoil) {
         ForestDescription forest = smallForest();
         spoil(forest);
@@ -225,7 +225,7 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
     refused("drawing.impostor: expected impostor below reduced, found 250 and 250",
             [](auto& f) { f.drawing.impostor = 250.0f; });
-    refused("crs: expected a projected system in metres, found WGS 84, which is on degrees",
+    refused("crs: expected a projected system in metres, found WGS 84, which uses degrees",
             [](auto& f) { f.crs = "EPSG:4326"; });
     refused("tree[0].species: there is no species 3; the forest has 1, from 0 on",
             [](auto& f) { f.trees[0].species = 3; });
@@ -248,19 +248,19 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
         f.species[0].shapes = 1;
     });
     const char* const noWind =
-        "wind: a wind that no file can say: expected a uniform one, gusts, a grid, a series "
+        "wind: this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series "
         "or one from a file, not a callable or streamed one";
     refused(noWind, [](auto& f) { f.wind = std::make_shared<FunctionWind>(nullptr); });
     refused("wind: velocity: expected a finite number in [-200, 200]",
             [](auto& f) { f.wind = std::make_shared<UniformWind>(glm::vec3(201, 0, 0)); });
 }
 
-TEST(WriteForest, AFileThatCannotBeWrittenIsSaid) {
+TEST(WriteForest, ReportsAFileThatCannotBeWritten) {
     EXPECT_EQ(writeForestFile(smallForest(), "/nowhere/a.treewind").front().text(),
               "/nowhere/a.treewind: cannot be written: there is no folder /nowhere");
 }
 
-TEST(WriteForest, SpeciesThatAreBuiltInAreWithinTheirRanges) {
+TEST(WriteForest, BuiltInSpeciesAreValid) {
     ForestDescription forest;
     forest.species = SpeciesCatalogue::builtIn().species();
     const Diagnostics problems = check(forest);

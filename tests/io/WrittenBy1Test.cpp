@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that 1.0 wrote, which must load for ever (tests/data/written-by-1.0/README.md).
-#include <osgTreeWind/io/CrownSheet.h>
+// Files written by version 1.0, which must always load (tests/data/written-by-1.0/README.md).
+#include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TiledForest.h>
@@ -20,21 +20,21 @@ namespace {
 
 const std::string folder = OSGTREEWIND_TEST_DATA "/written-by-1.0/";
 
-/// Of species whose forms were outlines.
-std::vector<std::string> notesOfForms(const std::vector<std::string>& species) {
+/// Notes on species with [species.growth] of version 1.
+std::vector<std::string> legacyGrowthNotes(const std::vector<std::string>& species) {
     std::vector<std::string> notes;
     for (const std::string& name : species)
         notes.push_back(
             "species \"" + name +
-            "\": [species.growth] of version 1 is read as [species.habit]: the size holds, angles and "
-            "bends became the nearest numbers, and the rest of the form grows");
+            "\": [species.growth] of version 1 is read as [species.habit]: its size is kept, angles and "
+            "bends are approximated, and the rest of the form is grown");
     return notes;
 }
 
-/// A forest that reads without a problem. @param notes that it is read with.
+/// Reads a forest. @param notes that are expected.
 ForestDescription writtenForest(const std::string& name, const std::vector<std::string>& notes = {}) {
     const Result<ForestDescription> forest = readForestFile(folder + name);
-    EXPECT_TRUE(forest) << linesOf(forest.problems());
+    EXPECT_TRUE(forest) << toString(forest.problems());
     EXPECT_EQ(forest.value().notes, notes) << name;
     return forest.value();
 }
@@ -43,7 +43,7 @@ glm::vec3 windAt(const ForestDescription& forest, const WindPlace& place, double
     return forest.wind.field ? asField(forest.wind)->velocity(place, time) : glm::vec3(0.0f);
 }
 
-/// everything.treewind, but for how its trees are kept.
+/// Checks everything.treewind except for its trees.
 void expectEverything(const ForestDescription& forest) {
     EXPECT_EQ(forest.crs, "EPSG:25832");
     EXPECT_EQ(forest.origin, glm::dvec3(400000.0, 5600000.0, 120.0));
@@ -126,20 +126,20 @@ void expectTheTreesOfEverything(const ForestDescription& forest) {
 
 TEST(WrittenBy1, forestOfEverything) {
     const ForestDescription forest =
-        writtenForest("everything.treewind", notesOfForms({"grown", "Norway spruce"}));
+        writtenForest("everything.treewind", legacyGrowthNotes({"grown", "Norway spruce"}));
     expectEverything(forest);
     expectTheTreesOfEverything(forest);
 }
 
 TEST(WrittenBy1, windOnAGrid) {
     const ForestDescription forest =
-        writtenForest("grid.treewind", {"motion.law: \"damped\" is no more; read as \"modal\""});
+        writtenForest("grid.treewind", {"motion.law: \"damped\" no longer exists; it is read as \"modal\""});
     EXPECT_EQ(forest.law, MotionLaw::Modal);
     EXPECT_EQ(forest.gain, 2.0f);
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_EQ(forest.trees[1].size.height, 5.0f);
     const glm::vec3 wind = windAt(forest, WindPlace(0.0f, 0.0f, 10.0f), 0.0);
-    EXPECT_NEAR(wind.x, 5.9f, 1e-5f); // as `osgtreewind info` of 1.0 said
+    EXPECT_NEAR(wind.x, 5.9f, 1e-5f); // from `osgtreewind info` of 1.0
     EXPECT_NEAR(wind.y, 0.9f, 1e-5f);
 }
 
@@ -154,7 +154,7 @@ TEST(WrittenBy1, windInTheArrayOfTheThesis) {
 
 TEST(WrittenBy1, recordOfWind) {
     const ForestDescription forest =
-        writtenForest("forest.treewind", notesOfForms({"oak", "birch", "spruce"}));
+        writtenForest("forest.treewind", legacyGrowthNotes({"oak", "birch", "spruce"}));
     EXPECT_EQ(forest.law, MotionLaw::Modal);
     EXPECT_EQ(forest.trees.size(), 40u);
     EXPECT_EQ(forest.species.size(), 3u);
@@ -179,7 +179,8 @@ TEST(WrittenBy1, examples) {
 }
 
 TEST(WrittenBy1, tiledWorld) {
-    ForestDescription world = writtenForest("world/world.treewind", notesOfForms({"grown", "Norway spruce"}));
+    ForestDescription world =
+        writtenForest("world/world.treewind", legacyGrowthNotes({"grown", "Norway spruce"}));
     expectEverything(world);
     ASSERT_TRUE(world.tiles);
     EXPECT_EQ(world.tiles->columns, 3u);
@@ -189,7 +190,7 @@ TEST(WrittenBy1, tiledWorld) {
     EXPECT_EQ(world.tiles->treeCount(), 12u);
     EXPECT_EQ(world.tiles->inOpen, std::vector<std::string>{"grown"});
     const Result<std::size_t> count = loadTiles(world);
-    ASSERT_TRUE(count) << linesOf(count.problems());
+    ASSERT_TRUE(count) << toString(count.problems());
     EXPECT_EQ(count.value(), 12u);
     expectTheTreesOfEverything(world);
 }
@@ -197,13 +198,13 @@ TEST(WrittenBy1, tiledWorld) {
 TEST(WrittenBy1, idsOfATiledWorld) {
     std::ifstream input(folder + "world/tiles/0.ids");
     const Result<TileIds> ids = readTileIds(input, "0.ids");
-    ASSERT_TRUE(ids) << linesOf(ids.problems());
+    ASSERT_TRUE(ids) << toString(ids.problems());
     EXPECT_EQ(ids.value(), (TileIds{{"the \"first\" tree", "1_0/0"}, {"7", "1_0/1"}}));
 }
 
 TEST(WrittenBy1, crownsOfATiledWorld) {
     std::ifstream input(folder + "world/tiles/all.crowns");
-    const Result<CrownSheet> crowns = readCrownSheet(input, "all.crowns");
-    ASSERT_TRUE(crowns) << linesOf(crowns.problems());
+    const Result<CrownSummary> crowns = readCrownSummary(input, "all.crowns");
+    ASSERT_TRUE(crowns) << toString(crowns.problems());
     EXPECT_EQ(crowns.value().cells.size(), 4u);
 }

@@ -58,7 +58,7 @@ TEST(BranchSkin, RingsLieAcrossTheBranchAtItsRadius) {
     }
 }
 
-TEST(BranchSkin, BarkGoesOnFromWhereABranchSprings) {
+TEST(BranchSkin, BarkCoordinateContinuesFromTheParent) {
     Skeleton skeleton = makeRecursiveTree(regularTree());
     BranchUnit& branch = skeleton.units[2];
     branch.attach = 0.25f;
@@ -80,7 +80,7 @@ TEST(BranchSkin, RingsOfAStraightBranchAreRegularOctagons) {
         }
 }
 
-TEST(BranchSkin, RingsDoNotTurnAlongTheBranch) {
+TEST(BranchSkin, RingsAreNotTwistedAlongTheBranch) {
     const BranchSkin skin = makeBranchSkin(makeRecursiveTree({}));
     for (std::size_t i = 0; i + 8 < skin.vertices.size(); ++i)
         if (skin.vertices[i].unit == skin.vertices[i + 8].unit) {
@@ -110,8 +110,8 @@ TEST(BranchSkin, TrianglesAreCounterClockwiseSeenFromOutside) {
     }
 }
 
-// A tube open at both ends: every edge inside it has two triangles, each end ring has eight with one.
-TEST(BranchSkin, EveryUnitIsATubeWithoutCracks) {
+// Every inner edge of an open tube has two triangles; each end ring has eight edges with one.
+TEST(BranchSkin, EveryUnitIsAnOpenTubeWithoutCracks) {
     const BranchSkin skin = makeBranchSkin(makeRecursiveTree({}));
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (std::size_t i = 0; i < skin.firstIndices[1]; i += 3)
@@ -125,10 +125,10 @@ TEST(BranchSkin, EveryUnitIsATubeWithoutCracks) {
         open += triangles == 1;
     }
     EXPECT_EQ(open, 16);
-    EXPECT_EQ(edges.size(), 15u * 8 * 3 + 8u); // per interval 8 along, 8 diagonal, 8 round; one ring more
+    EXPECT_EQ(edges.size(), 15u * 8 * 3 + 8u); // per interval 8 along, 8 diagonal, 8 around; plus one ring
 }
 
-TEST(BranchSkin, IndicesStandUnitAfterUnit) {
+TEST(BranchSkin, IndicesAreSortedByUnit) {
     const BranchSkin skin = makeBranchSkin(makeRecursiveTree({}));
     for (std::size_t i = 0; i < skin.indices.size(); ++i)
         ASSERT_EQ(skin.vertices[skin.indices[i]].unit, static_cast<float>(i / skin.firstIndices[1]));
@@ -142,7 +142,7 @@ TEST(BranchSkin, DrawOrderIsTheIndexedVertices) {
         ASSERT_EQ(ordered[i].position(), skin.vertices[skin.indices[i]].position());
 }
 
-TEST(BranchSkin, BarkRunsAroundAndInMetresAlong) {
+TEST(BranchSkin, BarkCoordinatesRunAroundAndAlongTheBranch) {
     const BranchSkin skin = makeBranchSkin(makeRecursiveTree(regularTree()));
     EXPECT_EQ(skin.vertices[0].uv, glm::vec2(0.0f));
     for (std::size_t side = 0; side < 8; ++side)

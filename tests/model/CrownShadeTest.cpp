@@ -9,17 +9,17 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr float density = 0.4f;                ///< Of the box, m^2 of leaf in a m^3.
-const glm::vec3 low(-2, -3, 0), high(2, 3, 8); ///< Of the box.
+constexpr float density = 0.4f;                ///< Leaf area density of the box, m^2/m^3.
+const glm::vec3 low(-2, -3, 0), high(2, 3, 8); ///< Corners of the box.
 
 std::array<LeafVertex, verticesPerLeafCluster> mesh() {
     return makeLeafMesh(LeafParameters());
 }
 
-/// Small clusters, evenly in a box.
+/// A box filled uniformly with small clusters.
 CrownShade box() {
     std::vector<LeafCluster> leaves;
-    const int steps = 32; // two a cell of the grid
+    const int steps = 32; // two per grid cell
     float area = 0.0f;
     for (std::size_t i = 0; i < mesh().size(); i += 4)
         area += glm::length(
@@ -30,7 +30,7 @@ CrownShade box() {
         LeafCluster leaf;
         leaf.anchor = low + (high - low) * at / static_cast<float>(steps);
         leaf.size = size;
-        for (int axis = 0; axis < 3; ++axis) // half of what is around it lies outside
+        for (int axis = 0; axis < 3; ++axis) // half of its surroundings are outside
             if (at[axis] == 0.0f || at[axis] == static_cast<float>(steps))
                 leaf.size *= std::sqrt(0.5f);
         leaves.push_back(leaf);
@@ -45,7 +45,7 @@ double left(double path) {
 
 } // namespace
 
-TEST(CrownShade, AnEvenBoxLetsThroughWhatThePathLeaves) {
+TEST(CrownShade, TransmissionOfAUniformBoxFollowsThePathLength) {
     const CrownShade shade = box();
     for (const glm::vec3& p : {glm::vec3(0, 0, 4), glm::vec3(1, -2, 6.5), glm::vec3(-1.5, 2.5, 1)}) {
         const CrownShade::Light light = shade.at(p);
@@ -56,7 +56,7 @@ TEST(CrownShade, AnEvenBoxLetsThroughWhatThePathLeaves) {
     }
 }
 
-TEST(CrownShade, ADiagonalOfAnEvenBoxIsAsLongAsItIs) { // sky: 14 directions, up 1, level 0.6, down 0.2
+TEST(CrownShade, DiagonalsOfAUniformBoxAreAsLongAsTheyAre) { // sky: 14 directions, up 1, level 0.6, down 0.2
     const CrownShade::Light light = box().at({0, 0, 4});
     const double diagonal = left(0.5 * static_cast<double>(glm::length(high - low)));
     const double axis = 1.0 / 15.0, corner = 3.0 / 40.0;
@@ -65,13 +65,13 @@ TEST(CrownShade, ADiagonalOfAnEvenBoxIsAsLongAsItIs) { // sky: 14 directions, up
     EXPECT_NEAR(static_cast<double>(light.sky), expected, 0.005);
 }
 
-TEST(CrownShade, FromOutsideTheCrownIsInTheWayOfItsOwnSide) {
+TEST(CrownShade, APlaceOutsideIsShadedFromTheSideOfTheCrownOnly) {
     const CrownShade::Light light = box().at({0, 0, 9});
     EXPECT_NEAR(light.above.z, 1.0f, 1e-3f);
     EXPECT_NEAR(light.below.z, left(8.0), 0.005);
 }
 
-TEST(CrownShade, WithoutLeavesAllIsOpen) {
+TEST(CrownShade, WithoutLeavesThereIsNoShade) {
     for (const CrownShade& shade : {CrownShade(), CrownShade({}, mesh(), 0.4f)}) {
         const CrownShade::Light light = shade.at({1, 2, 3});
         EXPECT_EQ(light.above, glm::vec3(1));
@@ -80,7 +80,7 @@ TEST(CrownShade, WithoutLeavesAllIsOpen) {
     }
 }
 
-TEST(CrownShade, ACrownBearsNoMoreLeavesThanCrownsDo) {
+TEST(CrownShade, LeafAreaIndexIsLimited) {
     LeafCluster leaf;
     leaf.anchor = {0, 0, 3};
     std::vector<LeafCluster> leaves(1000, leaf);
@@ -92,7 +92,7 @@ TEST(CrownShade, ACrownBearsNoMoreLeavesThanCrownsDo) {
     EXPECT_GT(some.above.z, 0.02f);
 }
 
-TEST(CrownShade, OutwardIsAwayFromTheMiddleOfTheAnchors) {
+TEST(CrownShade, OutwardPointsAwayFromTheCentreOfTheAnchors) {
     const CrownShade shade = box();
     EXPECT_GT(shade.outward({1.5, 0, 4}).x, 0.99f);
     EXPECT_LT(shade.outward({0, -2, 4}).y, -0.99f);

@@ -18,7 +18,7 @@ Skeleton grown(float flare = 0.6f, std::uint32_t seed = 1) {
     return sampleTree(seed, flare);
 }
 
-/// The vertices of a unit's first ring: those before the first that another ring repeats in `uv.x`.
+/// The vertices of a unit's first ring, which ends where `uv.x` repeats.
 std::vector<SkinVertex> firstRing(const BranchSkin& skin, std::size_t unit) {
     const auto first = skin.vertices.begin() + skin.firstVertices[unit];
     const auto next = std::find_if(first + 1, skin.vertices.end(),
@@ -30,7 +30,7 @@ bool springsFromEnd(const BranchUnit& unit) {
     return unit.parent >= 0 && unit.attach == 1.0f;
 }
 
-/// Of each unit, edges with one triangle.
+/// Number of edges of a unit that belong to one triangle only.
 int openEdges(const BranchSkin& skin, std::size_t unit) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (std::size_t i = skin.firstIndices[unit]; i < skin.firstIndices[unit + 1]; i += 3)
@@ -42,7 +42,7 @@ int openEdges(const BranchSkin& skin, std::size_t unit) {
         std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 1; }));
 }
 
-TEST(JoinedSkin, HasTheSizeThatIsCountedWithoutIt) {
+TEST(JoinedSkin, HasTheSizeOfSizeOfBranchSkin) {
     for (std::uint32_t seed = 1; seed < 6; ++seed) {
         const Skeleton skeleton = grown(0.2f * static_cast<float>(seed - 1), seed);
         const BranchSkin skin = makeBranchSkin(skeleton);
@@ -53,7 +53,7 @@ TEST(JoinedSkin, HasTheSizeThatIsCountedWithoutIt) {
     }
 }
 
-TEST(JoinedSkin, WhatSpringsFromAnEndBeginsWithTheRingThere) {
+TEST(JoinedSkin, AUnitAtAnEndBeginsWithTheParentsLastRing) {
     const Skeleton skeleton = grown();
     for (const float tolerance : {0.0f, 0.005f, 0.05f}) {
         const BranchSkin skin = makeBranchSkin(skeleton, tolerance);
@@ -77,7 +77,7 @@ TEST(JoinedSkin, WhatSpringsFromAnEndBeginsWithTheRingThere) {
     }
 }
 
-TEST(JoinedSkin, EndsWhereNothingGoesOnAreClosed) {
+TEST(JoinedSkin, FreeEndsAreClosed) {
     const Skeleton skeleton = grown();
     const BranchSkin skin = makeBranchSkin(skeleton);
     std::vector<bool> goesOn(skeleton.units.size(), false);
@@ -125,7 +125,7 @@ TEST(JoinedSkin, FacesOutward) {
     EXPECT_LT(inward, skin.indices.size() / 3 / 100) << "of " << skin.indices.size() / 3 << " triangles";
 }
 
-TEST(JoinedSkin, StemsAreRoundAndTwigsPayForIt) {
+TEST(JoinedSkin, StemsHaveMoreSidesThanTwigs) {
     const Skeleton skeleton = grown();
     const BranchSkin skin = makeBranchSkin(skeleton);
     std::size_t fewest = 99;
@@ -136,7 +136,7 @@ TEST(JoinedSkin, StemsAreRoundAndTwigsPayForIt) {
     EXPECT_LE(skin.vertices.size(), 8 * skeleton.points.size());
 }
 
-TEST(JoinedSkin, FarAwayItIsAPrismAUnit) {
+TEST(JoinedSkin, AtALargeToleranceEveryUnitIsAPrism) {
     const Skeleton skeleton = grown();
     EXPECT_EQ(makeBranchSkin(skeleton, 1e9f).vertices.size(), skeleton.units.size() * 2 * 3);
     std::size_t before = makeBranchSkin(skeleton).vertices.size();
@@ -155,7 +155,7 @@ TEST(JoinedSkin, IsFiniteInExtremeTrees) {
     extremes[2].height = extremes[2].crownWidth = 60.0f;
     extremes[2].trunkDiameter = 5.0f;
     extremes[3].inclination = extremes[3].inclinationEnd = 0.0f;        // along the stem
-    extremes[4].inclination = extremes[4].inclinationEnd = 3.14159265f; // back into it
+    extremes[4].inclination = extremes[4].inclinationEnd = 3.14159265f; // back into the stem
     extremes[5].trunkDiameter = 0.01f;
     extremes[5].trunkTaper = 0.05f;
     extremes[6].trunkCrook = 1.0f;
@@ -173,7 +173,7 @@ TEST(JoinedSkin, IsFiniteInExtremeTrees) {
     }
 }
 
-TEST(JoinedSkin, AFootThatLiesBetweenTwoRingsIsNotDrawn) {
+TEST(JoinedSkin, AFootBetweenTwoRingsIsOmitted) {
     const auto pole = [](float flare) {
         PalmParameters parameters = barePole(8.0f);
         parameters.flare = flare;
@@ -185,7 +185,7 @@ TEST(JoinedSkin, AFootThatLiesBetweenTwoRingsIsNotDrawn) {
     EXPECT_GT(makeBranchSkin(pole(2.0f), 0.01f).vertices[0].radius, 2.0f * plain.vertices[0].radius);
 }
 
-TEST(JoinedSkin, AFlareMakesTheFootWiderAndTheTreeNoLarger) {
+TEST(JoinedSkin, AFlareWidensTheFootAndNotTheTree) {
     TreeParameters plain, flared;
     plain.palm.emplace().flare = 0.0f;
     flared.palm.emplace().flare = 3.0f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/model/ModelTestCases.h>
+#include <tests/model/SampleTree.h>
 
 #include <osgTreeWind/model/LeafClusters.h>
 
@@ -21,7 +22,7 @@ TEST(LeafClusters, SixteenSitOnEveryBranchAndNoneOnTheTrunk) {
         EXPECT_EQ(perUnit[unit], skeleton.units[unit].level == 0 ? 0 : 16) << "unit " << unit;
 }
 
-TEST(LeafClusters, StandInAccessOrder) {
+TEST(LeafClusters, AreInAccessOrder) {
     const std::vector<LeafCluster> clusters = makeLeafClusters(makeRecursiveTree({}), {});
     for (std::size_t i = 0; i < clusters.size(); ++i)
         ASSERT_EQ(clusters[i].unit, static_cast<int>(2 + i / 16));
@@ -122,7 +123,7 @@ TEST(LeafClusters, InnerClustersAreSmaller) {
     }
 }
 
-// A stored value, so that compilers, optimisation levels and machines are held against each other.
+// A stored value, which compares compilers, optimization levels and machines.
 TEST(LeafClusters, ReferenceLeavesAreTheSameOnEveryMachine) {
     std::vector<glm::vec3> bits;
     for (const LeafCluster& cluster : makeLeafClusters(makeRecursiveTree({}), {})) {
@@ -177,7 +178,7 @@ TEST(LeafMesh, TextureCoversEveryQuadOnce) {
     }
 }
 
-/// Leaves as grown trees have them.
+/// Flat sprays, as on grown trees.
 LeafParameters sprays(float inclination) {
     LeafParameters leaves;
     leaves.clusters = 1900;
@@ -185,7 +186,7 @@ LeafParameters sprays(float inclination) {
     return leaves;
 }
 
-TEST(LeafSprays, AreAsManyAsToldAndSpreadEvenlyByLength) {
+TEST(LeafSprays, HaveTheGivenNumberAndAreEvenlySpaced) {
     const Skeleton skeleton = sampleTree();
     const std::vector<LeafCluster> clusters = makeLeafClusters(skeleton, sprays(0.5f));
     EXPECT_EQ(clusters.size(), 1900u);
@@ -203,11 +204,11 @@ TEST(LeafSprays, AreAsManyAsToldAndSpreadEvenlyByLength) {
         ASSERT_NEAR(count[i], skeleton.units[i].level > 0 ? 1900.0f * length[i] / whole : 0.0f, 1.01f) << i;
 }
 
-TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
+TEST(LeafSprays, AreMissingFromTheInnerPartOfABough) {
     const Skeleton skeleton = sampleTree();
     LeafParameters leaves = sprays(0.5f);
     leaves.bare = 0.6f;
-    std::vector<float> bough(skeleton.units.size()); // length of the one that begins with the unit
+    std::vector<float> bough(skeleton.units.size()); // length of the branch that begins with the unit
     std::vector<std::size_t> first(skeleton.units.size());
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const BranchUnit& unit = skeleton.units[i];
@@ -224,7 +225,7 @@ TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
     }
 }
 
-TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
+TEST(LeafSprays, FacesHaveTheMeasuredInclinationOfTheSpecies) {
     // Chianucci et al. 2018: hornbeam 13, beech 18, Norway maple and red oak 27, oak 35, aspen 37, birch 56.
     const Skeleton skeleton = sampleTree();
     for (const float degrees : {13.0f, 18.0f, 27.0f, 35.0f, 37.0f, 56.0f}) {
@@ -240,7 +241,7 @@ TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
                 area += share;
                 around[(normal.x > 0.0f ? 1 : 0) + (normal.y > 0.0f ? 2 : 0)] += share;
             }
-        // Of cards; how leaves stand on these adds to it (TreeLooksTest).
+        // Of cards; the arrangement of leaves on the cards adds to it (TreeLooksTest).
         EXPECT_GT(glm::degrees(sum / area), 0.75f * degrees);
         EXPECT_LT(glm::degrees(sum / area), std::max(degrees, 23.0f));
         for (const float quarter : around)
@@ -288,7 +289,7 @@ TEST(Fronds, HaveTwoRowsOfLeafletsInAVAndOneThatHangs) {
     }
 }
 
-TEST(HangingShoots, HangOnBothSidesOfATwigAndOneLiesUponIt) {
+TEST(HangingShoots, HangOnBothSidesOfATwigWithARowOnTop) {
     for (const float inclination : {25.0f, 45.0f}) {
         LeafParameters leaves = sprays(glm::radians(inclination));
         const auto spray = makeLeafMesh(leaves);

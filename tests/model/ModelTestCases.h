@@ -18,7 +18,7 @@ struct Named {
 };
 using NamedParameters = Named<RecursiveTreeParameters>;
 
-/// A tree as §2.2 has it, without anything random in it.
+/// The tree of §2.2 without random variation.
 inline RecursiveTreeParameters regularTree() {
     RecursiveTreeParameters p;
     p.jitter = p.crook = p.follow = p.leader = 0.0f;
@@ -31,7 +31,7 @@ inline RecursiveTreeParameters regularTree() {
     return p;
 }
 
-/// Parameters at and beyond the edges of what is allowed, each of which has to make a sound tree.
+/// Parameters at and beyond the limits of their ranges, all of which must make a valid tree.
 inline std::vector<NamedParameters> extremeTrees() {
     std::vector<NamedParameters> cases;
     const auto add = [&](const char* name, auto change) {
@@ -77,7 +77,7 @@ inline bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// FNV-1a over the bits of vectors of floats.
+/// FNV-1a hash of the bits of points.
 inline std::uint64_t fingerprint(const std::vector<glm::vec3>& points) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const glm::vec3& point : points)

@@ -17,7 +17,7 @@ float reach(const glm::vec3& point) {
     return glm::length(glm::vec2(point.x, point.y));
 }
 
-TEST(PalmTree, FrondsReachToTheCrownAndNotBeyond) {
+TEST(PalmTree, FrondsFillTheCrownAndDoNotExceedIt) {
     for (std::uint32_t seed = 1; seed < 9; ++seed) {
         PalmParameters p;
         p.seed = seed;
@@ -34,7 +34,7 @@ TEST(PalmTree, FrondsReachToTheCrownAndNotBeyond) {
     }
 }
 
-TEST(PalmTree, TheStemIsAsThickAtBreastHeightAsToldAndBareBelowTheHead) {
+TEST(PalmTree, TheStemHasTheGivenDiameterAndIsBareBelowTheFronds) {
     const PalmParameters p;
     const Skeleton palm = makePalmTree(p);
     const BranchUnit& foot = palm.units.front();
@@ -59,7 +59,7 @@ TEST(PalmTree, OldFrondsHangAndYoungOnesStandUp) {
         }
 }
 
-TEST(PalmTree, NoPartDegeneratesWhateverTheParameters) {
+TEST(PalmTree, NoParametersMakeAnyPartDegenerate) {
     using Limits = std::numeric_limits<float>;
     for (const float value : {0.0f, -1e30f, 1e30f, Limits::infinity(), Limits::quiet_NaN()})
         for (const int fronds : {-3, 0, 1, 9999}) {
@@ -85,7 +85,7 @@ TEST(PalmTree, NoPartDegeneratesWhateverTheParameters) {
         }
 }
 
-TEST(PalmTree, OneSeedIsOnePalm) {
+TEST(PalmTree, ASeedDeterminesThePalm) {
     PalmParameters p;
     const std::uint64_t first = fingerprint(makePalmTree(p).points);
     EXPECT_EQ(fingerprint(makePalmTree(p).points), first);

@@ -70,7 +70,7 @@ TEST(RecursiveTree, AccessOrderIsThatOfFigure4_5) {
     EXPECT_EQ(breadthNumber, (std::vector<int>{0, 3, 4, 5, 1, 6, 7, 8, 2, 9, 10, 11}));
 }
 
-TEST(RecursiveTree, TrunkUnitsStandOnEachOther) {
+TEST(RecursiveTree, TrunkUnitsAreStacked) {
     RecursiveTreeParameters p;
     p.trunkUnits = 5;
     p.bareUnits = 4;
@@ -108,7 +108,7 @@ TEST(RecursiveTree, PointsRunBitExactlyFromBaseToTip) {
     }
 }
 
-TEST(RecursiveTree, BreaksStrayNoFurtherThanCrook) {
+TEST(RecursiveTree, BreaksAreOffsetByAtMostCrook) {
     RecursiveTreeParameters p;
     p.crook = 0.3f;
     const Skeleton skeleton = makeRecursiveTree(p);
@@ -123,7 +123,7 @@ TEST(RecursiveTree, BreaksStrayNoFurtherThanCrook) {
             furthest = std::max(furthest, stray);
         }
     }
-    EXPECT_GT(furthest, 0.1f * p.crook) << "the breaks are not random at all";
+    EXPECT_GT(furthest, 0.1f * p.crook) << "the breaks should be random";
 }
 
 TEST(RecursiveTree, WithoutCrookPointsAreEvenlySpacedOnAStraightLine) {
@@ -156,7 +156,7 @@ TEST(RecursiveTree, RegularTreeHasExactInclinationsAndLengths) {
     }
 }
 
-TEST(RecursiveTree, BoughsStandOnEveryTrunkUnitThatIsNotBare) {
+TEST(RecursiveTree, EveryTrunkUnitThatIsNotBareHasBoughs) {
     RecursiveTreeParameters p = regularTree();
     p.trunkUnits = 5;
     p.bareUnits = 2;
@@ -172,7 +172,7 @@ TEST(RecursiveTree, BoughsStandOnEveryTrunkUnitThatIsNotBare) {
         }
 }
 
-TEST(RecursiveTree, ALeaderGoesStraightOn) {
+TEST(RecursiveTree, ALeaderContinuesStraight) {
     RecursiveTreeParameters p = regularTree();
     p.leader = 1.0f;
     const Skeleton skeleton = makeRecursiveTree(p);
@@ -261,16 +261,16 @@ TEST(RecursiveTree, RadiiNeverGrowTowardsTheTip) {
     }
 }
 
-TEST(RecursiveTree, OneSeedGivesOneTree) {
+TEST(RecursiveTree, ASeedDeterminesTheTree) {
     EXPECT_EQ(fingerprint(makeRecursiveTree({}).points), fingerprint(makeRecursiveTree({}).points));
 }
 
-// A stored value, so that compilers, optimisation levels and machines are held against each other.
+// A stored value, which compares compilers, optimization levels and machines.
 TEST(RecursiveTree, ReferenceTreeIsTheSameOnEveryMachine) {
     EXPECT_EQ(fingerprint(makeRecursiveTree({}).points), 0x3f1d0478e13ab991ull);
 }
 
-TEST(RecursiveTree, EverySeedGivesATreeOfItsOwn) {
+TEST(RecursiveTree, SeedsMakeDifferentTrees) {
     std::set<std::uint64_t> trees;
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         RecursiveTreeParameters p;
@@ -310,7 +310,7 @@ TEST(RecursiveTree, NaNMeansTheDefault) {
 
 TEST(RecursiveTree, LevelsAreLoweredUntilTheSkeletonFits) {
     RecursiveTreeParameters p;
-    p.levels = p.childrenPerBranch = 8; // 19 million units as they stand
+    p.levels = p.childrenPerBranch = 8; // 19 million units
     EXPECT_EQ(clamped(p).levels, 5);    // 2 + 8 + ... + 8^5 = 37,450 units, 599,200 points
     EXPECT_LE(unitsOf(p) * 16, maxSkeletonPoints);
     p.childrenPerBranch = 3;

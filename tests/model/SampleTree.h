@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// A small tree grown by light: its units alone, without shoots.
+/// The units of a small tree grown by light, without shoots.
 inline Skeleton sampleTree(std::uint32_t seed = 1, float flare = 0.0f) {
     GrowthParameters growth;
     growth.size = {8.0f, 0.25f, 5.0f};
@@ -22,7 +22,7 @@ inline Skeleton sampleTree(std::uint32_t seed = 1, float flare = 0.0f) {
     return skeleton;
 }
 
-/// A stem without branches that tapers to three quarters of its radius, as a palm's without its head.
+/// A bare palm stem that tapers to three quarters of its radius.
 inline PalmParameters barePole(float height) {
     PalmParameters pole;
     pole.height = height;

@@ -18,13 +18,13 @@ namespace osgTreeWind {
 
 namespace {
 
-const glm::dvec3 field(4.3e5, 4.5e6, 253.0); // where a map has its trees
+const glm::dvec3 field(4.3e5, 4.5e6, 253.0); // map coordinates
 
 ScanCylinder cylinder(const glm::dvec3& start, const glm::dvec3& end, double radius, int parent) {
     return {field + start, field + end, radius, parent, 0};
 }
 
-/// An upright pole of cylinders of 1 m.
+/// An upright pole of 1 m cylinders.
 ScanCylinders pole(int count, double radius = 0.1) {
     ScanCylinders cylinders;
     for (int i = 0; i < count; ++i)
@@ -51,11 +51,11 @@ const BranchUnit& firstOn(const Skeleton& skeleton, int level) {
     for (const BranchUnit& unit : skeleton.units)
         if (unit.level == level)
             return unit;
-    ADD_FAILURE() << "none on level " << level;
+    ADD_FAILURE() << "no unit on level " << level;
     return skeleton.units.front();
 }
 
-/// What any maker of skeletons promises.
+/// Requirements on every skeleton.
 void expectWellFormed(const Skeleton& skeleton) {
     const auto rings = static_cast<std::size_t>(skeleton.ringsPerBranch);
     ASSERT_EQ(skeleton.points.size(), skeleton.units.size() * rings);
@@ -82,7 +82,7 @@ void expectWellFormed(const Skeleton& skeleton) {
         const BranchUnit& carrier = skeleton.units[parent];
         EXPECT_LE(unit.baseRadius,
                   glm::mix(carrier.baseRadius, carrier.tipRadius, unit.attach) * 1.0001f + 1e-6f);
-        // Depth first: the unit before is the parent, or what the parent bears.
+        // Depth first: the previous unit is the parent or one of its descendants.
         for (std::size_t before = i - 1; before != parent;) {
             ASSERT_GE(skeleton.units[before].parent, static_cast<int>(parent));
             before = static_cast<std::size_t>(skeleton.units[before].parent);
@@ -103,7 +103,7 @@ TEST(ScannedTree, APoleStandsAtTheOriginWithItsVolume) {
     EXPECT_NEAR(woodVolume(skeleton), 8.0 * glm::pi<double>() * 0.01, 1e-5);
     const ScanReport& report = tree.value().report;
     EXPECT_EQ(report.cylinders, 8u);
-    EXPECT_EQ(report.taken, 8u);
+    EXPECT_EQ(report.usedCylinders, 8u);
     EXPECT_EQ(report.units, 8u);
     EXPECT_NEAR(report.height, 8.0, 1e-6);
     EXPECT_NEAR(report.cylinderVolume, 8.0 * glm::pi<double>() * 0.01, 1e-8);
@@ -133,10 +133,10 @@ TEST(ScannedTree, OrderOfCylindersDoesNotMatter) {
         EXPECT_EQ(a.points[i], b.points[i]);
 }
 
-TEST(ScannedTree, TheTrunkGoesOnWhereMostWoodIsBorne) {
+TEST(ScannedTree, TheTrunkContinuesWithTheChildThatCarriesMostWood) {
     ScanCylinders cylinders = pole(3);
-    cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 5}, 0.05, 2)); // upright, but alone
-    cylinders.push_back(cylinder({0, 0, 3}, {1, 0, 4}, 0.05, 2)); // bears more
+    cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 5}, 0.05, 2)); // upright, without branches
+    cylinders.push_back(cylinder({0, 0, 3}, {1, 0, 4}, 0.05, 2)); // carries more wood
     cylinders.push_back(cylinder({1, 0, 4}, {2, 0, 4.5}, 0.05, 4));
     const std::vector<WoodAxis> axes = axesOfScan(cylinders);
     ASSERT_EQ(axes.size(), 2u);
@@ -144,7 +144,7 @@ TEST(ScannedTree, TheTrunkGoesOnWhereMostWoodIsBorne) {
     EXPECT_EQ(axes[1].order, 1);
 }
 
-TEST(ScannedTree, WhatBeginsBesideTheEndDoesNotCarryOn) {
+TEST(ScannedTree, AChildThatStartsBesideTheEndDoesNotContinueTheAxis) {
     ScanCylinders cylinders = pole(3);
     cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 4}, 0.1, 2));
     cylinders.push_back(cylinder({0, 0, 2.4}, {3, 0, 3.4}, 0.1, 2)); // longer, from the middle
@@ -169,18 +169,18 @@ TEST(ScannedTree, RadiiTaperAndKeepTheVolume) {
         EXPECT_EQ(skeleton.units[i].baseRadius, skeleton.units[i - 1].tipRadius) << "bark goes on";
 }
 
-TEST(ScannedTree, NoBranchIsThickerThanWhatBearsIt) {
+TEST(ScannedTree, NoBranchIsThickerThanItsParent) {
     ScanCylinders cylinders = littleTree();
     cylinders[8].radius = 0.5;
     expectWellFormed(skeletonOf(cylinders));
 }
 
-TEST(ScannedTree, ThinTwigsAreShootsOfWhatBearsThem) {
+TEST(ScannedTree, ThinTwigsBecomeShootsOfTheirUnit) {
     WoodDetail detail;
-    detail.thinnest = 0.02;
+    detail.minRadius = 0.02;
     const auto tree = makeScannedTree(littleTree(), detail);
     ASSERT_TRUE(tree);
-    EXPECT_EQ(tree.value().report.taken, 11u);
+    EXPECT_EQ(tree.value().report.usedCylinders, 11u);
     EXPECT_EQ(tree.value().report.shoots, 1u);
     const Skeleton& skeleton = tree.value().skeleton;
     for (const BranchUnit& unit : skeleton.units)
@@ -200,18 +200,18 @@ TEST(ScannedTree, ThinTwigsAreShootsOfWhatBearsThem) {
 
 TEST(ScannedTree, ShootsBeyondTheirLimitArePruned) {
     WoodDetail detail;
-    detail.thinnest = 0.045;
-    detail.mostShoots = 1;
+    detail.minRadius = 0.045;
+    detail.maxShoots = 1;
     const auto tree = makeScannedTree(littleTree(), detail);
     ASSERT_TRUE(tree);
     EXPECT_EQ(tree.value().report.shoots, 1u);
-    EXPECT_EQ(tree.value().report.taken, 10u);
+    EXPECT_EQ(tree.value().report.usedCylinders, 10u);
     EXPECT_NEAR(tree.value().skeleton.shoots.front().baseRadius, 0.04f, 0.002f);
 }
 
-TEST(ScannedTree, WhatBecomesShootsKeepsItsWoodAndWeighsOnItsUnit) {
+TEST(ScannedTree, ShootsKeepTheirWoodAndLoadTheirUnit) {
     WoodDetail detail;
-    detail.thinnest = 0.045;
+    detail.minRadius = 0.045;
     const Skeleton all = skeletonOf(littleTree()), some = skeletonOf(littleTree(), detail);
     EXPECT_NEAR(woodVolume(some) / woodVolume(all), 1.0, 1e-3);
     const std::vector<ShootWood> shoots = shootWoodOf(some);
@@ -222,7 +222,7 @@ TEST(ScannedTree, WhatBecomesShootsKeepsItsWoodAndWeighsOnItsUnit) {
         outline += wood.outline;
     }
     EXPECT_NEAR(volume, glm::pi<float>() * (0.04f * 0.04f * 1.9f + 0.01f * 0.01f * 0.5f), 2e-5f);
-    EXPECT_NEAR(outline, 0.08f * 1.9f + 0.02f * 0.5f, 0.005f); // goes on to the middle of the trunk
+    EXPECT_NEAR(outline, 0.08f * 1.9f + 0.02f * 0.5f, 0.005f); // extends to the middle of the trunk
     EXPECT_TRUE(shootWoodOf(all).empty());
 }
 
@@ -234,20 +234,20 @@ TEST(ShootWood, ScalesWithTheLengthOfShootsOnAStretchedTree) {
     EXPECT_FLOAT_EQ(upright.scaled(axes, 2.0f).volume, 2.0f * 5.0f * 4.0f);
 }
 
-TEST(ScannedTree, TheThinnestAreShootsFirstButNotTheHighest) {
+TEST(ScannedTree, TheThinnestBecomeShootsFirstExceptOnThePathToTheTop) {
     ScanCylinders cylinders = pole(8);
     for (int i = 0; i < 7; ++i) // thicker ones lower
         cylinders.push_back(cylinder({0, 0, i + 0.5}, {3.0, 0, i + 0.5}, 0.08 - 0.01 * i, i));
     cylinders.push_back(cylinder({3, 0, 6.5}, {3.2, 0, 9.5}, 0.005, 14)); // leads to the top
     WoodDetail detail;
-    detail.mostUnits = 20;
+    detail.maxUnits = 20;
     const auto tree = makeScannedTree(cylinders, detail);
     ASSERT_TRUE(tree);
     const Skeleton& skeleton = tree.value().skeleton;
     expectWellFormed(skeleton);
     EXPECT_LE(skeleton.units.size(), 20u);
     EXPECT_GT(skeleton.shoots.size(), 0u);
-    EXPECT_EQ(tree.value().report.taken, cylinders.size());
+    EXPECT_EQ(tree.value().report.usedCylinders, cylinders.size());
     float top = 0.0f;
     bool thickest = false;
     for (const BranchUnit& unit : skeleton.units) {
@@ -258,19 +258,19 @@ TEST(ScannedTree, TheThinnestAreShootsFirstButNotTheHighest) {
     EXPECT_TRUE(thickest);
 }
 
-TEST(ScannedTree, FoldsAndKnotsHaveDirectionsStill) {
+TEST(ScannedTree, FoldedAndTinyCylindersStillHaveADirection) {
     ScanCylinders cylinders = pole(4);
     cylinders.push_back(cylinder({0, 0, 4}, {0, 0, 3}, 0.05, 3)); // straight back
     cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 4}, 0.05, 4));
-    cylinders.push_back(cylinder({0, 0, 1}, {1e-5, 0, 1}, 0.05, 0)); // hardly a cylinder
+    cylinders.push_back(cylinder({0, 0, 1}, {1e-5, 0, 1}, 0.05, 0)); // tiny
     cylinders.push_back(cylinder({0, 0, 2}, {1, 0, 2}, 0.05, 1));
-    cylinders.push_back(cylinder({1, 0, 2}, {0, 0, 2}, 0.05, 7)); // home again
+    cylinders.push_back(cylinder({1, 0, 2}, {0, 0, 2}, 0.05, 7)); // back to the start
     expectWellFormed(skeletonOf(cylinders));
 }
 
-TEST(ScannedTree, ALongChainOfBranchesOnBranchesIsCutShort) {
+TEST(ScannedTree, ALongChainOfBranchesIsCutOff) {
     ScanCylinders cylinders = pole(1);
-    for (int i = 0; i < 100000; ++i) { // each bears the next from its middle, and one that carries it on
+    for (int i = 0; i < 100000; ++i) { // each has the next branch at its middle, and a continuation
         const int parent = 2 * i;
         const double z = 1.0 + 1e-3 * i;
         cylinders.push_back(cylinder({0, 0, z}, {0, 0, z + 1e-3}, 0.1, parent));
@@ -281,7 +281,7 @@ TEST(ScannedTree, ALongChainOfBranchesOnBranchesIsCutShort) {
     EXPECT_EQ(skeleton.shoots.size(), 20000u);
 }
 
-TEST(ScannedTree, IsAModelLikeAnyOther) {
+TEST(ScannedTree, MakesATreeModel) {
     TreeParameters parameters;
     auto scans = std::make_shared<std::vector<ScannedTree>>();
     scans->push_back(makeScannedTree(littleTree()).value());
@@ -299,11 +299,11 @@ TEST(ScannedTree, IsAModelLikeAnyOther) {
     }
 }
 
-TEST(ScanProblem, UnsoundTreesAreRefused) {
+TEST(ScanProblem, InvalidScansAreRefused) {
     EXPECT_EQ(firstProblem(makeScannedTree({})), "expected at least one cylinder");
     ScanCylinders tree = pole(3);
     tree[1].end.x = NAN;
-    EXPECT_EQ(firstProblem(makeScannedTree(tree)), "expected a cylinder with a length");
+    EXPECT_EQ(firstProblem(makeScannedTree(tree)), "expected a cylinder of at least a micrometre");
     tree = pole(3);
     tree[1].radius = 0.0;
     EXPECT_NE(firstProblem(makeScannedTree(tree)), "");

@@ -30,7 +30,7 @@ std::size_t verticesOf(const TreeDetail& detail) {
            leaves.clusters.size() * static_cast<std::size_t>(leaves.quads()) * 4;
 }
 
-/// Of the cluster's quads.
+/// Centre of quads of a cluster, in the tree's frame.
 glm::vec3 middleOf(const LeafCluster& leaf, int firstQuad, int quads) {
     return leaf.anchor +
            leaf.size * (leaf.orientation * osgTreeWind::middleOf(reference().leafMesh, firstQuad, quads));
@@ -54,7 +54,7 @@ TEST(TreeDetail, EveryReductionHasFewerVerticesThanTheOneBefore) {
     EXPECT_LT(before, 38656u / 13);
 }
 
-TEST(TreeDetail, FullIsTheTreeToTheBit) {
+TEST(TreeDetail, FullDetailIsTheTreeToTheBit) {
     const ThinnedLeaves leaves = thinned(TreeDetail::full());
     ASSERT_EQ(leaves.clusters.size(), reference().leaves.size());
     for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
@@ -77,14 +77,14 @@ TEST(TreeDetail, FewerRingsKeepBothEndsOfEveryUnit) {
     }
 }
 
-TEST(TreeDetail, ATinyToleranceIsTheWholeSkinAndAHugeOneAPrismAUnit) {
+TEST(TreeDetail, ATinyToleranceKeepsAllAndAHugeOneMakesPrisms) {
     EXPECT_EQ(makeBranchSkin(reference().skeleton, 1e-9f).vertices.size(), 15616u);
     EXPECT_EQ(makeBranchSkin(reference().skeleton, 1e9f).vertices.size(), 122u * 2 * 3);
 }
 
 TEST(TreeDetail, RingsFollowABranchWithinTwiceTheTolerance) {
     Skeleton skeleton = reference().skeleton;
-    skeleton.units.resize(1); // a quarter of a circle, of 2 m
+    skeleton.units.resize(1); // a quarter circle of 2 m radius
     skeleton.points.resize(16);
     for (int i = 0; i < 16; ++i) {
         const float angle = glm::half_pi<float>() * static_cast<float>(i) / 15.0f;
@@ -105,8 +105,8 @@ TEST(TreeDetail, RingsFollowABranchWithinTwiceTheTolerance) {
     }
 }
 
-TEST(TreeDetail, ABranchOfFewSidesIsAsWideInTheMeanOfAllDirections) {
-    const auto meanWidth = [](float tolerance) { // of the trunk's first ring; and its sides
+TEST(TreeDetail, ABranchWithFewerSidesHasTheSameMeanWidth) {
+    const auto meanWidth = [](float tolerance) { // mean width and number of sides of the trunk's first ring
         const BranchSkin skin = makeBranchSkin(reference().skeleton, tolerance);
         const auto sides = static_cast<std::size_t>(
             std::count_if(skin.vertices.begin(), skin.vertices.end(),
@@ -145,19 +145,19 @@ TEST(TreeDetail, FewerSidesStillFaceOutward) {
     }
 }
 
-TEST(TreeDetail, KeptClustersSpreadEvenlyOverUnits) {
+TEST(TreeDetail, KeptClustersAreEvenlyDistributedOverUnits) {
     for (const float share : {0.5f, 0.23f, 0.1f}) {
         TreeDetail detail;
         detail.leafShare = share;
         std::vector<int> perUnit(reference().skeleton.units.size(), 0);
         for (const LeafCluster& leaf : thinned(detail).clusters)
             ++perUnit[static_cast<std::size_t>(leaf.unit)];
-        for (std::size_t unit = 2; unit < perUnit.size(); ++unit) // the trunk bears none
+        for (std::size_t unit = 2; unit < perUnit.size(); ++unit) // the trunk has no clusters
             EXPECT_NEAR(static_cast<float>(perUnit[unit]), 16.0f * share, 1.5f) << unit << ", " << share;
     }
 }
 
-TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirPlacesAndTheirNames) {
+TEST(TreeDetail, ThinnedLeavesKeepAreaPlacesAndIndices) {
     for (const int bough : {1, 2, 4}) {
         TreeDetail detail;
         detail.leafShare = 0.2f;
@@ -175,13 +175,13 @@ TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirPlacesAndTheirNames) {
                 glm::conjugate(original.orientation) *
                 (middleOf(leaves.clusters[i], leaves.firstQuad(i), quads) - middleOf(original, 0, 3));
             ASSERT_LT(glm::length(glm::vec2(moved)), 1e-4f);
-            ASSERT_LT(moved.z, 0.0f) << "inward: what is larger reaches out hardly farther";
+            ASSERT_LT(moved.z, 0.0f) << "inward, so that larger clusters hardly enlarge the crown";
             ASSERT_GT(moved.z, -0.5f * leaves.clusters[i].size * 0.5f);
         }
     }
 }
 
-TEST(TreeDetail, QuadsOfReducedTreesFaceAsAllDo) {
+TEST(TreeDetail, QuadsOfReducedTreesHaveTheSameDirections) {
     for (int times = 2; times <= TreeDetail::reductions; ++times) {
         const ThinnedLeaves leaves = thinned(TreeDetail::reduced(times));
         std::array<int, quadsPerLeafCluster> taken{};
@@ -201,7 +201,7 @@ TEST(TreeDetail, LeavesOfReducedTreesKeepTheirSize) {
     }
 }
 
-TEST(TreeDetail, FewerClustersAreSomeOfThoseBefore) {
+TEST(TreeDetail, FewerClustersAreASubset) {
     std::vector<std::uint32_t> before;
     for (int times = TreeDetail::reductions; times > 0; --times) {
         const std::vector<std::uint32_t> now = thinned(TreeDetail::reduced(times)).indices;

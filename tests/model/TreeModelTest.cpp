@@ -27,7 +27,7 @@ TEST(TreeModel, ReferenceTreeCountsAreExact) {
     EXPECT_EQ(counts.totalTriangles(), 40800u);
 }
 
-TEST(TreeModel, CountsAreKnownWithoutGrowing) {
+TEST(TreeModel, CountsMatchWithoutGrowing) {
     for (int levels = 0; levels <= 5; ++levels)
         for (int children = 1; children <= 4; ++children)
             for (int firstLevel = 0; firstLevel <= 3; ++firstLevel) {
@@ -43,7 +43,7 @@ TEST(TreeModel, CountsAreKnownWithoutGrowing) {
             }
 }
 
-TEST(TreeModel, CountsOfExtremeTreesAreKnownWithoutGrowing) {
+TEST(TreeModel, CountsOfExtremeTreesMatchWithoutGrowing) {
     for (const NamedParameters& c : extremeTrees()) {
         TreeParameters p;
         p.wood = c.parameters;
@@ -74,7 +74,7 @@ TEST(TreeModel, AVariantIsAnOffsetOfBothSeeds) {
     EXPECT_EQ(a.leaves.back().orientation, b.leaves.back().orientation);
 }
 
-TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
+TEST(TreeModel, CountsOfGrownTreesMatchWithoutLeaves) {
     TreeParameters p;
     p.growth.emplace().size = {6.0f, 0.2f, 4.0f};
     for (const int clusters : {0, 1000})
@@ -86,7 +86,7 @@ TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
         }
 }
 
-TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
+TEST(TreeModel, LeafCardsHaveTheGivenArea) {
     TreeParameters p;
     p.growth.emplace().size = {6.0f, 0.2f, 4.0f};
     p.leaves.clusters = 700;
@@ -103,7 +103,7 @@ TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
     }
 }
 
-TEST(TreeModel, ShootsThatHangChangeNoSizeAndNoArea) {
+TEST(TreeModel, HangingShootsKeepSizeAndArea) {
     TreeParameters p;
     p.palm.emplace();
     p.leaves.clusters = 300;
@@ -125,7 +125,7 @@ TEST(TreeModel, ShootsThatHangChangeNoSizeAndNoArea) {
     }
 }
 
-/// Whether a shared model of other parameters is another one, whichever word of them it is that differs.
+/// Expects another shared model when any word of the parameters changes.
 /// @param part of parameters().
 template <typename Part, typename Parameters>
 void expectEachWordCounts(const Parameters& parameters, Part part) {
@@ -140,7 +140,7 @@ void expectEachWordCounts(const Parameters& parameters, Part part) {
     }
 }
 
-TEST(TreeModel, IsSharedByAllThatGrowFromTheSame) {
+TEST(TreeModel, IsSharedForEqualParameters) {
     const auto model = sharedTreeModel({}), again = sharedTreeModel({}), variant = sharedTreeModel({}, 1);
     EXPECT_EQ(model, again);
     EXPECT_NE(model, variant);
@@ -151,12 +151,12 @@ TEST(TreeModel, IsSharedByAllThatGrowFromTheSame) {
     EXPECT_EQ(values(countTree(TreeParameters())), values(countTree(*model)));
 }
 
-TEST(TreeModel, IsGrownAgainOnceNobodyHoldsIt) {
+TEST(TreeModel, IsGrownAgainAfterTheLastUse) {
     const std::uint64_t before = sharedTreeModel({})->identity;
     EXPECT_NE(sharedTreeModel({})->identity, before);
 }
 
-TEST(TreeModel, EveryParameterTellsSharedOnesApart) {
+TEST(TreeModel, EveryParameterMakesADifferentSharedModel) {
     const auto small = [] {
         TreeParameters parameters;
         parameters.wood.levels = 1;
@@ -178,7 +178,7 @@ TEST(TreeModel, EveryParameterTellsSharedOnesApart) {
         palm, [](TreeParameters & p) -> auto& { return *p.palm; });
 }
 
-TEST(TreeModel, ScansAreToldApartByWhatTheyHold) {
+TEST(TreeModel, ScansAreDistinguishedByTheirContents) {
     const auto scanned = [](double height) {
         TreeParameters parameters;
         const ScanCylinders pole = {{glm::dvec3(0.0), glm::dvec3(0.0, 0.0, height), 0.1, -1, 0}};

@@ -38,7 +38,7 @@ TreeParameters pole(float length, float radius, float taper) {
     return p;
 }
 
-TEST(TreeSize, OfAPoleIsThatOfACylinder) {
+TEST(TreeSize, OfAPoleIsThatOfItsCylinder) {
     const TreeParameters p = pole(3.0f, 0.25f, 1.0f);
     const TreeSize size = measureTree(makeTreeModel(p));
     EXPECT_NEAR(size.height, 6.0f, 1e-5f);
@@ -47,14 +47,14 @@ TEST(TreeSize, OfAPoleIsThatOfACylinder) {
 }
 
 TEST(TreeSize, TrunkIsMeasuredAtBreastHeight) {
-    TreeParameters p = pole(26.0f, 0.4f, 0.5f); // 1.3 m is a twentieth of it
+    TreeParameters p = pole(26.0f, 0.4f, 0.5f); // breast height is a twentieth of the height
     p.wood.trunkUnits = 1;
     EXPECT_NEAR(measureTree(makeTreeModel(p)).trunkDiameter, 0.8f * (1.0f - 0.5f / 20.0f), 1e-5f);
     p.wood.length = 5.0f; // a tenth of the height
     EXPECT_NEAR(measureTree(makeTreeModel(p)).trunkDiameter, 0.8f * (1.0f - 0.5f / 10.0f), 1e-5f);
 }
 
-/// The size of a model from each of its vertices.
+/// The size of a model, measured from all of its vertices.
 TreeSize measureEveryVertex(const TreeModel& model, const TreeScale& scale) {
     glm::vec3 low{0.0f}, high{0.0f};
     const auto add = [&](const glm::vec3& point) {
@@ -69,7 +69,7 @@ TreeSize measureEveryVertex(const TreeModel& model, const TreeScale& scale) {
     return {high.z, 0.0f, 0.5f * (high.x - low.x + high.y - low.y)};
 }
 
-TEST(TreeSize, CountsEveryLeafAndEveryBranch) {
+TEST(TreeSize, IncludesEveryLeafAndEveryBranch) {
     TreeParameters bare, poplar, shrub, conifer, pole;
     bare.leaves.clustersPerBranch = 0;
     poplar.wood.inclination = 0.15f;
@@ -99,7 +99,7 @@ TEST(TreeSize, CountsEveryLeafAndEveryBranch) {
                     }
 }
 
-TEST(TreeSize, OfAWholeForestIsFittedFromAFewCornersOfTheShape) {
+TEST(TreeSize, IsMeasuredFromFewVertices) {
     for (const TreeExtents::Side& side : makeTreeModel({}).extents.sides) {
         EXPECT_GT(side.wood.size(), 1u);
         EXPECT_LT(side.wood.size(), 64u);
@@ -108,7 +108,7 @@ TEST(TreeSize, OfAWholeForestIsFittedFromAFewCornersOfTheShape) {
     }
 }
 
-TEST(TreeSize, NothingGivenIsScaleOne) {
+TEST(TreeSize, WithoutAnySizeTheScaleIsOne) {
     const TreeModel model = makeTreeModel({});
     const float nan = std::nanf("");
     for (const TreeSize& nothing : {TreeSize{}, TreeSize{-1.0f, -2.0f, -3.0f}, TreeSize{nan, nan, nan}}) {
@@ -129,7 +129,7 @@ TEST(TreeSize, HeightAloneKeepsTheProportions) {
     EXPECT_EQ(scale.radius, scale.axes.z);
 }
 
-TEST(TreeSize, FitsForestersSizesWithinTwoPercent) {
+TEST(TreeSize, FitsMeasuredTreesWithinTwoPercent) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         const TreeModel model = makeTreeModel({}, seed);
         for (const float height : {1.0f, 2.0f, 5.0f, 13.0f, 30.0f, 60.0f})
@@ -156,7 +156,7 @@ TEST(TreeSize, FitsOtherShapes) {
         expectFits(makeTreeModel(p), {12.0f, 0.3f, 8.0f}, "other shape");
 }
 
-TEST(TreeSize, UnreachableAndSenselessSizesStayFinite) {
+TEST(TreeSize, ImpossibleSizesStayFinite) {
     TreeParameters pole;
     pole.wood.levels = 0;
     const float inf = std::numeric_limits<float>::infinity();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Several processes that show one forest, at frame rates of their own, some of them started later.
+// Several processes show one forest at different frame rates, some of them started later.
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ ForestDescription wood() {
     return readForest(text).value();
 }
 
-/// Of all trees, by then.
+/// Leans of all trees at the time `now`.
 std::vector<glm::vec2> leans(ModalLevel level, int framesASecond, double started = 0.0) {
     SimulationOptions options;
     options.distant = level == ModalLevel::Far;
@@ -33,13 +33,13 @@ std::vector<glm::vec2> leans(ModalLevel level, int framesASecond, double started
     for (int i = 0; i <= static_cast<int>((now - started) * framesASecond); ++i)
         simulation.advance(started + i / static_cast<double>(framesASecond));
     std::vector<glm::vec2> all;
-    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
-        all.push_back(SimulationParts::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
+        all.push_back(SimulationAccess::modal(simulation)->lean(slot));
     return all;
 }
 
-/// Root of the mean square, over that of the second.
-double apart(const std::vector<glm::vec2>& a, const std::vector<glm::vec2>& b) {
+/// Rms difference over the rms of `b`.
+double relativeDifference(const std::vector<glm::vec2>& a, const std::vector<glm::vec2>& b) {
     double difference = 0.0, whole = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         difference += static_cast<double>(glm::dot(a[i] - b[i], a[i] - b[i]));
@@ -53,18 +53,18 @@ class Channels : public ::testing::TestWithParam<ModalLevel> {};
 
 } // namespace
 
-TEST_P(Channels, ShowTheSameWhateverTheirFrameRates) {
+TEST_P(Channels, ShowTheSameAtAnyFrameRate) {
     const std::vector<glm::vec2> usual = leans(GetParam(), 60);
     for (const int framesASecond : {20, 144}) {
-        const double difference = apart(leans(GetParam(), framesASecond), usual);
+        const double difference = relativeDifference(leans(GetParam(), framesASecond), usual);
         EXPECT_LT(difference, GetParam() == ModalLevel::Near ? 1e-3 : 1e-5) << framesASecond;
     }
 }
 
-TEST_P(Channels, OneThatJoinsShowsTheSameFortySecondsLater) {
+TEST_P(Channels, OneStartedLaterShowsTheSameAfterFortySeconds) {
     const std::vector<glm::vec2> usual = leans(GetParam(), 60);
-    EXPECT_LT(apart(leans(GetParam(), 60, 100.0), usual), 0.01);
-    EXPECT_GT(apart(leans(GetParam(), 60, 137.0), usual), 0.01) << "else nothing was shown";
+    EXPECT_LT(relativeDifference(leans(GetParam(), 60, 100.0), usual), 0.01);
+    EXPECT_GT(relativeDifference(leans(GetParam(), 60, 137.0), usual), 0.01) << "the test needs a difference";
 }
 
 INSTANTIATE_TEST_SUITE_P(, Channels, ::testing::Values(ModalLevel::Near, ModalLevel::Far),

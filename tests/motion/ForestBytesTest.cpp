@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a tree costs, by what the allocator has given out.
+// Memory per tree, as counted by the allocator.
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -23,10 +23,10 @@ std::size_t bytesInUse() {
     return info.uordblks + info.hblkhd;
 }
 
-bool allocatorTells() {
+bool allocatorReportsUse() {
     const std::size_t before = bytesInUse();
     constexpr std::size_t size = 1 << 20;
-    void* const volatile block = std::malloc(size); // which clang would leave out
+    void* const volatile block = std::malloc(size); // volatile, or clang would remove it
     const bool tells = bytesInUse() >= before + size;
     std::free(block);
     return tells;
@@ -50,9 +50,9 @@ std::unique_ptr<ForestSimulation> mixedWood(std::size_t count, ModalLevel level 
     return std::make_unique<ForestSimulation>(std::move(forest), options);
 }
 
-TEST(ForestBytes, ATreeTakesWhatIsSaid) {
-    if (!allocatorTells())
-        GTEST_SKIP() << "the allocator does not say what it gave out";
+TEST(ForestBytes, ATreeTakesTreeBytes) {
+    if (!allocatorReportsUse())
+        GTEST_SKIP() << "the allocator does not report its memory use";
     for (const auto& [level, said] : {std::pair(ModalLevel::Far, 262.0), {ModalLevel::Near, 421.0}}) {
         std::size_t taken[2];
         for (const std::size_t count : {10000u, 100000u}) {
@@ -69,9 +69,9 @@ TEST(ForestBytes, ATreeTakesWhatIsSaid) {
     }
 }
 
-TEST(ForestBytes, SteppingTakesNone) {
-    if (!allocatorTells())
-        GTEST_SKIP() << "the allocator does not say what it gave out";
+TEST(ForestBytes, SteppingDoesNotAllocate) {
+    if (!allocatorReportsUse())
+        GTEST_SKIP() << "the allocator does not report its memory use";
     const std::unique_ptr<ForestSimulation> simulation = mixedWood(200);
     const auto run = [&](int from, int to) {
         for (int i = from; i < to; ++i)
@@ -83,9 +83,9 @@ TEST(ForestBytes, SteppingTakesNone) {
     EXPECT_EQ(bytesInUse(), before);
 }
 
-TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
-    if (!allocatorTells())
-        GTEST_SKIP() << "the allocator does not say what it gave out";
+TEST(ForestBytes, AddingAndRemovingTreesDoesNotLeak) {
+    if (!allocatorReportsUse())
+        GTEST_SKIP() << "the allocator does not report its memory use";
     const std::unique_ptr<ForestSimulation> simulation = mixedWood(2000);
     const TreePlacement tree = simulation->placementOf(TreeId(0));
     const auto churn = [&] {

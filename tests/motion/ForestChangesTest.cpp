@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Trees put up, taken down and changed while a forest runs.
+// Trees added, removed and changed while a forest runs.
 #include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -47,7 +47,7 @@ TreePlacement inWorld(const ForestSimulation& simulation, TreePlacement tree) {
     return tree;
 }
 
-TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
+TEST(ForestChanges, TreesOfTheDescriptionHaveTheirIndexAsId) {
     const ForestSimulation simulation(windySaplings(4));
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(simulation.idOf(i), TreeId(i));
@@ -57,34 +57,34 @@ TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
     EXPECT_FALSE(simulation.holds(noTree));
 }
 
-TEST(ForestChanges, AnAddedTreeStandsAndSways) {
+TEST(ForestChanges, AnAddedTreeSways) {
     ForestSimulation simulation(windySaplings(2));
     run(simulation, 30);
     const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f))).value();
     ASSERT_TRUE(simulation.holds(tree));
-    const PlacedTree& placed = SimulationParts::trees(simulation)[simulation.slotOf(tree)];
+    const PlacedTree& placed = SimulationAccess::trees(simulation)[simulation.slotOf(tree)];
     EXPECT_TRUE(placed.alive);
     EXPECT_EQ(placed.position, glm::vec3(77, 154, 10));
     run(simulation, 60, 1.0);
-    EXPECT_GT(glm::length(SimulationParts::modal(simulation)->lean(simulation.slotOf(tree))), 0.001f);
+    EXPECT_GT(glm::length(SimulationAccess::modal(simulation)->lean(simulation.slotOf(tree))), 0.001f);
     EXPECT_GT(simulation.motion(simulation.slotOf(tree)).poses.size, 0u);
 }
 
-TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
+TEST(ForestChanges, IdsAreStableAndNeverReused) {
     ForestSimulation simulation(windySaplings(3));
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
-    EXPECT_FALSE(SimulationParts::trees(simulation)[1].alive);
+    EXPECT_FALSE(SimulationAccess::trees(simulation)[1].alive);
     EXPECT_FALSE(simulation.removeTree(TreeId(1)).empty());
-    EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "nothing stands there";
+    EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "the slot is empty";
     const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0))).value();
-    EXPECT_EQ(simulation.slotOf(next), 1u) << "its slot is used again";
+    EXPECT_EQ(simulation.slotOf(next), 1u) << "the slot is reused";
     EXPECT_FALSE(simulation.holds(TreeId(1)));
     EXPECT_FALSE(simulation.changeTree(TreeId(1), treeAt(3.0)).empty());
     EXPECT_TRUE(simulation.holds(next));
     EXPECT_TRUE(simulation.holds(TreeId(2)));
 }
 
-TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
+TEST(ForestChanges, APlacementIsReturnedAsGiven) {
     ForestSimulation simulation(windySaplings(1));
     TreePlacement given = inWorld(simulation, treeAt(12.25, 7.0f, 1, "T-9"));
     given.heading = 0.4f;
@@ -106,15 +106,15 @@ TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
 TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
     ForestSimulation simulation(windySaplings(2));
     run(simulation, 40);
-    const TreeScale scale = SimulationParts::trees(simulation)[1].scale;
-    const std::vector<float> amplitudes = SimulationParts::modal(simulation)->amplitudes(1);
+    const TreeScale scale = SimulationAccess::trees(simulation)[1].scale;
+    const std::vector<float> amplitudes = SimulationAccess::modal(simulation)->amplitudes(1);
     TreePlacement moved = simulation.placementOf(TreeId(1));
     moved.position.x += 30.0;
     ASSERT_TRUE(simulation.changeTree(TreeId(1), moved).empty());
-    EXPECT_EQ(SimulationParts::trees(simulation)[1].scale.axes, scale.axes);
-    EXPECT_EQ(SimulationParts::trees(simulation)[1].scale.radius, scale.radius);
-    EXPECT_EQ(SimulationParts::trees(simulation)[1].position.x, 31.0f);
-    EXPECT_EQ(SimulationParts::modal(simulation)->amplitudes(1), amplitudes);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[1].scale.axes, scale.axes);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[1].scale.radius, scale.radius);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[1].position.x, 31.0f);
+    EXPECT_EQ(SimulationAccess::modal(simulation)->amplitudes(1), amplitudes);
     EXPECT_TRUE(simulation.holds(TreeId(1))) << "under the same id";
 }
 
@@ -124,22 +124,22 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
     ForestSimulation simulation(expected);
     run(simulation, 20);
     ASSERT_TRUE(simulation.changeTree(TreeId(0), inWorld(simulation, treeAt(0.0, 9.0f, 1))).empty());
-    EXPECT_EQ(SimulationParts::trees(simulation)[0].species, 1u);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[0].species, 1u);
     EXPECT_NEAR(simulation.placementOf(TreeId(0)).size.height, 9.0f, 0.05f);
     run(simulation, 6000, 1.0);
     expected.trees[0].species = 1;
     expected.trees[0].size.height = 9.0f;
     ForestSimulation fresh(expected);
     run(fresh, 6020);
-    EXPECT_NEAR(SimulationParts::modal(simulation)->lean(0).x, SimulationParts::modal(fresh)->lean(0).x,
-                0.02f * SimulationParts::modal(fresh)->lean(0).x);
+    EXPECT_NEAR(SimulationAccess::modal(simulation)->lean(0).x, SimulationAccess::modal(fresh)->lean(0).x,
+                0.02f * SimulationAccess::modal(fresh)->lean(0).x);
 }
 
-TEST(ForestChanges, OnlyWhatCanBeIsDone) {
+TEST(ForestChanges, InvalidChangesAreRefused) {
     ForestDescription ofBranches = windySaplings(1);
     ofBranches.law = MotionLaw::ThesisSmooth;
     ForestSimulation branchwise(ofBranches), modal(windySaplings(1));
-    const std::string fixed = "law: trees and species come, go and change under the law modal only";
+    const std::string fixed = "law: only the law modal lets trees and species be added, removed or changed";
     EXPECT_EQ(branchwise.addTree(treeAt(1.0)).problems().front().text(), fixed);
     EXPECT_EQ(branchwise.removeTree(TreeId(0)).front().text(), fixed);
     EXPECT_EQ(branchwise.changeTree(TreeId(0), treeAt(1.0)).front().text(), fixed);
@@ -147,15 +147,16 @@ TEST(ForestChanges, OnlyWhatCanBeIsDone) {
     const std::string unknown = "species: there is no species 7; the forest has 2, from 0 on";
     EXPECT_EQ(modal.addTree(treeAt(1.0, 5.0f, 7)).problems().front().text(), unknown);
     EXPECT_EQ(modal.changeTree(TreeId(0), treeAt(1.0, 5.0f, 7)).front().text(), unknown);
-    EXPECT_EQ(modal.removeTree(TreeId(1)).front().text(), "tree: no tree has this id, or it is gone");
-    EXPECT_EQ(SimulationParts::trees(modal).size(), 1u);
+    EXPECT_EQ(modal.removeTree(TreeId(1)).front().text(),
+              "tree: no tree has this id; it may have been removed");
+    EXPECT_EQ(SimulationAccess::trees(modal).size(), 1u);
 }
 
-TEST(ForestChanges, NamesAreFoundAgain) {
+TEST(ForestChanges, TreesAreFoundByName) {
     ForestDescription forest = windySaplings(4);
     forest.trees[1].name = "oak 7";
     forest.trees[2].name = "oak 8";
-    forest.trees[3].name = "oak 7"; // the first one has it
+    forest.trees[3].name = "oak 7"; // a duplicate
     ForestSimulation simulation(forest);
     EXPECT_EQ(simulation.findTree("oak 7"), TreeId(1));
     EXPECT_EQ(simulation.nameOf(TreeId(2)), "oak 8");
@@ -173,58 +174,58 @@ TEST(ForestChanges, NamesAreFoundAgain) {
     simulation.changeTree(TreeId(2), renamed);
     EXPECT_EQ(simulation.findTree("elm"), TreeId(2));
     EXPECT_FALSE(simulation.findTree("oak 8"));
-    const std::shared_ptr<ForestSimulation> copy = simulation.restarted();
+    const std::shared_ptr<ForestSimulation> copy = simulation.cloneAtRest();
     simulation.removeTree(other);
     EXPECT_EQ(copy->findTree("oak 7"), other);
     EXPECT_EQ(copy->nameOf(TreeId(2)), "elm");
 }
 
-TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
+TEST(ForestChanges, CloneAtRestHasThePresentTreesAndSharesTheShapes) {
     ForestSimulation simulation(windySaplings(3));
     simulation.removeTree(TreeId(0));
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
-    std::shared_ptr<ForestSimulation> again = simulation.restarted();
-    EXPECT_EQ(SimulationParts::models(*again), SimulationParts::models(simulation));
-    EXPECT_EQ(&SimulationParts::modal(*again)->archetype(1),
-              &SimulationParts::modal(simulation)->archetype(1));
+    std::shared_ptr<ForestSimulation> again = simulation.cloneAtRest();
+    EXPECT_EQ(SimulationAccess::models(*again), SimulationAccess::models(simulation));
+    EXPECT_EQ(&SimulationAccess::modal(*again)->archetype(1),
+              &SimulationAccess::modal(simulation)->archetype(1));
     EXPECT_TRUE(again->holds(added));
     EXPECT_FALSE(again->holds(TreeId(0)));
-    EXPECT_EQ(SimulationParts::modal(*again)->lean(1), glm::vec2(0.0f));
+    EXPECT_EQ(SimulationAccess::modal(*again)->lean(1), glm::vec2(0.0f));
     simulation.removeTree(TreeId(1));
-    EXPECT_TRUE(again->holds(TreeId(1))) << "they go their own ways";
+    EXPECT_TRUE(again->holds(TreeId(1))) << "the simulations are independent";
     EXPECT_TRUE(again->addTree(inWorld(*again, treeAt(2.0))));
-    EXPECT_EQ(SimulationParts::modal(*again)->archetypeCount(),
-              SimulationParts::modal(simulation)->archetypeCount());
+    EXPECT_EQ(SimulationAccess::modal(*again)->archetypeCount(),
+              SimulationAccess::modal(simulation)->archetypeCount());
     run(*again, 50);
-    EXPECT_EQ(SimulationParts::modal(*again)->lean(2), SimulationParts::modal(simulation)->lean(2))
+    EXPECT_EQ(SimulationAccess::modal(*again)->lean(2), SimulationAccess::modal(simulation)->lean(2))
         << "in the same wind";
 }
 
-TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
+TEST(ForestChanges, CloneAtRestWorksUnderBranchwiseLaws) {
     ForestDescription forest = windySaplings(2);
     forest.law = MotionLaw::ThesisSmooth;
     ForestSimulation simulation(forest);
     run(simulation, 20);
-    const std::shared_ptr<ForestSimulation> again = simulation.restarted();
+    const std::shared_ptr<ForestSimulation> again = simulation.cloneAtRest();
     EXPECT_EQ(again->motion(1).states[3], glm::vec4(0.0f));
     run(*again, 20);
     EXPECT_EQ(again->motion(1).states[3], simulation.motion(1).states[3]);
     EXPECT_EQ(again->motion(1).leaves[0], simulation.motion(1).leaves[0]);
 }
 
-TEST(ForestChanges, ARestartSharesWhatTakesTimeToMake) {
+TEST(ForestChanges, CloneAtRestSharesShapesAndArchetypes) {
     ForestDescription forest = windySaplings(20);
     forest.law = MotionLaw::Modal;
     const ForestSimulation simulation(std::move(forest));
-    const std::shared_ptr<const ForestSimulation> again = simulation.restarted();
+    const std::shared_ptr<const ForestSimulation> again = simulation.cloneAtRest();
     for (std::size_t tree = 0; tree < 20; ++tree)
-        EXPECT_EQ(&SimulationParts::modal(*again)->archetype(tree),
-                  &SimulationParts::modal(simulation)->archetype(tree));
-    EXPECT_EQ(SimulationParts::models(*again), SimulationParts::models(simulation));
+        EXPECT_EQ(&SimulationAccess::modal(*again)->archetype(tree),
+                  &SimulationAccess::modal(simulation)->archetype(tree));
+    EXPECT_EQ(SimulationAccess::models(*again), SimulationAccess::models(simulation));
 }
 
-TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
+TEST(ForestChanges, DescribeReturnsThePresentForest) {
     ForestDescription given = windySaplings(4);
     given.law = MotionLaw::Modal;
     given.gain = 2.0f;
@@ -237,7 +238,7 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
     ForestSimulation simulation(given);
     simulation.removeTree(TreeId(0));
     simulation.removeTree(TreeId(1));
-    ASSERT_TRUE(simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late")))); // into a free slot
+    ASSERT_TRUE(simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late")))); // reuses a slot
     TreePlacement moved = simulation.placementOf(TreeId(3));
     moved.position.x += 5.0;
     simulation.changeTree(TreeId(3), moved);
@@ -246,7 +247,7 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
     simulation.setWind(storm);
 
     const ForestDescription now = simulation.describe();
-    EXPECT_EQ(now.source, "") << "no file says this";
+    EXPECT_EQ(now.source, "") << "it has no source file";
     EXPECT_EQ(now.wind.field, storm);
     EXPECT_EQ(now.season, midwinter);
     EXPECT_EQ(now.origin, given.origin);
@@ -276,12 +277,12 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
     }
 }
 
-TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
+TEST(ForestChanges, ManyChangesKeepEveryTreesState) {
     ForestSimulation simulation(windySaplings(10));
     Random random(2);
     std::map<TreeId, glm::vec3> there;
     for (std::size_t i = 0; i < 10; ++i)
-        there[simulation.idOf(i)] = SimulationParts::trees(simulation)[i].position;
+        there[simulation.idOf(i)] = SimulationAccess::trees(simulation)[i].position;
     for (int i = 0; i < 2000; ++i) {
         const double x = 100.0 * static_cast<double>(random.uniform());
         const TreePlacement tree =
@@ -293,50 +294,50 @@ TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
             there.erase(any);
         } else {
             const TreeId id = simulation.addTree(tree).value();
-            ASSERT_EQ(there.count(id), 0u) << "an id is given once";
-            there[id] = SimulationParts::trees(simulation)[simulation.slotOf(id)].position;
+            ASSERT_EQ(there.count(id), 0u) << "ids are unique";
+            there[id] = SimulationAccess::trees(simulation)[simulation.slotOf(id)].position;
         }
         simulation.advance(i / 60.0);
     }
     std::size_t alive = 0;
-    for (const PlacedTree& tree : SimulationParts::trees(simulation))
+    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
         alive += tree.alive;
     EXPECT_EQ(alive, there.size());
     for (const auto& [id, position] : there) {
         ASSERT_TRUE(simulation.holds(id));
-        EXPECT_EQ(SimulationParts::trees(simulation)[simulation.slotOf(id)].position, position);
+        EXPECT_EQ(SimulationAccess::trees(simulation)[simulation.slotOf(id)].position, position);
     }
 }
 
 } // namespace
 
-TEST(ForestChanges, ASpeciesComesToAForestThatRuns) {
+TEST(ForestChanges, ASpeciesCanBeAddedToARunningForest) {
     ForestSimulation simulation(windySaplings(2));
     run(simulation, 10);
-    const auto before = simulation.restarted();
+    const auto before = simulation.cloneAtRest();
     Species larch = sapling();
     larch.name = "larch";
     larch.wood.elasticModulus *= 4.0f;
     const Result<std::size_t> index = simulation.addSpecies(larch);
-    ASSERT_TRUE(index) << linesOf(index.problems());
+    ASSERT_TRUE(index) << toString(index.problems());
     EXPECT_EQ(index.value(), simulation.description().species.size() - 1);
     EXPECT_EQ(simulation.description().species.back().name, "larch");
-    EXPECT_EQ(before->description().species.size(), index.value()) << "a copy stays as it was";
+    EXPECT_EQ(before->description().species.size(), index.value()) << "copies do not change";
     TreePlacement place = simulation.placementOf(TreeId(0));
     place.species = index.value();
     EXPECT_TRUE(simulation.changeTree(TreeId(0), place).empty());
     place.position.x += 5.0;
     const Result<TreeId> added = simulation.addTree(place);
-    ASSERT_TRUE(added) << linesOf(added.problems());
+    ASSERT_TRUE(added) << toString(added.problems());
     run(simulation, 50, 1.0);
     EXPECT_NE(tip(simulation, 1),
-              SimulationParts::models(simulation)[simulation.modelOf(0)]->skeleton.units[1].tip);
+              SimulationAccess::models(simulation)[simulation.modelOf(0)]->skeleton.units[1].tip);
 
     const ForestDescription now = simulation.describe();
     EXPECT_EQ(now.species[now.trees.back().species].name, "larch");
-    ForestSimulation first(now); // it is as if it had been there from the start
+    ForestSimulation first(now); // as if the species had been there from the start
     run(first, 20);
-    const auto again = simulation.restarted();
+    const auto again = simulation.cloneAtRest();
     run(*again, 20);
     const Span<UnitPose> one = first.motion(0).poses, other = again->motion(0).poses;
     ASSERT_EQ(one.size, other.size);
@@ -349,17 +350,17 @@ TEST(ForestChanges, ASpeciesIsRefusedWithTheReason) {
     const std::string name = simulation.description().species[0].name;
     Species other = sapling();
     other.name = name;
-    EXPECT_EQ(linesOf(simulation.addSpecies(other).problems()),
+    EXPECT_EQ(toString(simulation.addSpecies(other).problems()),
               "name: the name \"" + name + "\" is taken already");
     other.name = "larch";
     other.tree.wood.levels = -1;
-    EXPECT_EQ(linesOf(simulation.addSpecies(other).problems()),
+    EXPECT_EQ(toString(simulation.addSpecies(other).problems()),
               "tree.levels: expected a whole number in [0, 8], found -1");
     EXPECT_EQ(simulation.description().species.size(),
               ForestSimulation(windySaplings(1)).description().species.size());
     ForestSimulation branchwise(oneTree(MotionLaw::ThesisSmooth));
-    EXPECT_EQ(linesOf(branchwise.addSpecies(sapling()).problems()),
-              "law: trees and species come, go and change under the law modal only");
+    EXPECT_EQ(toString(branchwise.addSpecies(sapling()).problems()),
+              "law: only the law modal lets trees and species be added, removed or changed");
 }
 
 } // namespace osgTreeWind

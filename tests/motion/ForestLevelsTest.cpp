@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Trees of a forest near by and far away.
+// Near and far trees of a forest.
 #include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -25,38 +25,38 @@ ForestDescription saplings(std::size_t count) {
 
 } // namespace
 
-TEST(ForestLevels, TreesFarAwayTakeLittleMemory) {
+TEST(ForestLevels, FarTreesTakeLessMemory) {
     ForestDescription forest = saplings(2000);
     SimulationOptions options;
     options.leaves = false;
     ForestSimulation simulation(std::move(forest), options);
     const auto bytesPerTree = [&] {
-        return SimulationParts::modal(simulation)->stateBytes() / SimulationParts::trees(simulation).size();
+        return SimulationAccess::modal(simulation)->stateBytes() / SimulationAccess::trees(simulation).size();
     };
     EXPECT_LE(bytesPerTree(), 300u);
-    for (std::size_t i = 0; i < SimulationParts::trees(simulation).size(); ++i)
-        SimulationParts::modal(simulation)
+    for (std::size_t i = 0; i < SimulationAccess::trees(simulation).size(); ++i)
+        SimulationAccess::modal(simulation)
             ->setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
     EXPECT_LE(bytesPerTree(), 200u);
 }
 
-TEST(ForestLevels, ATreeComesNearWithTheModesThatItHad) {
+TEST(ForestLevels, ATreeThatComesNearKeepsItsModes) {
     ForestDescription forest = saplings(3);
     forest.wind = std::make_shared<UniformWind>(glm::vec3(8.0f, 2.0f, 0.0f));
     ForestSimulation simulation(std::move(forest));
     for (const auto level : {ModalMotion::Level::Far, ModalMotion::Level::Near}) {
-        SimulationParts::modal(simulation)->setLevel(2, level);
+        SimulationAccess::modal(simulation)->setLevel(2, level);
         run(simulation, 30, level == ModalMotion::Level::Far ? 0.0 : 1.0);
     }
-    SimulationParts::modal(simulation)->setLevel(2, ModalMotion::Level::Far);
-    run(simulation, 30, 2.0); // trees near go on beside the place it left
-    const std::vector<float> far = SimulationParts::modal(simulation)->amplitudes(2);
-    SimulationParts::modal(simulation)->setLevel(2, ModalMotion::Level::Near);
-    const std::vector<float> near = SimulationParts::modal(simulation)->amplitudes(2);
+    SimulationAccess::modal(simulation)->setLevel(2, ModalMotion::Level::Far);
+    run(simulation, 30, 2.0); // with the other near trees of its block
+    const std::vector<float> far = SimulationAccess::modal(simulation)->amplitudes(2);
+    SimulationAccess::modal(simulation)->setLevel(2, ModalMotion::Level::Near);
+    const std::vector<float> near = SimulationAccess::modal(simulation)->amplitudes(2);
     ASSERT_GT(near.size(), far.size());
     for (std::size_t k = 0; k < far.size(); ++k)
         EXPECT_EQ(near[k], far[k]) << k;
     run(simulation, 30, 3.0);
-    for (const float amplitude : SimulationParts::modal(simulation)->amplitudes(2))
+    for (const float amplitude : SimulationAccess::modal(simulation)->amplitudes(2))
         EXPECT_TRUE(std::isfinite(amplitude));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a tree does is its own affair: not that of the order, the number or the place of others.
+// The motion of a tree does not depend on the order, number or position of other trees.
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// In a wind that differs from place to place and from time to time.
+/// A forest in a wind that varies in space and time.
 ForestDescription anyForest(const glm::dvec3& origin) {
     ForestDescription forest;
     forest.species = {*findSpecies("birch"), *findSpecies("Norway spruce")};
@@ -43,13 +43,13 @@ ForestDescription anyForest(const glm::dvec3& origin) {
     return forest;
 }
 
-/// After two seconds.
+/// Leans after two seconds.
 std::vector<glm::vec2> leansOf(const ForestDescription& forest) {
     ForestSimulation simulation(forest);
     run(simulation, 40, 0.0, 0.05);
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
-        leans.push_back(SimulationParts::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
+        leans.push_back(SimulationAccess::modal(simulation)->lean(slot));
     return leans;
 }
 
@@ -70,7 +70,7 @@ RC_GTEST_PROP(ForestProperty, TheOrderOfTreesDoesNotMatter, ()) {
                   1e-6f + 1e-4f * glm::length(leans[order[i]]));
 }
 
-RC_GTEST_PROP(ForestProperty, ATreeAloneDoesWhatItDoesAmongOthers, ()) {
+RC_GTEST_PROP(ForestProperty, ASingleTreeMovesAsInAForest, ()) {
     ForestDescription forest = anyForest(glm::dvec3(0.0));
     const std::vector<glm::vec2> leans = leansOf(forest);
     const auto kept = *rc::gen::inRange<std::size_t>(0, forest.trees.size());
@@ -80,7 +80,7 @@ RC_GTEST_PROP(ForestProperty, ATreeAloneDoesWhatItDoesAmongOthers, ()) {
     RC_ASSERT(glm::distance(leansOf(forest)[kept], leans[kept]) <= 1e-6f + 1e-4f * glm::length(leans[kept]));
 }
 
-RC_GTEST_PROP(ForestProperty, AForestElsewhereInItsWindDoesTheSame, ()) {
+RC_GTEST_PROP(ForestProperty, AForestThatIsMovedWithItsWindMovesAlike, ()) {
     const glm::dvec3 moved(*rc::gen::inRange(-4096, 4096), *rc::gen::inRange(-4096, 4096), 0.0);
     ForestDescription there = anyForest(moved), here = there;
     const glm::vec3 shift(moved);

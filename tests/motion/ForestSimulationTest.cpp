@@ -2,7 +2,7 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -26,19 +26,19 @@ glm::vec3 turned(const glm::vec3& v, float heading) {
 
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
-    ASSERT_EQ(SimulationParts::branches(simulation)->poses().size(), 14u);
-    ASSERT_EQ(SimulationParts::branches(simulation)->leafStates().size(), 24u);
+    ASSERT_EQ(SimulationAccess::branches(simulation)->poses().size(), 14u);
+    ASSERT_EQ(SimulationAccess::branches(simulation)->leafStates().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_EQ(tip(simulation, unit), SimulationParts::models(simulation)[0]->skeleton.units[unit].tip);
+        EXPECT_EQ(tip(simulation, unit), SimulationAccess::models(simulation)[0]->skeleton.units[unit].tip);
 }
 
-TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
+TEST(ForestSimulation, CallsOnTreePlacedForEachTree) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::Modal}) {
         ForestDescription forest = oneTree(law);
         forest.trees.resize(5, forest.trees.front());
         int placed = 0;
         SimulationOptions options;
-        options.placed = [&] { ++placed; };
+        options.onTreePlaced = [&] { ++placed; };
         const ForestSimulation simulation(forest, options);
         EXPECT_EQ(placed, 5);
     }
@@ -53,7 +53,7 @@ TEST(ForestSimulation, TipsMoveDownwind) {
             std::vector<glm::vec3> rest;
             for (std::size_t unit = 0; unit < 14; ++unit)
                 rest.push_back(tip(simulation, unit));
-            run(simulation, law == MotionLaw::Modal ? 600 : 30); // a whip's butt first goes the other way
+            run(simulation, law == MotionLaw::Modal ? 600 : 30); // the base first moves the other way
             for (std::size_t unit = 0; unit < 14; ++unit)
                 EXPECT_GT(glm::dot(tip(simulation, unit) - rest[unit], wind), 0.0f) << "unit " << unit;
         }
@@ -65,16 +65,17 @@ TEST(ForestSimulation, JointsStayConnected) {
     forest.trees[0].size = {11.0f, 0.5f, 9.0f};
     ForestSimulation simulation(forest);
     run(simulation, 100);
-    const PlacedTree& tree = SimulationParts::trees(simulation)[0];
-    const Skeleton& skeleton = SimulationParts::models(simulation)[tree.model]->skeleton;
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[0];
+    const Skeleton& skeleton = SimulationAccess::models(simulation)[tree.model]->skeleton;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const int parent = skeleton.units[i].parent;
         const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
         const glm::vec3 below = parent < 0 ? joint
-                                           : SimulationParts::branches(simulation)
+                                           : SimulationAccess::branches(simulation)
                                                  ->poses()[static_cast<std::size_t>(parent)]
                                                  .apply(joint);
-        EXPECT_LT(glm::length(below - SimulationParts::branches(simulation)->poses()[i].apply(joint)), 1e-4f);
+        EXPECT_LT(glm::length(below - SimulationAccess::branches(simulation)->poses()[i].apply(joint)),
+                  1e-4f);
     }
 }
 
@@ -85,13 +86,13 @@ TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
         [](const glm::vec3&, double t) { return glm::vec3(40 * std::sin(t), 40 * std::cos(3 * t), 0); });
     ForestSimulation simulation(forest);
     run(simulation, 300);
-    for (const glm::vec4& state : SimulationParts::branches(simulation)->states()) {
+    for (const glm::vec4& state : SimulationAccess::branches(simulation)->states()) {
         EXPECT_LE(std::abs(state.x), 0.3f);
         EXPECT_LE(std::abs(state.y), 0.3f);
     }
 }
 
-TEST(ForestSimulation, TreesComeBackToRestInACalm) {
+TEST(ForestSimulation, TreesComeToRestInCalm) {
     for (const char* name : {"broadleaf", "conifer"}) {
         ForestDescription forest;
         forest.species = {*findSpecies(name)};
@@ -113,7 +114,7 @@ TEST(ForestSimulation, TreesComeBackToRestInACalm) {
     }
 }
 
-TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
+TEST(ForestSimulation, ARotatedTreeInARotatedWindHasTheRotatedPose) {
     const float heading = 0.8f;
     ForestDescription forest = oneTree();
     forest.wind = uniform({2, 0.5f, 0.1f});
@@ -125,9 +126,10 @@ TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
     run(other, 20);
     for (std::size_t i = 0; i < 14; ++i) {
         EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
-        EXPECT_LT(glm::length(turned(SimulationParts::branches(straight)->windPlaces()[i].position, heading) -
-                              SimulationParts::branches(other)->windPlaces()[i].position),
-                  1e-4f);
+        EXPECT_LT(
+            glm::length(turned(SimulationAccess::branches(straight)->windPlaces()[i].position, heading) -
+                        SimulationAccess::branches(other)->windPlaces()[i].position),
+            1e-4f);
     }
 }
 
@@ -140,16 +142,17 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     ForestSimulation simulation(forest);
     simulation.advance(0.0);
     simulation.advance(2.0);
-    const auto& units = SimulationParts::models(simulation)[0]->skeleton.units;
+    const auto& units = SimulationAccess::models(simulation)[0]->skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
-        EXPECT_LT(glm::length(SimulationParts::branches(simulation)->windPlaces()[i].position - base), 1e-4f);
-        EXPECT_LT(glm::length(SimulationParts::branches(simulation)->winds()[i] - base - glm::vec3(0, 0, 2)),
+        EXPECT_LT(glm::length(SimulationAccess::branches(simulation)->windPlaces()[i].position - base),
+                  1e-4f);
+        EXPECT_LT(glm::length(SimulationAccess::branches(simulation)->winds()[i] - base - glm::vec3(0, 0, 2)),
                   1e-4f);
     }
 }
 
-TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
+TEST(ForestSimulation, WindDependsOnTheHeightAboveTheFootOfATree) {
     WindSeries series;
     series.times = {0.0};
     series.velocities = {{6.0f, 2.0f, 0.0f}};
@@ -165,7 +168,7 @@ TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
         forest.trees[2].position.z = -50.0;
         ForestSimulation simulation(forest);
         simulation.advance(4.0);
-        const std::vector<glm::vec3>& winds = SimulationParts::branches(simulation)->winds();
+        const std::vector<glm::vec3>& winds = SimulationAccess::branches(simulation)->winds();
         const std::size_t units = winds.size() / 3;
         EXPECT_GT(glm::length(winds[units - 1]), 1.0f);
         for (std::size_t i = 0; i < units; ++i)
@@ -175,31 +178,31 @@ TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
     }
 }
 
-TEST(ForestSimulation, StateCarriesTheWindInThesisAxesOfTheTree) {
+TEST(ForestSimulation, StateContainsTheWindInTheTreesThesisAxes) {
     ForestDescription forest = oneTree();
     forest.trees[0].heading = 1.5707963f; // the tree's x points north
     forest.wind = uniform({3, 5, 0});
     ForestSimulation simulation(forest);
     run(simulation, 1);
-    EXPECT_NEAR(SimulationParts::branches(simulation)->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
-    EXPECT_NEAR(SimulationParts::branches(simulation)->states()[0].w, 3.0f,
+    EXPECT_NEAR(SimulationAccess::branches(simulation)->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
+    EXPECT_NEAR(SimulationAccess::branches(simulation)->states()[0].w, 3.0f,
                 1e-5f); // east is the tree's -y, thesis z
 }
 
-TEST(ForestSimulation, ResetGoesBackToRest) {
+TEST(ForestSimulation, ResetReturnsToRest) {
     ForestDescription forest = oneTree();
     forest.wind = uniform({2, 0, 0});
     ForestSimulation simulation(forest), fresh(forest);
     run(simulation, 20);
     simulation.reset();
-    EXPECT_TRUE(
-        sameBits(SimulationParts::branches(simulation)->poses(), SimulationParts::branches(fresh)->poses()));
+    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->poses(),
+                         SimulationAccess::branches(fresh)->poses()));
     run(simulation, 20);
     run(fresh, 20);
-    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->states(),
-                         SimulationParts::branches(fresh)->states()));
-    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->leafStates(),
-                         SimulationParts::branches(fresh)->leafStates()));
+    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->states(),
+                         SimulationAccess::branches(fresh)->states()));
+    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->leafStates(),
+                         SimulationAccess::branches(fresh)->leafStates()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -211,23 +214,23 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     ForestSimulation a(forest), b(forest);
     run(a, 50);
     run(b, 50);
-    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->states(), SimulationParts::branches(b)->states()));
+    EXPECT_TRUE(sameBits(SimulationAccess::branches(a)->states(), SimulationAccess::branches(b)->states()));
     EXPECT_TRUE(
-        sameBits(SimulationParts::branches(a)->leafStates(), SimulationParts::branches(b)->leafStates()));
-    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->poses(), SimulationParts::branches(b)->poses()));
+        sameBits(SimulationAccess::branches(a)->leafStates(), SimulationAccess::branches(b)->leafStates()));
+    EXPECT_TRUE(sameBits(SimulationAccess::branches(a)->poses(), SimulationAccess::branches(b)->poses()));
 }
 
-TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
+TEST(ForestSimulation, LeavesFlutterIndependently) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
     forest.species[0].shapes = 3;
     forest.trees[1].seed = 3; // the same shape
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = SimulationParts::branches(simulation)->leafStates();
-    EXPECT_EQ(SimulationParts::trees(simulation)[0].model, SimulationParts::trees(simulation)[1].model);
+    const auto& leaves = SimulationAccess::branches(simulation)->leafStates();
+    EXPECT_EQ(SimulationAccess::trees(simulation)[0].model, SimulationAccess::trees(simulation)[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
-    EXPECT_NE(leaves[0].x, leaves[SimulationParts::trees(simulation)[1].firstLeaf].x);
+    EXPECT_NE(leaves[0].x, leaves[SimulationAccess::trees(simulation)[1].firstLeaf].x);
     EXPECT_NE(leaves[0].x, leaves[0].y);
 }
 
@@ -235,10 +238,10 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = SimulationParts::branches(simulation)->leafStates();
+        const auto before = SimulationAccess::branches(simulation)->leafStates();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(SimulationParts::branches(simulation)->leafStates()[i].x - before[i].x),
+            ASSERT_LT(std::abs(SimulationAccess::branches(simulation)->leafStates()[i].x - before[i].x),
                       0.05f);
     }
 }
@@ -252,13 +255,13 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     for (std::uint32_t i = 0; i < 9; ++i)
         forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, 1.0f, i};
     const ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationParts::models(simulation).size(), 6u);
-    EXPECT_EQ(SimulationParts::trees(simulation)[3].model, 1u);
-    EXPECT_EQ(SimulationParts::trees(simulation)[6].model, 2u + 6u % 4u);
-    EXPECT_EQ(SimulationParts::trees(simulation)[8].firstUnit, 8u * 14u);
+    EXPECT_EQ(SimulationAccess::models(simulation).size(), 6u);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[3].model, 1u);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[6].model, 2u + 6u % 4u);
+    EXPECT_EQ(SimulationAccess::trees(simulation)[8].firstUnit, 8u * 14u);
 }
 
-TEST(ForestSimulation, ARefusedDescriptionLeavesItEmptyAndStderrSaysWhy) {
+TEST(ForestSimulation, AnInvalidDescriptionMakesItEmptyWithAMessageToStderr) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
     forest.trees[0].species = 7;
@@ -271,7 +274,7 @@ TEST(ForestSimulation, ARefusedDescriptionLeavesItEmptyAndStderrSaysWhy) {
     EXPECT_EQ(simulation.slotCount(), 0u);
 }
 
-TEST(ForestSimulation, DescribesItsTreesApart) {
+TEST(ForestSimulation, DescriptionHasNoTrees) {
     EXPECT_TRUE(ForestSimulation(oneTree()).description().trees.empty());
 }
 
@@ -285,7 +288,7 @@ TEST(ForestSimulation, AnEmptyForestAdvances) {
     }
 }
 
-TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
+TEST(ForestSimulation, RecoversFromAnInvalidWind) {
     ForestDescription forest = oneTree();
     forest.wind = uniform({0.5f, 0, 0});
     ForestSimulation simulation(forest);
@@ -293,13 +296,13 @@ TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
     for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e30f}) {
         simulation.setWind(uniform(glm::vec3(bad)));
         run(simulation, 3, 1.0);
-        for (const UnitPose& pose : SimulationParts::branches(simulation)->poses())
+        for (const UnitPose& pose : SimulationAccess::branches(simulation)->poses())
             ASSERT_TRUE(std::isfinite(glm::length(pose.translation)) &&
                         std::isfinite(glm::length(pose.rotation)));
     }
     simulation.setWind(uniform({-3, 0, 0}));
     run(simulation, 200, 2.0);
-    EXPECT_FLOAT_EQ(SimulationParts::branches(simulation)->states()[13].x, -0.5f);
+    EXPECT_FLOAT_EQ(SimulationAccess::branches(simulation)->states()[13].x, -0.5f);
 }
 
 TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
@@ -313,25 +316,25 @@ TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
     });
     for (int frame = 0; frame < 500; ++frame) {
         simulation.advance(frame / 60.0);
-        const glm::vec3 first = SimulationParts::branches(simulation)->winds()[0];
+        const glm::vec3 first = SimulationAccess::branches(simulation)->winds()[0];
         for (const glm::vec3& sample :
-             SimulationParts::branches(simulation)->winds()) // one field for all branches of a step
+             SimulationAccess::branches(simulation)->winds()) // a step uses one field for all branches
             ASSERT_EQ(sample, first);
     }
     done = true;
     feeder.join();
 }
 
-TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
+TEST(ForestSimulation, UnderModalComputesPosesOnRequest) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationParts::branches(simulation), nullptr);
-    ASSERT_NE(SimulationParts::modal(simulation), nullptr);
+    EXPECT_EQ(SimulationAccess::branches(simulation), nullptr);
+    ASSERT_NE(SimulationAccess::modal(simulation), nullptr);
     run(simulation, 60);
     UnitValues values;
     const TreeMotion once = simulation.motion(0), again = simulation.motion(0, values);
-    ASSERT_EQ(once.poses.size, SimulationParts::models(simulation)[0]->skeleton.units.size());
+    ASSERT_EQ(once.poses.size, SimulationAccess::models(simulation)[0]->skeleton.units.size());
     for (std::size_t unit = 0; unit < once.poses.size; ++unit) {
         EXPECT_EQ(once.states[unit], again.states[unit]);
         EXPECT_EQ(once.poses[unit].translation, again.poses[unit].translation);
@@ -339,7 +342,7 @@ TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
     }
 }
 
-TEST(ForestSimulation, UnderModalValuesOfATreeStayWhereTheyAre) {
+TEST(ForestSimulation, UnderModalTheValuesOfATreeStayInPlace) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation simulation(forest);
@@ -350,7 +353,7 @@ TEST(ForestSimulation, UnderModalValuesOfATreeStayWhereTheyAre) {
     EXPECT_NE(before.states[0], rest);
 }
 
-TEST(ForestSimulation, WithoutLeavesHasNone) {
+TEST(ForestSimulation, WithoutLeavesHasNoLeafStates) {
     SimulationOptions options;
     options.leaves = false;
     ForestSimulation simulation(oneTree(MotionLaw::Modal), options);
@@ -377,7 +380,7 @@ TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
         EXPECT_EQ(lent.motion(tree).states[5], own.motion(tree).states[5]);
 }
 
-TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
+TEST(ForestSimulation, UnderModalABareTreeSwaysLess) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({1, 0, 0});
     ForestSimulation leafy(forest);
@@ -385,6 +388,6 @@ TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
     ForestSimulation bare(forest);
     run(leafy, 600);
     run(bare, 600);
-    const float rest = SimulationParts::models(leafy)[0]->skeleton.units[1].tip.x;
+    const float rest = SimulationAccess::models(leafy)[0]->skeleton.units[1].tip.x;
     EXPECT_GT(tip(leafy, 1).x - rest, 1.5f * (tip(bare, 1).x - rest));
 }

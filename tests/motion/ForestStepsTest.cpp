@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/motion/OneTree.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -17,11 +17,11 @@ TEST(ForestSteps, CalmAfterWindFreezesTheThesisLaw) {
     forest.wind = uniform({2, 1, 0});
     ForestSimulation simulation(forest);
     run(simulation, 20);
-    const auto poses = SimulationParts::branches(simulation)->poses();
+    const auto poses = SimulationAccess::branches(simulation)->poses();
     simulation.setWind(nullptr);
     run(simulation, 60, 1.0);
-    EXPECT_GT(SimulationParts::branches(simulation)->states()[5].x, 0.01f);
-    EXPECT_TRUE(sameBits(poses, SimulationParts::branches(simulation)->poses()));
+    EXPECT_GT(SimulationAccess::branches(simulation)->states()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, SimulationAccess::branches(simulation)->poses()));
 }
 
 TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
@@ -31,40 +31,40 @@ TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 30, 0.0, 1.0 / 30.0);
     run(fast, 60, 0.0, 1.0 / 60.0);
-    EXPECT_NEAR(SimulationParts::branches(fast)->states()[8].x /
-                    SimulationParts::branches(slow)->states()[8].x,
+    EXPECT_NEAR(SimulationAccess::branches(fast)->states()[8].x /
+                    SimulationAccess::branches(slow)->states()[8].x,
                 2.0f, 0.02f);
 }
 
-TEST(ForestSteps, AReplacedWindShowsInTheNextStep) {
+TEST(ForestSteps, AReplacedWindActsFromTheNextStep) {
     ForestDescription forest = oneTree();
     forest.wind = uniform({1, 0, 0});
     ForestSimulation simulation(forest);
     run(simulation, 3);
     simulation.setWind(uniform({0, -4, 0}));
     simulation.advance(1.0);
-    for (const glm::vec3& sample : SimulationParts::branches(simulation)->winds())
+    for (const glm::vec3& sample : SimulationAccess::branches(simulation)->winds())
         EXPECT_EQ(sample, glm::vec3(0, -4, 0));
     simulation.setWind(nullptr);
     simulation.advance(1.1);
-    EXPECT_EQ(SimulationParts::branches(simulation)->winds()[3], glm::vec3(0.0f));
+    EXPECT_EQ(SimulationAccess::branches(simulation)->winds()[3], glm::vec3(0.0f));
 }
 
-TEST(ForestSteps, FirstCallPauseAndEarlierTimesHoldTheState) {
+TEST(ForestSteps, FirstCallPauseAndEarlierTimesKeepTheState) {
     ForestDescription forest = oneTree();
     forest.wind = uniform({2, 0, 0});
     ForestSimulation simulation(forest);
     EXPECT_FALSE(simulation.advance(5.0));
-    EXPECT_EQ(SimulationParts::branches(simulation)->states()[3], glm::vec4(0.0f));
+    EXPECT_EQ(SimulationAccess::branches(simulation)->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
-    const auto states = SimulationParts::branches(simulation)->states();
-    const auto leaves = SimulationParts::branches(simulation)->leafStates();
+    const auto states = SimulationAccess::branches(simulation)->states();
+    const auto leaves = SimulationAccess::branches(simulation)->leafStates();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
-    EXPECT_TRUE(sameBits(states, SimulationParts::branches(simulation)->states()));
-    EXPECT_TRUE(sameBits(leaves, SimulationParts::branches(simulation)->leafStates()));
-    EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
+    EXPECT_TRUE(sameBits(states, SimulationAccess::branches(simulation)->states()));
+    EXPECT_TRUE(sameBits(leaves, SimulationAccess::branches(simulation)->leafStates()));
+    EXPECT_TRUE(simulation.advance(2.1)); // continues from the earlier time
 }
 
 TEST(ForestSteps, AJumpIsOneStep) {
@@ -74,8 +74,9 @@ TEST(ForestSteps, AJumpIsOneStep) {
     run(one, 1);
     jump.advance(0.0);
     jump.advance(1.0e6);
-    EXPECT_NEAR(SimulationParts::branches(jump)->states()[9].x, SimulationParts::branches(one)->states()[9].x,
-                0.2f * SimulationParts::branches(one)->states()[9].x);
+    EXPECT_NEAR(SimulationAccess::branches(jump)->states()[9].x,
+                SimulationAccess::branches(one)->states()[9].x,
+                0.2f * SimulationAccess::branches(one)->states()[9].x);
 }
 
 TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
@@ -106,8 +107,8 @@ TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
     }
 }
 
-TEST(ForestSteps, BelowTenFramesASecondTreesKeepTheirTime) {
-    const auto path = [](int rate) { // of the outermost tip, second by second
+TEST(ForestSteps, BelowTenFramesASecondTheMotionIsTheSame) {
+    const auto path = [](int rate) { // positions of the outermost tip, one per second
         ForestDescription forest = oneTree(MotionLaw::Modal);
         forest.species[0].wood.elasticModulus = 2.0e8f;
         forest.trees[0].size = {9.0f, 0.1f, 0.0f};
@@ -135,7 +136,7 @@ TEST(ForestSteps, BelowTenFramesASecondTreesKeepTheirTime) {
     }
 }
 
-TEST(ForestSteps, UnderModalALongStepMeetsTheWindOnItsWay) {
+TEST(ForestSteps, UnderModalALongStepSamplesTheWindInBetween) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     std::vector<double> times;
     forest.wind = std::make_shared<TestWind>([&](const glm::vec3&, double t) {
@@ -158,8 +159,8 @@ TEST(ForestSteps, UnderModalALongStepMeetsTheWindOnItsWay) {
     EXPECT_NEAR(times[0], 999.1, 1e-6);
 }
 
-TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
-    // From calm to 8 m/s within a long step: half of what the whole step in 8 m/s would give, roughly.
+TEST(ForestSteps, AReplacedWindIsInterpolatedWithinTheStep) {
+    // From calm to 8 m/s within a long step: about half of the response to 8 m/s during the whole step.
     ForestDescription forest = oneTree(MotionLaw::Modal);
     ForestSimulation rising(forest), steady(forest);
     forest.wind = uniform({8, 0, 0});
@@ -169,8 +170,8 @@ TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
     rising.setWind(forest.wind);
     for (ForestSimulation* simulation : {&rising, &steady})
         simulation->advance(0.1);
-    EXPECT_GT(SimulationParts::modal(rising)->lean(0).x, 0.0f);
-    EXPECT_LT(SimulationParts::modal(rising)->lean(0).x, 0.5f * SimulationParts::modal(steady)->lean(0).x);
+    EXPECT_GT(SimulationAccess::modal(rising)->lean(0).x, 0.0f);
+    EXPECT_LT(SimulationAccess::modal(rising)->lean(0).x, 0.5f * SimulationAccess::modal(steady)->lean(0).x);
 }
 
 TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
@@ -179,11 +180,11 @@ TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 90, 0.0, 1.0 / 30.0);
     run(fast, 720, 0.0, 1.0 / 240.0);
-    const float lean = tip(fast, 0).x - SimulationParts::models(fast)[0]->skeleton.units[0].tip.x;
+    const float lean = tip(fast, 0).x - SimulationAccess::models(fast)[0]->skeleton.units[0].tip.x;
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
 }
 
-TEST(ForestSteps, StepsOfATenthOfAMillisecondKeepTheirTime) {
+TEST(ForestSteps, TinyStepsAddUp) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation usual(forest), fast(forest);

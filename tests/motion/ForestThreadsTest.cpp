@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Forests that share the threads of the process, or a host's.
-#include <tests/ThreadsOfTheProcess.h>
+// Forests that share the thread pool of the process, or a host's threads.
+#include <tests/ProcessThreadCount.h>
 #include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -36,12 +36,12 @@ ForestDescription saplingWood(std::size_t trees) {
 
 std::vector<glm::vec2> leansOf(const ForestSimulation& simulation) {
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
-        leans.push_back(SimulationParts::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
+        leans.push_back(SimulationAccess::modal(simulation)->lean(slot));
     return leans;
 }
 
-/// One after another in the calling thread, but for a second one that takes every other job.
+/// Runs jobs alternately in the calling thread and in a second one.
 void runInTwo(std::size_t count, const std::function<void(std::size_t)>& job) {
     std::thread other([&] {
         for (std::size_t i = 1; i < count; i += 2)
@@ -61,7 +61,7 @@ TEST(ForestThreads, TwoThreadsAdvanceCopiesOfOneForest) {
         const ForestSimulation simulation(saplingWood(300), options);
         std::vector<std::shared_ptr<ForestSimulation>> copies;
         for (int i = 0; i < 4; ++i)
-            copies.push_back(simulation.restarted());
+            copies.push_back(simulation.cloneAtRest());
         std::vector<std::thread> threads;
         for (const auto& copy : copies)
             threads.emplace_back([&] { run(*copy, 100); });
@@ -76,15 +76,15 @@ TEST(ForestThreads, TwoThreadsAdvanceCopiesOfOneForest) {
     }
 }
 
-TEST(ForestThreads, HundredsOfForestsStartNoneOfTheirOwn) {
-    const ForestSimulation first(saplingWood(300)); // has the threads of the process started
-    const std::ptrdiff_t threads = threadsOfTheProcess();
+TEST(ForestThreads, HundredsOfForestsShareTheThreadPool) {
+    const ForestSimulation first(saplingWood(300)); // starts the thread pool
+    const std::ptrdiff_t threads = processThreadCount();
     std::vector<std::unique_ptr<ForestSimulation>> forests;
     for (int i = 0; i < 200; ++i) {
         forests.push_back(std::make_unique<ForestSimulation>(saplingWood(260)));
         run(*forests.back(), 2);
     }
-    EXPECT_EQ(threadsOfTheProcess(), threads);
+    EXPECT_EQ(processThreadCount(), threads);
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> viewers;
     for (int i = 0; i < 3; ++i)
@@ -96,10 +96,10 @@ TEST(ForestThreads, HundredsOfForestsStartNoneOfTheirOwn) {
         viewer.join();
     for (const auto& forest : forests)
         ASSERT_EQ(leansOf(*forest), leansOf(*forests.front()));
-    EXPECT_EQ(threadsOfTheProcess(), threads);
+    EXPECT_EQ(processThreadCount(), threads);
 }
 
-TEST(ForestThreads, AHostMayLendItsOwnAtAnyTime) {
+TEST(ForestThreads, AHostCanSetItsExecutorAtAnyTime) {
     ForestSimulation simulation(saplingWood(300)), expected(saplingWood(300));
     std::atomic<int> calls{0};
     simulation.setExecutor([&](std::size_t count, const std::function<void(std::size_t)>& job) {
@@ -108,7 +108,7 @@ TEST(ForestThreads, AHostMayLendItsOwnAtAnyTime) {
     });
     run(simulation, 20);
     EXPECT_GE(calls, 20);
-    const std::shared_ptr<ForestSimulation> copy = simulation.restarted();
+    const std::shared_ptr<ForestSimulation> copy = simulation.cloneAtRest();
     const int before = calls;
     run(*copy, 20);
     EXPECT_GE(calls, before + 20) << "and to copies";
@@ -120,7 +120,7 @@ TEST(ForestThreads, AHostMayLendItsOwnAtAnyTime) {
     EXPECT_EQ(leansOf(*copy), leansOf(expected));
 }
 
-TEST(ForestThreads, AWindMayUseTheThreadsToo) {
+TEST(ForestThreads, AWindCanUseTheSameThreads) {
     const auto steady = [](const glm::vec3& position, double) {
         return glm::vec3(4.0f + 0.01f * position.x, 1.0f, 0.0f);
     };
@@ -137,8 +137,8 @@ TEST(ForestThreads, AWindMayUseTheThreadsToo) {
     EXPECT_EQ(leansOf(simulation), leansOf(expected));
 }
 
-TEST(ForestThreads, AJobThatWaitsMayTakeUpAnother) {
-    // As the threads of a host do that have something else to do while they wait.
+TEST(ForestThreads, AWaitingJobCanRunAnother) {
+    // Some host thread pools run other jobs while they wait.
     ForestSimulation inner(saplingWood(8));
     inner.advance(0.0);
     double time = 0.0;

@@ -14,7 +14,7 @@
 
 namespace osgTreeWind {
 
-/// A tree of a species at a size, and what the law `modal` makes of it. What it hands out points into it.
+/// A tree of a species at a size, and its modal models. Results point into this object.
 struct GrownTree {
     Species species;
     TreeModel model;
@@ -28,7 +28,7 @@ struct GrownTree {
         : GrownTree(*findSpecies(name), size, leafShare) {}
 
     const std::vector<BranchUnit>& units() const { return model.skeleton.units; }
-    SwayingTree form() const { return {&model, &species, scale, leaves}; }
+    TreeForm form() const { return {&model, &species, scale, leaves}; }
     JointTree joints() const { return makeJointTree(model, scale, species, leaves); }
     ModalMaterial material() const {
         return {species.wood.dampingRatio, species.wood.streamlining, species.wood.streamlinedTo,
@@ -42,11 +42,11 @@ struct GrownTree {
                 last = i;
         return last;
     }
-    /// Metres, the tree's own frame.
+    /// Position in the tree's own frame, metres.
     glm::dvec3 tipOf(std::size_t unit) const { return scale.axes * units()[unit].tip; }
 };
 
-/// Whether `carrier` is `link` or carries it.
+/// Whether `carrier` is `link` or one of its ancestors.
 inline bool carries(const JointTree& tree, std::size_t carrier, std::size_t link) {
     int i = static_cast<int>(link);
     while (i > static_cast<int>(carrier))
@@ -68,7 +68,7 @@ inline JointTree::Point tipPoint(const GrownTree& tree, const JointTree& joints,
     return point;
 }
 
-/// A wind of that mean speed along x, standard deviation a quarter of it, alike at all heights.
+/// A gusty wind along x with this mean speed at all heights, and a quarter of it as standard deviation.
 inline WindFieldPtr gustsOf(float speed) {
     GustWind::Parameters parameters;
     parameters.mean = {speed, 0.0f, 0.0f};

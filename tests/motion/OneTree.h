@@ -4,14 +4,14 @@
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <cstring>
 #include <functional>
 
 namespace osgTreeWind {
 
-/// A wind that a test makes up.
+/// A wind defined by a function.
 class TestWind : public WindField {
 public:
     explicit TestWind(std::function<glm::vec3(const glm::vec3&, double)> f) : _f(std::move(f)) {}
@@ -43,8 +43,8 @@ inline void run(ForestSimulation& simulation, int frames, double start = 0.0, do
 
 /// Tip of a unit, tree frame.
 inline glm::vec3 tip(const ForestSimulation& simulation, std::size_t unit) {
-    const PlacedTree& tree = SimulationParts::trees(simulation)[0];
-    const BranchUnit& branch = SimulationParts::models(simulation)[tree.model]->skeleton.units[unit];
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[0];
+    const BranchUnit& branch = SimulationAccess::models(simulation)[tree.model]->skeleton.units[unit];
     return simulation.motion(0).poses[unit].apply(tree.scale.axes * branch.tip);
 }
 

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/species/Species.h>
 
-/// A small limber tree: 2 + 3 + 9 units.
+/// A small flexible tree of 2 + 3 + 9 units.
 inline osgTreeWind::Species sapling() {
     osgTreeWind::Species species;
     species.name = "sapling";

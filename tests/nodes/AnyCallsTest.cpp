@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <tests/AnyValues.h>
 #include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/FullTests.h>
 #include <tests/MessageCollector.h>
+#include <tests/RandomValues.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/controls/ForestHandler.h>
@@ -25,6 +25,8 @@
 #include <osgGA/GUIActionAdapter>
 #include <osgViewer/View>
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -36,16 +38,16 @@ using namespace osgTreeWind;
 
 namespace {
 
-class NoNumbers : public WindField {
+class ArbitraryWind : public WindField {
 public:
-    explicit NoNumbers(AnyValues& any) : _velocity(any.vector<float>()) {}
+    explicit ArbitraryWind(RandomValues& any) : _velocity(any.vector<float>()) {}
     glm::vec3 velocity(const WindPlace&, double) const override { return _velocity; }
 
 private:
     glm::vec3 _velocity;
 };
 
-/// A host that calls whatever there is with whatever it has.
+/// A host that calls random functions of the public headers with random, often invalid, arguments.
 class AnyCalls {
 public:
     explicit AnyCalls(unsigned seed) : any(seed), _forest(new Forest(smallForest(3))) {
@@ -65,21 +67,21 @@ public:
     }
 
     using Call = void (AnyCalls::*)();
-    /// By the public header that declares what they call.
+    /// By the public header that declares the called functions.
     static const std::map<std::string, std::vector<Call>>& calls() {
         using C = AnyCalls;
         static const std::map<std::string, std::vector<Call>> all = {
             {"nodes/Forest.h",
              {&C::describe, &C::create, &C::setWind, &C::setSeason, &C::addSpecies, &C::addTree, &C::addTree,
-              &C::changeTree, &C::changeTree, &C::removeTree, &C::findTree, &C::ask, &C::follow, &C::lend,
-              &C::listen, &C::update, &C::update}},
+              &C::changeTree, &C::changeTree, &C::removeTree, &C::findTree, &C::queryTrees, &C::follow,
+              &C::setExecutor, &C::setDamageCallback, &C::update, &C::update}},
             {"nodes/TreeUnit.h", {&C::findUnit}},
             {"motion/ForestSimulation.h", {&C::simulate, &C::advance}},
             {"motion/SimulationOptions.h", {&C::simulate}},
             {"forest/StandOnGround.h", {&C::standOnItsGround}},
             {"forest/CheckForest.h", {&C::create}},
-            {"places/Ground.h", {&C::askGround}},
-            {"places/FunctionGround.h", {&C::askGround}},
+            {"places/Ground.h", {&C::queryGround}},
+            {"places/FunctionGround.h", {&C::queryGround}},
             {"drawing/BranchTransform.h", {&C::turnBranch}},
             {"drawing/ForestTechnique.h", {&C::useTechnique, &C::setTechnique}},
             {"drawing/instanced/InstancedForest.h", {&C::useInstanced}},
@@ -119,19 +121,19 @@ private:
         expect(result.problems());
         return result.ok();
     }
-    /// A call that is refused changes nothing.
+    /// Checks that a rejected call changed nothing.
     void expectChange(const Diagnostics& problems, const ForestDescription& before) {
         expect(problems);
         if (problems.empty())
             return;
         const ForestDescription now = _forest->getSimulation().describe();
-        EXPECT_EQ(now.species.size(), before.species.size()) << linesOf(problems);
-        EXPECT_EQ(now.wind.field, before.wind.field) << linesOf(problems);
-        EXPECT_EQ(now.season, before.season) << linesOf(problems);
-        ASSERT_EQ(now.trees.size(), before.trees.size()) << linesOf(problems);
+        EXPECT_EQ(now.species.size(), before.species.size()) << toString(problems);
+        EXPECT_EQ(now.wind.field, before.wind.field) << toString(problems);
+        EXPECT_EQ(now.season, before.season) << toString(problems);
+        ASSERT_EQ(now.trees.size(), before.trees.size()) << toString(problems);
         for (std::size_t i = 0; i < now.trees.size(); ++i)
             for (const Field& field : fieldsOf<TreePlacement>())
-                EXPECT_TRUE(sameField(field, &now.trees[i], &before.trees[i])) << linesOf(problems);
+                EXPECT_TRUE(isFieldEqual(field, &now.trees[i], &before.trees[i])) << toString(problems);
     }
     void expectSound() {
         const osg::BoundingSphere& sphere = _forest->getBound();
@@ -168,7 +170,7 @@ private:
         if (any.oneIn(3))
             place.position[static_cast<int>(any.below(3))] = any.number<double>();
         if (any.oneIn(2))
-            any.spoil(place);
+            any.corrupt(place);
         return place;
     }
     Species species() {
@@ -176,7 +178,7 @@ private:
         kind.name = any.oneIn(5) ? any.text() : "kind " + std::to_string(_kinds++);
         const auto maybe = [&](auto& part) {
             if (any.oneIn(6))
-                any.spoil(part);
+                any.corrupt(part);
         };
         maybe(kind);
         maybe(kind.tree.wood);
@@ -203,11 +205,11 @@ private:
                 scan = joined.value();
                 BranchUnit& trunk = scan.skeleton.units.front();
                 if (any.oneIn(2))
-                    trunk.parent = any.whole();
+                    trunk.parent = any.integer();
                 if (any.oneIn(2))
                     trunk.tip[static_cast<int>(any.below(3))] = any.number<float>();
                 if (any.oneIn(2))
-                    scan.skeleton.ringsPerBranch = any.whole();
+                    scan.skeleton.ringsPerBranch = any.integer();
             }
         return std::make_shared<const std::vector<ScannedTree>>(std::move(all));
     }
@@ -243,17 +245,17 @@ private:
         if (any.oneIn(4))
             forest.origin = any.vector<double>();
         if (any.oneIn(3))
-            any.spoil(forest);
+            any.corrupt(forest);
         if (any.oneIn(4))
-            any.spoil(forest.drawing);
+            any.corrupt(forest.drawing);
         if (any.oneIn(4))
-            any.spoil(forest.wind.canopy.emplace());
+            any.corrupt(forest.wind.canopy.emplace());
         if (any.oneIn(6))
             forest.noiseExponent = any.number<float>();
         if (any.oneIn(6))
             forest.season = any.number<float>();
         if (any.oneIn(8))
-            forest.wind.frame = static_cast<WindFrame>(any.whole());
+            forest.wind.frame = static_cast<WindFrame>(any.integer());
         if (any.oneIn(8))
             forest.tiles = tiles();
         if (any.oneIn(4))
@@ -278,10 +280,10 @@ private:
     }
     void setWind() {
         const ForestDescription before = _forest->getSimulation().describe();
-        const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<NoNumbers>(any);
-        Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.whole() : int(any.below(3))));
+        const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<ArbitraryWind>(any);
+        Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.integer() : int(any.below(3))));
         if (any.oneIn(3))
-            any.spoil(given.canopy.emplace());
+            any.corrupt(given.canopy.emplace());
         given.clock = {any.number<double>(), any.number<double>()};
         given.clock.travel = {any.number<double>(), any.number<double>()};
         given.clock.origin = {any.number<double>(), any.number<double>()};
@@ -291,7 +293,7 @@ private:
     void setSeason() {
         const ForestDescription before = _forest->getSimulation().describe();
         expectChange(_forest->setSeason(any.number<float>()), before);
-        EXPECT_TRUE(std::isfinite(withinYear(any.number<float>())));
+        EXPECT_TRUE(std::isfinite(wrapSeason(any.number<float>())));
         EXPECT_TRUE(std::isfinite(leafShare(Appearance(), any.number<float>())));
     }
     void addSpecies() {
@@ -311,7 +313,7 @@ private:
         expectChange(_forest->removeTree(tree()), before);
     }
     void findTree() { EXPECT_EQ(_forest->findTree(any.text() + "?"), noTree); }
-    void ask() {
+    void queryTrees() {
         _forest->getPlacement(tree());
         _forest->getUnits(tree());
         EXPECT_FALSE(_forest->isOwnChild(nullptr));
@@ -322,10 +324,10 @@ private:
         if (const Result<BranchTransform*> branch = _forest->branch(id, at); expect(branch))
             branch.value()->addChild(new osg::Group);
         if (any.oneIn(2))
-            _forest->unfollow(any.oneIn(2) ? id : tree(), any.oneIn(2) ? at : unit());
+            _forest->releaseBranch(any.oneIn(2) ? id : tree(), any.oneIn(2) ? at : unit());
     }
-    void lend() { _forest->setExecutor(any.oneIn(2) ? Executor() : Executor(runInTurn)); }
-    void listen() {
+    void setExecutor() { _forest->setExecutor(any.oneIn(2) ? Executor() : Executor(runInTurn)); }
+    void setDamageCallback() {
         if (any.oneIn(2))
             _forest->setDamageCallback(nullptr);
         else
@@ -355,13 +357,13 @@ private:
         if (!_simulation)
             return;
         _simulation->advance(any.oneIn(2) ? any.number<double>() : nextTime());
-        _simulation->runUp({TreeId(0), noTree, tree()});
+        _simulation->spinUp({TreeId(0), noTree, tree()});
         expect(_simulation->setSeason(any.number<float>()));
         expect(_simulation->addSpecies(species()));
         expect(_simulation->addTree(placement()));
         expect(_simulation->changeTree(tree(), placement()));
         expect(_simulation->removeTree(tree()));
-        _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<NoNumbers>(any));
+        _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<ArbitraryWind>(any));
         _simulation->setExecutor(nullptr);
         _simulation->motion(any.count());
         if (any.oneIn(3))
@@ -371,7 +373,7 @@ private:
         ForestDescription forest = description();
         expect(standOnGround(forest, {any.below(3), any.count()}));
     }
-    void askGround() {
+    void queryGround() {
         const GroundPtr asked = ground();
         const std::optional<double> foot =
             footHeight(*asked, {any.number<double>(), any.number<double>()}, any.number<double>());
@@ -383,12 +385,12 @@ private:
         ScanCylinder& one = cylinders[any.below(2)];
         (any.oneIn(2) ? one.start : one.end)[static_cast<int>(any.below(3))] = any.number<double>();
         if (any.oneIn(2))
-            one.parent = any.whole();
+            one.parent = any.integer();
         if (any.oneIn(2))
             one.radius = any.number<double>();
         if (any.oneIn(4))
             cylinders.clear();
-        expect(makeScannedTree(cylinders, {any.whole(), any.count(), any.number<double>()}));
+        expect(makeScannedTree(cylinders, {any.integer(), any.count(), any.number<double>()}));
     }
 
     // Drawing
@@ -404,13 +406,13 @@ private:
     void useTechnique() {
         ForestTechnique* technique = _forest->getTechnique();
         technique->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
-        technique->unfollow(tree(), unit());
+        technique->releaseBranch(tree(), unit());
         const osg::ref_ptr<ForestTechnique> copy = osg::clone(technique);
         copy->seasonChanged();
         copy->treeChanged(any.count());
         copy->setSimulation(any.oneIn(3) ? nullptr : std::make_shared<ForestSimulation>(description()));
-        copy->follow(tree(), unit());
-        copy->unfollow(tree(), unit());
+        copy->followBranch(tree(), unit());
+        copy->releaseBranch(tree(), unit());
     }
     void setTechnique() {
         osg::ref_ptr<ForestTechnique> technique;
@@ -450,7 +452,7 @@ private:
                 osgGA::GUIEventAdapter::KEYDOWN, osgGA::GUIEventAdapter::FRAME, osgGA::GUIEventAdapter::PUSH,
                 osgGA::GUIEventAdapter::RELEASE};
             event->setEventType(types[any.below(4)]);
-            event->setKey(any.oneIn(4) ? any.whole() : static_cast<int>(any.below(128)));
+            event->setKey(any.oneIn(4) ? any.integer() : static_cast<int>(any.below(128)));
             event->setButton(osgGA::GUIEventAdapter::LEFT_MOUSE_BUTTON);
             event->setTime(any.number<double>());
             event->setX(any.number<float>());
@@ -486,7 +488,7 @@ private:
     }
     void setGusts() {
         GustWind::Parameters parameters;
-        any.spoil(parameters);
+        any.corrupt(parameters);
         if (any.oneIn(3))
             parameters.mean[static_cast<int>(any.below(3))] = any.number<float>();
         if (any.oneIn(3))
@@ -499,7 +501,7 @@ private:
         all.points = {2, 2, 1};
         all.values.assign(12, 1.0f);
         if (any.oneIn(3))
-            any.spoil(all);
+            any.corrupt(all);
         if (any.oneIn(3))
             all.heights = {any.number<float>()};
         return all;
@@ -512,8 +514,8 @@ private:
         std::vector<float> values(12, 1.0f);
         if (any.oneIn(2))
             values[any.below(12)] = any.number<float>();
-        const auto wind = GridWind::fromForestWind(any.oneIn(2) ? 2 : any.whole(),
-                                                   any.oneIn(2) ? 2 : any.whole(), std::move(values),
+        const auto wind = GridWind::fromForestWind(any.oneIn(2) ? 2 : any.integer(),
+                                                   any.oneIn(2) ? 2 : any.integer(), std::move(values),
                                                    any.oneIn(2) ? glm::dvec3(0.0) : any.vector<double>());
         if (expect(wind))
             blow(wind.value());
@@ -540,7 +542,7 @@ private:
         series.times = {0.0, 1.0};
         series.velocities.assign(2, glm::vec3(1.0f));
         if (any.oneIn(2))
-            any.spoil(series);
+            any.corrupt(series);
         if (any.oneIn(3))
             series.profile = profile();
         if (const auto wind = TimeSeriesWind::create(series); expect(wind))
@@ -555,14 +557,14 @@ private:
         std::vector<WindSource> sources(any.below(4));
         for (WindSource& source : sources) {
             source.kind = static_cast<WindSource::Kind>(any.below(6));
-            any.spoil(source);
+            any.corrupt(source);
         }
         Wind wind;
         wind.sources = sources;
         blow(wind);
     }
 
-    AnyValues any;
+    RandomValues any;
     osg::ref_ptr<Forest> _forest;
     osg::ref_ptr<osgViewer::View> _view = new osgViewer::View;
     std::unique_ptr<ForestSimulation> _simulation;
@@ -582,28 +584,25 @@ std::set<std::string> publicHeaders() {
 
 } // namespace
 
-TEST(AnyCallsTest, nonsenseIsRefusedWithAReasonAndNothingBreaks) {
+TEST(AnyCallsTest, RandomInvalidCallsReturnProblemsAndBreakNothing) {
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "300M");
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
-    osg::setNotifyHandler(messages);
-    std::ostringstream said; // not by gtest, which would hide what a sanitizer says
-    std::streambuf* const console = std::cerr.rdbuf(said.rdbuf());
+    const ScopedMessages messages;
+    std::ostringstream standardError; // gtest's capture would hide the output of sanitizers
+    std::streambuf* const console = std::cerr.rdbuf(standardError.rdbuf());
     AnyCalls host(41);
     for (int i = 0; i < casesToRun(10000, 500) && !testing::Test::HasFailure(); ++i) {
         SCOPED_TRACE(i);
         host.call();
     }
     std::cerr.rdbuf(console);
-    osg::setNotifyHandler(former);
     EXPECT_GT(host.refused, host.accepted / 10);
     EXPECT_GT(host.accepted, host.refused / 10);
 }
 
-/// A header of which nothing is called here has to say why.
-TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
+/// Lists the headers without calls here, with the reason.
+TEST(AnyCallsTest, EveryPublicHeaderIsCoveredOrExempt) {
     std::set<std::string> known = {
-        // Values, checked where they are handed over.
+        // Values, which the functions that take them check.
         "base/Result.h", "base/Span.h", "base/Executor.h", "forest/DrawingOptions.h",
         "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h", "growth/GrowthGoal.h",
         "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h", "model/PalmParameters.h",
@@ -612,12 +611,12 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
         "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
         // Macros.
         "base/Export.h", "base/Version.h",
-        // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.
+        // Files: tests/io, tests/windfiles and tests/fuzz read damaged ones.
         "io/ForestFile.h", "io/ForestStream.h", "io/SpeciesCatalogue.h", "io/TiledForest.h",
         "windfiles/WindExtent.h", "windfiles/WindFile.h",
-        // It asks a program for maps: tests/plugins.
+        // It starts the program for maps: tests/plugins.
         "forest/HostMap.h",
-        // They need a context or a viewer: tests/offscreen, ForestStatisticsGlTest.
+        // Context or viewer needed: tests/offscreen, ForestStatisticsGlTest.
         "offscreen/FrameImage.h", "offscreen/OffscreenContext.h", "controls/StatisticsLines.h"};
     for (const auto& [header, calls] : AnyCalls::calls())
         known.insert(header);

@@ -5,7 +5,7 @@
 #include <osgUtil/CullVisitor>
 #include <osgUtil/RenderStage>
 
-/// The cull traversal of one frame, seen from a place.
+/// Runs the cull traversal of one frame for a camera at `eye` that looks at the origin.
 inline void cull(osg::Node& scene, unsigned frame, const osg::Vec3d& eye) {
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     stamp->setFrameNumber(frame);

@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-/// Listens on the loopback. @return the port.
+/// Binds a socket to a free port of the loopback interface. @return the port.
 inline unsigned listenOn(int server) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -30,7 +30,7 @@ inline std::string urlOf(unsigned port) {
     return "http://127.0.0.1:" + std::to_string(port);
 }
 
-/// Serves the files of a folder over HTTP on the loopback, one request after the other.
+/// Serves the files of a folder over HTTP on the loopback interface, one request after another.
 class FileServer {
 public:
     explicit FileServer(std::string folder)
@@ -48,8 +48,7 @@ public:
     FileServer& operator=(const FileServer&) = delete;
 
     std::string url() const { return urlOf(_port); }
-    /// From now on one request in `count` fails: in turns with 503, half a file, and a closed connection. 0:
-    /// none.
+    /// Makes one request in `count` fail, by status 503, half a file or a closed connection. 0: no failures.
     void failOneIn(int count) { _failOneIn = count; }
     int failures() const { return _failures; }
 
@@ -101,7 +100,7 @@ private:
     std::thread _thread;
 };
 
-/// Takes connections and never answers.
+/// Accepts connections and never answers.
 class SilentServer {
 public:
     SilentServer() : _socket(socket(AF_INET, SOCK_STREAM, 0)) { _port = listenOn(_socket); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/NamesInOrder.h>
 #include <tests/nodes/ForestFixtures.h>
@@ -14,7 +14,7 @@ protected:
     osg::ref_ptr<Forest> copyOf(const Forest& forest) { return osg::clone(&forest, osg::CopyOp(GetParam())); }
 };
 
-TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
+TEST_P(ForestCopyTest, HasItsOwnTreesAndTheHostsChildren) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     osg::ref_ptr<osg::Group> house = new osg::Group;
     house->setName("house");
@@ -32,7 +32,7 @@ TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
     EXPECT_FALSE(copy->isOwnChild(forest->getInstanced()));
 }
 
-TEST_P(ForestCopyTest, movesOnItsOwn) {
+TEST_P(ForestCopyTest, MovesIndependently) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 20);
     const std::vector<glm::vec4> held = statesOf(*forest);
@@ -47,32 +47,32 @@ TEST_P(ForestCopyTest, movesOnItsOwn) {
         EXPECT_EQ(state, glm::vec4(0.0f)) << "at rest, and calm";
 }
 
-TEST_P(ForestCopyTest, takesTheWindOfNow) {
+TEST_P(ForestCopyTest, CopiesTheCurrentWind) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const WindFieldPtr gale = std::make_shared<UniformWind>(glm::vec3(30.0f, 0.0f, 0.0f));
     forest->setWind(gale);
     EXPECT_EQ(copyOf(*forest)->getWind().field, gale);
 }
 
-TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
+TEST_P(ForestCopyTest, SharesImmutableData) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
     forest->getInstanced()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
-    EXPECT_EQ(SimulationParts::models(copy->getSimulation()),
-              SimulationParts::models(forest->getSimulation()));
-    EXPECT_EQ(&SimulationParts::modal(copy->getSimulation())->archetype(0),
-              &SimulationParts::modal(forest->getSimulation())->archetype(0));
+    EXPECT_EQ(SimulationAccess::models(copy->getSimulation()),
+              SimulationAccess::models(forest->getSimulation()));
+    EXPECT_EQ(&SimulationAccess::modal(copy->getSimulation())->archetype(0),
+              &SimulationAccess::modal(forest->getSimulation())->archetype(0));
     const InstancedResources &one = InstancedParts::trees(*forest->getInstanced())->resources(),
                              &other = InstancedParts::trees(*copy->getInstanced())->resources();
     EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
-    EXPECT_EQ(other.looks[0].ownLeaves, own);
+    EXPECT_EQ(other.looks[0].hostLeaves, own);
     copy->getInstanced()->setLeafState(0, nullptr);
-    EXPECT_EQ(one.looks[0].ownLeaves, own) << "yet each is changed alone";
+    EXPECT_EQ(one.looks[0].hostLeaves, own) << "yet each is changed alone";
 }
 
-TEST_P(ForestCopyTest, hasTheTreesOfNow) {
+TEST_P(ForestCopyTest, CopiesTheCurrentTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     forest->removeTree(TreeId(1));
     TreePlacement late;
@@ -86,7 +86,7 @@ TEST_P(ForestCopyTest, hasTheTreesOfNow) {
     EXPECT_LT(copy->getBound().radius(), forest->getBound().radius());
 }
 
-TEST_P(ForestCopyTest, outlivesTheOriginal) {
+TEST_P(ForestCopyTest, OutlivesTheOriginal) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     forest = nullptr;
@@ -94,7 +94,7 @@ TEST_P(ForestCopyTest, outlivesTheOriginal) {
     EXPECT_TRUE(copy->getBound().valid());
 }
 
-TEST_P(ForestCopyTest, keepsTheStateTheUserSet) {
+TEST_P(ForestCopyTest, CopiesTheStateSet) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     forest->getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
@@ -102,7 +102,7 @@ TEST_P(ForestCopyTest, keepsTheStateTheUserSet) {
     EXPECT_EQ(copy->getStateSet()->getMode(GL_FOG), GLuint(osg::StateAttribute::ON));
 }
 
-TEST_P(ForestCopyTest, needsItsOwnUpdateOnly) {
+TEST_P(ForestCopyTest, RequiresOneUpdateTraversal) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     osg::ref_ptr<osg::Group> clock = new osg::Group;
     clock->setUpdateCallback(new osg::NodeCallback);

@@ -7,7 +7,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -19,12 +19,12 @@
 #include <memory>
 #include <random>
 
-/// A species of few branches, so that llvmpipe draws it quickly: trunk 2, then 3, then 9 units.
+/// A species with few branches, for quick drawing by llvmpipe: 2 units of trunk, then 3, then 9.
 inline osgTreeWind::Species smallSpecies() {
     osgTreeWind::Species species;
     species.name = "small";
     species.tree.wood.levels = 2;
-    species.wood.elasticModulus = 5.0e8f; // soft: a strong wind is seen
+    species.wood.elasticModulus = 5.0e8f; // soft, for visible motion
     species.shapes = 2;
     return species;
 }
@@ -46,7 +46,7 @@ inline osgTreeWind::ForestDescription smallForest(int count, float speed = 10.0f
     return description;
 }
 
-/// Looks at the two rows of smallForest(8) from the south, in a picture of 4 to 3.
+/// Looks at the two rows of smallForest(8) from the south, for pictures of aspect ratio 4:3.
 inline void lookAtSmallForest(osg::Camera& camera) {
     camera.setClearColor(osg::Vec4(0, 0, 0, 1));
     camera.setProjectionMatrixAsPerspective(40, 4.0 / 3.0, 1, 100);
@@ -62,27 +62,27 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
     return description;
 }
 
-/// Of all units of all trees (TreeMotion::states).
+/// TreeMotion::states of all units of all trees.
 inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec4> states;
-    for (std::size_t tree = 0; tree < osgTreeWind::SimulationParts::trees(forest.getSimulation()).size();
+    for (std::size_t tree = 0; tree < osgTreeWind::SimulationAccess::trees(forest.getSimulation()).size();
          ++tree)
         for (const glm::vec4& state : forest.getSimulation().motion(tree).states)
             states.push_back(state);
     return states;
 }
 
-/// Of all units of all trees (TreeMotion::winds).
+/// TreeMotion::winds of all units of all trees.
 inline std::vector<glm::vec3> windsOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec3> winds;
-    for (std::size_t tree = 0; tree < osgTreeWind::SimulationParts::trees(forest.getSimulation()).size();
+    for (std::size_t tree = 0; tree < osgTreeWind::SimulationAccess::trees(forest.getSimulation()).size();
          ++tree)
         for (const glm::vec3& wind : forest.getSimulation().motion(tree).winds)
             winds.push_back(wind);
     return winds;
 }
 
-/// The update traversal of one frame, as a viewer does it.
+/// Runs the update traversal of one frame.
 inline void update(osg::Node& scene, unsigned frame, double time) {
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     stamp->setFrameNumber(frame);
@@ -93,7 +93,7 @@ inline void update(osg::Node& scene, unsigned frame, double time) {
     scene.accept(visitor);
 }
 
-/// Frames `first` to `last`, 1/25 s apart.
+/// Runs the update traversals of frames `first` to `last`, 1/25 s apart.
 inline void updateFrames(osg::Node& scene, unsigned first, unsigned last) {
     for (unsigned frame = first; frame <= last; ++frame)
         update(scene, frame, frame / 25.0);
@@ -103,7 +103,6 @@ inline osg::Matrix worldMatrix(osg::Node& node) {
     return osg::computeLocalToWorld(node.getParentalNodePaths().at(0));
 }
 
-/// Any turn, all alike likely enough.
 inline osg::Quat randomTurn(std::mt19937& random) {
     std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
     osg::Vec3d axis(anywhere(random), anywhere(random), anywhere(random) + 1.5);

@@ -18,15 +18,14 @@ class ForestGlTest : public GlTest {
 protected:
     static constexpr int width = 160, height = 120;
 
-    /// The last of that many frames 1/25 s apart from 0; the camera does not depend on bounds.
+    /// The last of `frames` frames, which begin at time 0, 1/25 s apart. The camera is independent of bounds.
     osg::ref_ptr<osg::Image> picture(osg::Node* scene, int frames) {
         open(width, height);
         viewer().setSceneData(scene);
         lookAtSmallForest(*viewer().getCamera());
-        return later(0, frames - 1);
+        return renderFrames(0, frames - 1);
     }
-    /// Draws on.
-    osg::ref_ptr<osg::Image> later(int first, int last) {
+    osg::ref_ptr<osg::Image> renderFrames(int first, int last) {
         for (int i = first; i <= last; ++i)
             frame(i / 25.0);
         return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
@@ -35,29 +34,29 @@ protected:
 
 } // namespace
 
-TEST_F(ForestGlTest, drawsTrees) {
+TEST_F(ForestGlTest, DrawsTrees) {
     osg::ref_ptr<osg::Image> still = picture(new Forest(smallForest(4)), 1);
     EXPECT_GT(covered(*still), 0.05);
     EXPECT_LT(covered(*still), 0.6);
 }
 
-TEST_F(ForestGlTest, drawsNothingWithoutTrees) {
+TEST_F(ForestGlTest, DrawsNothingWithoutTrees) {
     EXPECT_EQ(covered(*picture(new Forest, 3)), 0.0);
 }
 
-TEST_F(ForestGlTest, framesDifferInWind) {
+TEST_F(ForestGlTest, FramesDifferInWind) {
     osg::ref_ptr<osg::Image> first = picture(new Forest(smallForest(4)), 2);
-    EXPECT_GT(difference(*first, *later(2, 25)).mean, 0.3);
+    EXPECT_GT(difference(*first, *renderFrames(2, 25)).mean, 0.3);
 }
 
-TEST_F(ForestGlTest, framesAreAlikeWhilePaused) {
+TEST_F(ForestGlTest, FramesAreEqualWhilePaused) {
     osg::ref_ptr<osg::Image> first = picture(new Forest(smallForest(4)), 10);
     frame(9 / 25.0);
     frame(9 / 25.0);
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 
-TEST_F(ForestGlTest, farFromTheWorldsOriginThePictureIsTheSame) {
+TEST_F(ForestGlTest, ThePictureIsTheSameFarFromTheWorldOrigin) {
     ForestDescription near = smallForest(4), far = smallForest(4);
     far.origin = {4.3e5, 4.5e6, 1402.0};
     for (TreePlacement& tree : far.trees)
@@ -67,7 +66,7 @@ TEST_F(ForestGlTest, farFromTheWorldsOriginThePictureIsTheSame) {
     EXPECT_EQ(difference(*here, *there).mean, 0.0);
 }
 
-TEST_F(ForestGlTest, belowATransformFarAwayThePictureIsTheSameButForRounding) {
+TEST_F(ForestGlTest, ThePictureIsTheSameBelowAFarTransformExceptForRounding) {
     const osg::Vec3d away(4.3e5, 4.5e6, 1402.0);
     osg::ref_ptr<osg::Image> here = picture(new Forest(smallForest(4)), 1);
     osg::ref_ptr<osg::MatrixTransform> there = new osg::MatrixTransform(osg::Matrix::translate(away));
@@ -75,22 +74,22 @@ TEST_F(ForestGlTest, belowATransformFarAwayThePictureIsTheSameButForRounding) {
     picture(there, 1);
     viewer().getCamera()->setViewMatrix(osg::Matrix::translate(-away) *
                                         viewer().getCamera()->getViewMatrix());
-    EXPECT_LT(difference(*here, *later(0, 0)).mean, 0.5);
+    EXPECT_LT(difference(*here, *renderFrames(0, 0)).mean, 0.5);
 }
 
-TEST_F(ForestGlTest, aNewDescriptionShowsInTheNextFrame) {
+TEST_F(ForestGlTest, ANewDescriptionIsDrawnInTheNextFrame) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     osg::ref_ptr<osg::Image> one = picture(forest, 3);
     EXPECT_TRUE(forest->setDescription(ForestDescription()).empty());
-    EXPECT_EQ(covered(*later(3, 3)), 0.0);
+    EXPECT_EQ(covered(*renderFrames(3, 3)), 0.0);
     EXPECT_TRUE(forest->setDescription(smallForest(1)).empty());
-    EXPECT_LT(difference(*one, *later(4, 5)).mean, 1.0);
+    EXPECT_LT(difference(*one, *renderFrames(4, 5)).mean, 1.0);
 }
 
-TEST_F(ForestGlTest, twoViewsShowTheSameForestAndStepItOnce) {
+TEST_F(ForestGlTest, TwoViewsShowTheSameForestAndStepItOnce) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2)), alone = new Forest(smallForest(2));
     picture(alone, 10);
-    open(8, 8); // checks messages; the viewer below has contexts of its own
+    open(8, 8); // collects messages; the viewer below has its own contexts
     osgViewer::CompositeViewer composite;
     composite.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     osg::ref_ptr<osg::Image> images[2];
@@ -114,7 +113,7 @@ TEST_F(ForestGlTest, twoViewsShowTheSameForestAndStepItOnce) {
 
 class OptimizedForestGlTest : public ForestGlTest, public ::testing::WithParamInterface<unsigned> {};
 
-TEST_P(OptimizedForestGlTest, givesTheSamePicture) {
+TEST_P(OptimizedForestGlTest, GivesTheSamePicture) {
     osg::ref_ptr<osg::Group> plain = new osg::Group, optimized = new osg::Group;
     for (osg::Group* scene : {plain.get(), optimized.get()}) {
         osg::ref_ptr<osg::MatrixTransform> turned =

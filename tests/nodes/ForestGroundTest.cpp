@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-TEST(ForestGround, IsTheHostsToAdd) {
+TEST(ForestGround, IsNotAddedToTheScene) {
     ForestDescription description = smallForest(4);
     EXPECT_FALSE(osg::ref_ptr<Forest>(new Forest(description))->getGround());
     description.ground = std::make_shared<FunctionGround>([](double x, double) { return 0.1 * x; });
@@ -22,7 +22,7 @@ TEST(ForestGround, IsTheHostsToAdd) {
     EXPECT_FALSE(forest->getGround());
 }
 
-TEST(ForestGround, WithoutSoundCellsOrHeightsThereIsNone) {
+TEST(ForestGround, IsNullWithInvalidCellsOrHeights) {
     const auto groundOf = [](double cell, double height) {
         ForestDescription description = smallForest(1);
         GroundArea area;

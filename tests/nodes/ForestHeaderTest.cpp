@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a host pays for a forest: the headers that its one header brings along.
+// The number of headers that a host includes with Forest.h.
 #include <tests/Folders.h>
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ bool isOurs(const std::string& header) {
     return header.rfind("osgTreeWind/", 0) == 0;
 }
 
-/// Adds the headers of ours and of OSG that a header of ours includes, and those that ours among them
-/// include.
+/// Adds the headers of osgTreeWind and OSG that a header of osgTreeWind includes, directly or through other
+/// headers of osgTreeWind.
 void addIncluded(const std::string& header, std::set<std::string>& all) {
     const std::string start = "#include <osg";
     std::ifstream file(OSGTREEWIND_SOURCE_DIR "/" + header);
@@ -31,7 +31,7 @@ void addIncluded(const std::string& header, std::set<std::string>& all) {
 
 } // namespace
 
-TEST(ForestHeaderTest, bringsFewOthersAlong) {
+TEST(ForestHeaderTest, IncludesFewHeaders) {
     std::set<std::string> all;
     addIncluded("osgTreeWind/nodes/Forest.h", all);
     const auto ours = std::count_if(all.begin(), all.end(), isOurs);
@@ -39,5 +39,5 @@ TEST(ForestHeaderTest, bringsFewOthersAlong) {
     EXPECT_GT(ours, 1) << "none was found";
     EXPECT_LE(ours, 12);
     EXPECT_GT(osg, 0) << "none was found";
-    EXPECT_LE(osg, 10) << "also by way of ours";
+    EXPECT_LE(osg, 10) << "also indirectly";
 }

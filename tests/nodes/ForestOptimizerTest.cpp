@@ -11,7 +11,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Trees that can be reached from a node.
+/// Number of trees in the scene graph below a node.
 std::size_t treesBelow(osg::Node& node) {
     struct Counter : osg::NodeVisitor {
         Counter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
@@ -29,10 +29,10 @@ std::size_t treesBelow(osg::Node& node) {
 
 } // namespace
 
-/// What the Optimizer is told to do: as stock osgviewer runs it, and everything it can.
+/// By the options of the Optimizer: those of osgviewer, and all.
 class ForestOptimizerTest : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(ForestOptimizerTest, leavesTheTreesInTheScene) {
+TEST_P(ForestOptimizerTest, KeepsTheTrees) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(20));
     scene->addChild(forest);
@@ -41,7 +41,7 @@ TEST_P(ForestOptimizerTest, leavesTheTreesInTheScene) {
     EXPECT_TRUE(scene->containsNode(forest));
 }
 
-TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
+TEST_P(ForestOptimizerTest, KeepsBranchTransformsAndTheirChildren) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
@@ -57,7 +57,7 @@ TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
     EXPECT_NE(worldMatrix(*sensor).getTrans(), before);
 }
 
-TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
+TEST_P(ForestOptimizerTest, KeepsEmptyBranchTransforms) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
@@ -66,7 +66,7 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
     EXPECT_EQ(branch->getNumParents(), 1u);
 }
 
-TEST_P(ForestOptimizerTest, leavesAStaticTransformAboveTheForest) {
+TEST_P(ForestOptimizerTest, KeepsAStaticTransformAboveTheForest) {
     for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::ThesisSmooth}) {
         osg::ref_ptr<osg::Group> scene = new osg::Group;
         osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(osg::Matrix::translate(70, 0, 0));
@@ -81,7 +81,7 @@ TEST_P(ForestOptimizerTest, leavesAStaticTransformAboveTheForest) {
     }
 }
 
-TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {
+TEST_P(ForestOptimizerTest, AnEmptyForestAcceptsADescriptionAfterwards) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest;
     scene->addChild(forest);
@@ -90,7 +90,7 @@ TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {
     EXPECT_EQ(treesBelow(*forest), 3u);
 }
 
-TEST_P(ForestOptimizerTest, aForestOfOneTreeTakesAnotherDescriptionAfterwards) {
+TEST_P(ForestOptimizerTest, AForestOfOneTreeAcceptsADescriptionAfterwards) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);

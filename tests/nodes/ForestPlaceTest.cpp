@@ -3,7 +3,7 @@
 #include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -21,14 +21,14 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A wind that differs from place to place, and blows aslant.
+/// A wind that depends on the place and blows diagonally.
 WindFieldPtr gradient() {
     return std::make_shared<FunctionWind>([](const glm::vec3& place, double) {
         return glm::vec3(6.0f + 0.05f * place.x, 4.0f - 0.03f * place.y, 0.2f);
     });
 }
 
-ForestDescription treesIn(const WindFieldPtr& wind) {
+ForestDescription forestInWind(const WindFieldPtr& wind) {
     ForestDescription description = smallForest(6);
     description.wind = wind;
     description.wind.frame = WindFrame::Scene;
@@ -36,40 +36,30 @@ ForestDescription treesIn(const WindFieldPtr& wind) {
 }
 
 glm::vec2 leanOf(const Forest& forest, std::size_t tree) {
-    return SimulationParts::modal(forest.getSimulation())->lean(tree);
+    return SimulationAccess::modal(forest.getSimulation())->lean(tree);
 }
 
-osg::ref_ptr<osg::MatrixTransform> below(const osg::Matrix& place, osg::Node* node) {
+osg::ref_ptr<osg::MatrixTransform> placeBelow(const osg::Matrix& place, osg::Node* node) {
     osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(place);
     transform->addChild(node);
     return transform;
 }
 
-/// What is said at NOTICE and above while it lives.
-struct Listening {
-    Listening() : messages(new MessageCollector), former(osg::getNotifyHandler()) {
-        osg::setNotifyHandler(messages);
-    }
-    ~Listening() { osg::setNotifyHandler(former); }
-    osg::ref_ptr<MessageCollector> messages;
-    osg::ref_ptr<osg::NotifyHandler> former;
-};
-
 } // namespace
 
-TEST(ForestPlaceTest, belowATransformTreesMoveAsIfTheyHadBeenPlantedThere) {
+TEST(ForestPlaceTest, BelowATransformTreesMoveAsIfPlacedThere) {
     const double turn = 0.9;
     const osg::Matrix place =
         osg::Matrix::rotate(turn, osg::Z_AXIS) * osg::Matrix::translate(40.0, -25.0, 3.0);
-    ForestDescription planted = treesIn(gradient());
+    ForestDescription planted = forestInWind(gradient());
     for (TreePlacement& tree : planted.trees) {
         const osg::Vec3d at = osg::Vec3d(tree.position.x, tree.position.y, tree.position.z) * place;
         tree.position = {at.x(), at.y(), at.z()};
         tree.heading += static_cast<float>(turn);
     }
-    osg::ref_ptr<Forest> there = new Forest(planted), moved = new Forest(treesIn(gradient())),
-                         elsewhere = new Forest(treesIn(gradient()));
-    osg::ref_ptr<osg::Node> scene = below(place, moved);
+    osg::ref_ptr<Forest> there = new Forest(planted), moved = new Forest(forestInWind(gradient())),
+                         elsewhere = new Forest(forestInWind(gradient()));
+    osg::ref_ptr<osg::Node> scene = placeBelow(place, moved);
     updateFrames(*there, 1, 50);
     updateFrames(*scene, 1, 50);
     updateFrames(*elsewhere, 1, 50);
@@ -79,17 +69,17 @@ TEST(ForestPlaceTest, belowATransformTreesMoveAsIfTheyHadBeenPlantedThere) {
         const glm::vec2 turned(cosine * lean.x - sine * lean.y, sine * lean.x + cosine * lean.y);
         EXPECT_LT(glm::distance(turned, leanOf(*there, tree)), 2e-4f) << tree;
         EXPECT_GT(glm::distance(leanOf(*elsewhere, tree), leanOf(*there, tree)), 5e-3f)
-            << "the wind is the same everywhere, so this shows nothing";
+            << "the test needs a wind that depends on the place";
     }
 }
 
-TEST(ForestPlaceTest, farFromTheWorldsOriginTheSceneMayBeInEitherCoordinates) {
-    ForestDescription description = treesIn(gradient()); // in scene coordinates
+TEST(ForestPlaceTest, FarFromTheWorldOriginTheSceneMayBeLocalOrWorld) {
+    ForestDescription description = forestInWind(gradient()); // in scene coordinates
     description.origin = {4.3e5, 4.5e6, 1402.0};
     for (TreePlacement& tree : description.trees)
         tree.position += description.origin;
     osg::ref_ptr<Forest> local = new Forest(description), world = new Forest(description);
-    osg::ref_ptr<osg::Node> scene = below(osg::Matrix::translate(world->getOrigin()), world);
+    osg::ref_ptr<osg::Node> scene = placeBelow(osg::Matrix::translate(world->getOrigin()), world);
     updateFrames(*local, 1, 30);
     updateFrames(*scene, 1, 30);
     for (std::size_t tree = 0; tree < 6; ++tree) {
@@ -98,11 +88,11 @@ TEST(ForestPlaceTest, farFromTheWorldsOriginTheSceneMayBeInEitherCoordinates) {
     }
 }
 
-TEST(ForestPlaceTest, aForestThatIsCarriedMeetsTheWindOfWhereItIsNow) {
+TEST(ForestPlaceTest, AMovingForestSamplesTheWindAtItsCurrentPlace) {
     const auto wall = std::make_shared<FunctionWind>(
         [](const glm::vec3& place, double) { return glm::vec3(place.x > 100.0f ? 9.0f : 3.0f, 0.0f, 0.0f); });
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(wall));
-    osg::ref_ptr<osg::MatrixTransform> ship = below(osg::Matrix(), forest);
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(wall));
+    osg::ref_ptr<osg::MatrixTransform> ship = placeBelow(osg::Matrix(), forest);
     updateFrames(*ship, 1, 20);
     EXPECT_NEAR(windsOf(*forest).front().x, 3.0f, 0.1f);
     ship->setMatrix(osg::Matrix::rotate(osg::PI, osg::Z_AXIS) * osg::Matrix::translate(200, 0, 0));
@@ -110,36 +100,36 @@ TEST(ForestPlaceTest, aForestThatIsCarriedMeetsTheWindOfWhereItIsNow) {
     EXPECT_NEAR(windsOf(*forest).front().x, -9.0f, 0.1f) << "turned with the ship, in the forest's axes";
 }
 
-TEST(ForestPlaceTest, inTwoPlacesOneWarningIsGiven) {
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(gradient()));
+TEST(ForestPlaceTest, ASecondPlaceGivesOneWarning) {
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(gradient()));
     forest->setName("park");
     osg::ref_ptr<osg::Group> scene = new osg::Group;
-    scene->addChild(below(osg::Matrix::translate(0, 0, 0), forest));
-    scene->addChild(below(osg::Matrix::translate(500, 0, 0), forest));
-    const Listening listening;
+    scene->addChild(placeBelow(osg::Matrix::translate(0, 0, 0), forest));
+    scene->addChild(placeBelow(osg::Matrix::translate(500, 0, 0), forest));
+    const ScopedMessages messages;
     updateFrames(*scene, 1, 20);
-    const std::string said = listening.messages->take();
-    EXPECT_NE(said.find("forest \"park\" stands in two places"), std::string::npos) << said;
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
-    osg::ref_ptr<Forest> first = new Forest(treesIn(gradient()));
+    const std::string warnings = messages.take();
+    EXPECT_NE(warnings.find("forest \"park\" stands in two places"), std::string::npos) << warnings;
+    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
+    osg::ref_ptr<Forest> first = new Forest(forestInWind(gradient()));
     updateFrames(*first, 1, 20);
     EXPECT_EQ(leanOf(*first, 3), leanOf(*forest, 3)) << "the wind of the first place";
 }
 
-TEST(ForestPlaceTest, twoViewsOfOnePlaceAreNoTwoPlaces) {
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(gradient()));
-    osg::ref_ptr<osg::Node> scene = below(osg::Matrix::translate(20, 0, 0), forest);
-    const Listening listening;
+TEST(ForestPlaceTest, TwoViewsOfOnePlaceGiveNoWarning) {
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(gradient()));
+    osg::ref_ptr<osg::Node> scene = placeBelow(osg::Matrix::translate(20, 0, 0), forest);
+    const ScopedMessages messages;
     for (unsigned frame = 1; frame < 10; ++frame)
         for (int view = 0; view < 2; ++view)
             update(*scene, frame, frame / 25.0);
-    EXPECT_EQ(listening.messages->take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
-TEST(ForestPlaceTest, belowASwitchThatIsOffItRests) {
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(gradient()));
+TEST(ForestPlaceTest, ItPausesBelowASwitchThatIsOff) {
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(gradient()));
     osg::ref_ptr<osg::Switch> choice = new osg::Switch;
-    choice->addChild(below(osg::Matrix(), forest), true);
+    choice->addChild(placeBelow(osg::Matrix(), forest), true);
     updateFrames(*choice, 1, 20);
     const std::vector<glm::vec4> held = statesOf(*forest);
     choice->setAllChildrenOff();
@@ -149,11 +139,12 @@ TEST(ForestPlaceTest, belowASwitchThatIsOffItRests) {
     updateFrames(*choice, 61, 61);
     EXPECT_NE(statesOf(*forest), held);
     for (const glm::vec4& state : statesOf(*forest))
-        EXPECT_TRUE(std::isfinite(state.x) && std::abs(state.x) < 2.0f) << "the time away is no jump";
+        EXPECT_TRUE(std::isfinite(state.x) && std::abs(state.x) < 2.0f)
+            << "the time below the Switch does not count";
 }
 
-TEST(ForestPlaceTest, shownByOneOfTwoSwitchesItMoves) {
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(gradient()));
+TEST(ForestPlaceTest, ItMovesIfOneOfTwoSwitchesIsOn) {
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(gradient()));
     osg::ref_ptr<osg::Switch> off = new osg::Switch, on = new osg::Switch;
     off->addChild(forest, false);
     on->addChild(forest, true);
@@ -164,8 +155,8 @@ TEST(ForestPlaceTest, shownByOneOfTwoSwitchesItMoves) {
     EXPECT_GT(glm::length(leanOf(*forest, 0)), 0.01f);
 }
 
-TEST(ForestPlaceTest, belowALodItRestsOnceItWasSeenAndIsNoMore) {
-    osg::ref_ptr<Forest> forest = new Forest(treesIn(gradient()));
+TEST(ForestPlaceTest, ItPausesBelowALodThatStoppedShowingIt) {
+    osg::ref_ptr<Forest> forest = new Forest(forestInWind(gradient()));
     osg::ref_ptr<osg::LOD> lod = new osg::LOD;
     lod->addChild(forest, 0.0f, 100.0f);
     updateFrames(*lod, 1, 10);
@@ -188,8 +179,9 @@ TEST(ForestPlaceTest, belowALodItRestsOnceItWasSeenAndIsNoMore) {
     EXPECT_NE(statesOf(*forest), held) << "seen again";
 }
 
-TEST(ForestPlaceTest, aJumpOfTimeIsOneSecondAtMost) {
-    osg::ref_ptr<Forest> jumped = new Forest(treesIn(gradient())), walked = new Forest(treesIn(gradient()));
+TEST(ForestPlaceTest, AJumpInTimeCountsAsAtMostOneSecond) {
+    osg::ref_ptr<Forest> jumped = new Forest(forestInWind(gradient())),
+                         walked = new Forest(forestInWind(gradient()));
     updateFrames(*jumped, 1, 20);
     updateFrames(*walked, 1, 20);
     update(*jumped, 21, 20 / 25.0 + 3600.0);

@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -22,30 +22,31 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A wind that counts how many times each frame it is asked for the first tree's foot.
+/// A forest of one tree whose wind counts its samples.
 struct CountedForest {
-    std::shared_ptr<std::atomic<int>> asked = std::make_shared<std::atomic<int>>(0);
+    std::shared_ptr<std::atomic<int>> calls = std::make_shared<std::atomic<int>>(0);
     osg::ref_ptr<Forest> forest;
 
     CountedForest() {
         ForestDescription description = smallForest(1);
-        description.law = MotionLaw::ThesisSmooth; // asks once for each unit
-        auto count = asked;
+        description.law = MotionLaw::ThesisSmooth; // samples the wind once per branch unit
+        auto count = calls;
         description.wind = std::make_shared<FunctionWind>([count](const glm::vec3&, double) {
             ++*count;
             return glm::vec3(5.0f, 0.0f, 0.0f);
         });
         forest = new Forest(description);
     }
+    /// Samples per branch unit.
     int samples() const {
-        return *asked /
-               static_cast<int>(SimulationParts::branches(forest->getSimulation())->windPlaces().size());
+        return *calls /
+               static_cast<int>(SimulationAccess::branches(forest->getSimulation())->windPlaces().size());
     }
 };
 
 } // namespace
 
-TEST(ForestTest, samplesTheWindOncePerFrameNumberHoweverManyTraversals) {
+TEST(ForestTest, SamplesTheWindOncePerFrameNumber) {
     CountedForest counted;
     for (unsigned frame = 1; frame <= 5; ++frame)
         for (int view = 0; view < 3; ++view)
@@ -53,7 +54,7 @@ TEST(ForestTest, samplesTheWindOncePerFrameNumberHoweverManyTraversals) {
     EXPECT_EQ(counted.samples(), 5);
 }
 
-TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
+TEST(ForestTest, IsUpdatedBelowAPlainGroup) {
     CountedForest counted;
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(counted.forest);
@@ -62,7 +63,7 @@ TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
     EXPECT_EQ(counted.samples(), 3);
 }
 
-TEST(ForestTest, aPauseHoldsTheTrees) {
+TEST(ForestTest, APauseHoldsTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 20);
     const std::vector<glm::vec4> held = statesOf(*forest);
@@ -73,7 +74,7 @@ TEST(ForestTest, aPauseHoldsTheTrees) {
     EXPECT_NE(statesOf(*forest), held) << "and goes on after it";
 }
 
-TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
+TEST(ForestTest, ANewWindActsInTheNextFrame) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 3);
     forest->setWind(std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 1.0f)));
@@ -86,7 +87,7 @@ TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
         EXPECT_EQ(sample, glm::vec3(0.0f)) << "null is calm";
 }
 
-TEST(ForestTest, anotherThreadMayHandOverTheWindWhileFramesRun) {
+TEST(ForestTest, AnotherThreadMaySetTheWindDuringFrames) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     std::atomic<bool> running{true};
     std::thread simulator([&] {
@@ -105,7 +106,7 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileFramesRun) {
     EXPECT_GT(windsOf(*forest).front().x, 0.5f);
 }
 
-TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
+TEST(ForestTest, ANewDescriptionReplacesTheTreesAndKeepsTheHostsChildren) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
@@ -125,7 +126,7 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     former->update(11, 0.4);
 }
 
-TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
+TEST(ForestTest, ANewDescriptionMayChangeTheLaw) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     ForestDescription ofBranches = smallForest(2);
     ofBranches.law = MotionLaw::ThesisSmooth;
@@ -143,7 +144,7 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     updateFrames(*forest, 6, 10);
 }
 
-TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
+TEST(ForestTest, ADescriptionWithoutWindKeepsTheWind) {
     const auto streamed = std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 0.0f));
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     forest->setWind(streamed);
@@ -156,12 +157,12 @@ TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
 
     const ForestDescription windy = smallForest(1, 7.0f);
     EXPECT_TRUE(forest->setDescription(windy).empty());
-    EXPECT_EQ(forest->getWind().field, windy.wind.field) << "its own wind goes before";
+    EXPECT_EQ(forest->getWind().field, windy.wind.field) << "the wind of the description has priority";
     updateFrames(*forest, 2, 2);
     EXPECT_EQ(windsOf(*forest).front(), glm::vec3(7.0f, 0.0f, 0.0f));
 }
 
-TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
+TEST(ForestTest, AnotherThreadMaySetTheWindDuringSetDescription) {
     ForestDescription windless = smallForest(1);
     windless.wind = nullptr;
     osg::ref_ptr<Forest> forest = new Forest(windless);
@@ -182,7 +183,7 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
     EXPECT_EQ(forest->getWind().field, last) << "no wind was lost";
 }
 
-TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
+TEST(ForestTest, TheHostsExecutorRunsItAndItsCopies) {
     std::atomic<int> calls{0};
     const Executor lent = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
         ++calls;
@@ -198,16 +199,16 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     EXPECT_GT(calls, before);
     before = calls;
     EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
-    EXPECT_GT(calls, before) << "and grow the next one";
+    EXPECT_GT(calls, before) << "also for a new description";
     forest->setExecutor(nullptr);
     before = calls;
     update(*forest, 2, 0.08);
     EXPECT_EQ(calls, before);
     EXPECT_TRUE(Forest::create(smallForest(1), lent));
-    EXPECT_GT(calls, before) << "from the start";
+    EXPECT_GT(calls, before) << "also in create()";
 }
 
-TEST(ForestTest, aRefusedDescriptionChangesNothing) {
+TEST(ForestTest, ARejectedDescriptionChangesNothing) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     const WindFieldPtr wind = forest->getWind().field;
     ForestDescription stranger = smallForest(2);
@@ -229,17 +230,14 @@ TEST(ForestTest, aRefusedDescriptionChangesNothing) {
     updateFrames(*forest, 1, 2);
 }
 
-TEST(ForestTest, theConstructorSaysWhatItRefuses) {
+TEST(ForestTest, TheConstructorWarnsOfAnInvalidDescription) {
     ForestDescription endless = smallForest(2);
     endless.trees[1].position.x = NAN;
     endless.trees[1].leaves = -1.0f;
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
-    osg::setNotifyHandler(messages);
+    const ScopedMessages messages;
     osg::ref_ptr<Forest> forest = new Forest(endless);
-    osg::setNotifyHandler(former);
     EXPECT_EQ(
-        messages->take(),
+        messages.take(),
         "osgTreeWind: the forest is left empty: tree[1].position: expected finite numbers in "
         "[-100000000, 100000000], found nan\ntree[1].leaves: expected a finite number in [0, 1], found -1\n");
     EXPECT_EQ(forest->getNumTrees(), 0u);
@@ -247,7 +245,7 @@ TEST(ForestTest, theConstructorSaysWhatItRefuses) {
     EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
 }
 
-TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
+TEST(ForestTest, CreateReturnsProblems) {
     const Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(3));
     ASSERT_TRUE(made);
     EXPECT_EQ(made.value()->getNumTrees(), 3u);
@@ -263,7 +261,7 @@ TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
         << tooLarge.problems().front().text();
 }
 
-TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
+TEST(ForestTest, ADefaultForestIsEmptyAndRuns) {
     osg::ref_ptr<Forest> forest = new Forest;
     updateFrames(*forest, 1, 3);
     EXPECT_EQ(forest->getNumTrees(), 0u);
@@ -271,23 +269,23 @@ TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
     EXPECT_EQ(forest->getOrigin(), osg::Vec3d());
 }
 
-TEST(ForestTest, staysWhereItIsWithoutAFrameStamp) {
+TEST(ForestTest, AnUpdateWithoutFrameStampDoesNothing) {
     CountedForest counted;
     osgUtil::UpdateVisitor visitor;
     counted.forest->accept(visitor);
     EXPECT_EQ(counted.samples(), 0);
 }
 
-TEST(ForestTest, treesOfASpeciesShareTheirGeometry) {
+TEST(ForestTest, TreesOfASpeciesShareTheirShapes) {
     const auto geometries = [](int trees) {
         osg::ref_ptr<Forest> forest = new Forest(smallForest(trees));
-        return SimulationParts::models(forest->getSimulation()).size();
+        return SimulationAccess::models(forest->getSimulation()).size();
     };
     EXPECT_EQ(geometries(2), 2u);
     EXPECT_EQ(geometries(40), 2u) << "memory grows with shapes, not trees";
 }
 
-TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
+TEST(ForestTest, MotionIsTheSameFarFromTheWorldOrigin) {
     ForestDescription near = smallForest(3), far = smallForest(3);
     far.origin = {4.3e5, 4.5e6, 1402.0};
     for (TreePlacement& tree : far.trees)
@@ -297,8 +295,8 @@ TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
-        EXPECT_EQ(SimulationParts::trees(there->getSimulation())[i].position,
-                  SimulationParts::trees(here->getSimulation())[i].position);
+        EXPECT_EQ(SimulationAccess::trees(there->getSimulation())[i].position,
+                  SimulationAccess::trees(here->getSimulation())[i].position);
     EXPECT_EQ(there->getBound().center(), here->getBound().center());
     EXPECT_EQ(statesOf(*there), statesOf(*here));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Trees that are put up, removed and changed, and branches that are followed, while a forest runs.
+// Adding, removing and changing trees, and transforms of branches, while a forest runs.
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 
 #include <osg/ComputeBoundsVisitor>
@@ -30,7 +30,7 @@ TreePlacement treeAt(double x, double y = 0.0, float height = 6.0f) {
 
 } // namespace
 
-TEST(ForestTreesTest, idsLast) {
+TEST(ForestTreesTest, IdsAreNeverUsedAgain) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     std::set<TreeId> ids;
     for (int i = 0; i < 100; ++i) {
@@ -44,10 +44,10 @@ TEST(ForestTreesTest, idsLast) {
     }
     for (std::size_t tree = 0; tree < 4; ++tree)
         EXPECT_TRUE(forest->getSimulation().holds(TreeId(tree)));
-    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 5u) << "slots are used again";
+    EXPECT_LE(SimulationAccess::trees(forest->getSimulation()).size(), 5u) << "slots are used again";
 }
 
-TEST(ForestTreesTest, aTreeOfNoSpeciesIsNotPutUp) {
+TEST(ForestTreesTest, ATreeOfAnUnknownSpeciesIsRejected) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     TreePlacement stranger = treeAt(1.0);
     stranger.species = 9;
@@ -59,7 +59,7 @@ TEST(ForestTreesTest, aTreeOfNoSpeciesIsNotPutUp) {
     EXPECT_EQ(forest->getNumTrees(), 1u);
 }
 
-TEST(ForestTreesTest, aTreeIsFoundByItsName) {
+TEST(ForestTreesTest, FindsATreeByName) {
     ForestDescription description = smallForest(3);
     description.trees[1].name = "old oak";
     osg::ref_ptr<Forest> forest = new Forest(description);
@@ -73,7 +73,7 @@ TEST(ForestTreesTest, aTreeIsFoundByItsName) {
     EXPECT_EQ(forest->findTree("sapling"), noTree);
 }
 
-TEST(ForestTreesTest, boundsGrowAndShrinkWithTheTrees) {
+TEST(ForestTreesTest, BoundsFollowTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const osg::BoundingSphere before = forest->getBound();
     const TreeId far = forest->addTree(treeAt(3000.0)).value();
@@ -87,7 +87,7 @@ TEST(ForestTreesTest, boundsGrowAndShrinkWithTheTrees) {
     EXPECT_FALSE(forest->getBound().valid());
 }
 
-TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
+TEST(ForestTreesTest, ATreeThatChangesInEveryFrameHasOneTransform) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     for (unsigned frame = 1; frame <= 200; ++frame) {
         ASSERT_TRUE(forest->changeTree(TreeId(1), treeAt(0.1 * frame)).empty());
@@ -95,21 +95,21 @@ TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
         update(*forest, frame, frame / 25.0);
         forest->removeTree(other);
     }
-    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 5u);
+    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 5u);
 }
 
-TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
+TEST(ForestTreesTest, AMovedTreeKeepsSwaying) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 40);
-    const glm::vec2 lean = SimulationParts::modal(forest->getSimulation())->lean(1);
+    const glm::vec2 lean = SimulationAccess::modal(forest->getSimulation())->lean(1);
     ASSERT_GT(glm::length(lean), 0.01f);
     TreePlacement there = forest->getSimulation().placementOf(TreeId(1));
     there.position.x += 100.0;
     forest->changeTree(TreeId(1), there);
-    EXPECT_LT(glm::distance(SimulationParts::modal(forest->getSimulation())->lean(1), lean), 1e-5f);
+    EXPECT_LT(glm::distance(SimulationAccess::modal(forest->getSimulation())->lean(1), lean), 1e-5f);
 }
 
-TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
+TEST(ForestTreesTest, ChangesDoNotAffectOtherTrees) {
     osg::ref_ptr<Forest> one = new Forest(smallForest(4)), other = new Forest(smallForest(4));
     updateFrames(*one, 1, 20);
     updateFrames(*other, 1, 20);
@@ -120,43 +120,44 @@ TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
     updateFrames(*one, 41, 60);
     updateFrames(*other, 41, 60);
     for (std::size_t tree = 0; tree < 4; ++tree)
-        EXPECT_EQ(SimulationParts::modal(one->getSimulation())->lean(tree),
-                  SimulationParts::modal(other->getSimulation())->lean(tree))
+        EXPECT_EQ(SimulationAccess::modal(one->getSimulation())->lean(tree),
+                  SimulationAccess::modal(other->getSimulation())->lean(tree))
             << tree;
 }
 
-TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
+TEST(ForestTreesTest, BranchTransformsUseTheFrameOfTheTree) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(2), 11).value();
     ASSERT_TRUE(branch);
     EXPECT_EQ(forest->branch(TreeId(2), 11).value(), branch);
-    EXPECT_EQ(linesOf(forest->branch(TreeId(2), 1000).problems()),
+    EXPECT_EQ(toString(forest->branch(TreeId(2), 1000).problems()),
               "unit: there is no unit 1000; the tree has 14, from 0 on");
-    EXPECT_EQ(linesOf(forest->branch(TreeId(77), 0).problems()), "tree: no tree has this id, or it is gone");
-    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
+    EXPECT_EQ(toString(forest->branch(TreeId(77), 0).problems()),
+              "tree: no tree has this id; it may have been removed");
+    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[2];
     const BranchUnit& rest =
-        SimulationParts::forest(forest->getSimulation()).modelOf(placed).skeleton.units[11];
+        SimulationAccess::forest(forest->getSimulation()).modelOf(placed).skeleton.units[11];
     const osg::Matrix before = branch->getMatrix();
     for (unsigned frame = 1; frame <= 30; ++frame) {
         update(*forest, frame, frame / 25.0);
         const glm::vec3 tip = placed.scale.axes * rest.tip;
         const UnitPose pose = forest->getSimulation().motion(2).poses[11];
         const glm::vec3 expected =
-            turnHeading(pose.apply(tip), std::sin(placed.heading), std::cos(placed.heading)) +
+            rotateAboutZ(pose.apply(tip), std::sin(placed.heading), std::cos(placed.heading)) +
             placed.position;
         EXPECT_LT((osg::Vec3(toOsg(tip) * branch->getMatrix()) - toOsg(expected)).length(), 1e-4f);
     }
     EXPECT_NE(branch->getMatrix(), before);
 }
 
-TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
+TEST(ForestTreesTest, ABranchTransformAgreesWithThePosedTree) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
     std::vector<osg::ref_ptr<BranchTransform>> branches;
     for (unsigned unit = 0; unit < forest->getUnits(TreeId(2)).size(); ++unit)
         branches.emplace_back(forest->branch(TreeId(2), unit).value());
     ASSERT_GT(branches.size(), 10u);
     updateFrames(*forest, 1, 30);
-    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
+    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[2];
     const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                                  osg::Matrix::translate(toOsg(placed.position));
     UnitValues values;
@@ -166,36 +167,36 @@ TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
                   osg::Matrix::rotate(toOsg(whole.poses[unit].rotation)) *
                       osg::Matrix::translate(toOsg(whole.poses[unit].translation)) * toForest)
             << unit;
-        EXPECT_EQ(branches[unit]->getRotation(), toOsg(whole.rotations[unit])) << "its own turn";
+        EXPECT_EQ(branches[unit]->getRotation(), toOsg(whole.rotations[unit])) << "the unit's own rotation";
     }
     EXPECT_GT(std::abs(branches.back()->getRotation().w() - 1.0), 1e-7);
 }
 
-TEST(ForestTreesTest, aBranchIsLetGoWithWhatHangsOnIt) {
+TEST(ForestTreesTest, ReleasingABranchRemovesItsChildren) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
     const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(5), 3).value(),
                                         last = forest->branch(TreeId(5), 9).value();
-    EXPECT_TRUE(forest->unfollow(TreeId(5), 3));
+    EXPECT_TRUE(forest->releaseBranch(TreeId(5), 3));
     EXPECT_EQ(first->getNumParents(), 0u);
     EXPECT_EQ(last->getNumParents(), 1u);
-    EXPECT_FALSE(forest->unfollow(TreeId(5), 3)) << "it was already";
-    EXPECT_FALSE(forest->unfollow(TreeId(5), 4)) << "nobody asked for it";
+    EXPECT_FALSE(forest->releaseBranch(TreeId(5), 3)) << "already released";
+    EXPECT_FALSE(forest->releaseBranch(TreeId(5), 4)) << "never requested";
     EXPECT_NE(forest->branch(TreeId(5), 3).value(), first);
     ASSERT_TRUE(forest->removeTree(TreeId(5)).empty());
-    EXPECT_TRUE(forest->unfollow(TreeId(5), 3)) << "also of a tree that is gone";
-    EXPECT_TRUE(forest->unfollow(TreeId(5), 9));
+    EXPECT_TRUE(forest->releaseBranch(TreeId(5), 3)) << "also after the tree is removed";
+    EXPECT_TRUE(forest->releaseBranch(TreeId(5), 9));
     EXPECT_EQ(last->getNumParents(), 0u);
 }
 
-TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
+TEST(ForestTreesTest, UnitsAreWhereTheTreeIs) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
     const std::vector<TreeUnit> rest = forest->getUnits(TreeId(1));
     updateFrames(*forest, 1, 30);
     const std::vector<TreeUnit> units = forest->getUnits(TreeId(1));
-    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[1];
-    ASSERT_EQ(units.size(), SimulationParts::forest(forest->getSimulation()).unitsOf(placed));
+    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[1];
+    ASSERT_EQ(units.size(), SimulationAccess::forest(forest->getSimulation()).unitCount(placed));
     EXPECT_LT((units[0].base - toOsg(placed.position)).length(), 1e-5f) << "the foot of the trunk";
     EXPECT_EQ(units[0].parent, -1);
     float moved = 0.0f, highest = 0.0f;
@@ -215,13 +216,13 @@ TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
         moved = std::max(moved, (unit.tip - rest[i].tip).length());
         highest = std::max(highest, rest[i].tip.z());
     }
-    EXPECT_GT(moved, 0.01f) << "the wind did not move the tree, so this shows nothing";
+    EXPECT_GT(moved, 0.01f) << "the test needs a tree that moves";
     EXPECT_NEAR(highest, 5.5f, 1.0f) << "as high as the tree";
     EXPECT_TRUE(forest->getUnits(TreeId(7)).empty());
     EXPECT_FALSE(nearestUnit({}, osg::Vec3()).has_value());
 }
 
-TEST(ForestTreesTest, treesAndTheirPlacementsCanBeWalkedThrough) {
+TEST(ForestTreesTest, ListsTreesAndTheirPlacements) {
     ForestDescription description = smallForest(3);
     description.origin = {4.3e5, 4.5e6, 10.0};
     for (TreePlacement& tree : description.trees)
@@ -234,12 +235,12 @@ TEST(ForestTreesTest, treesAndTheirPlacementsCanBeWalkedThrough) {
     const std::optional<TreePlacement> oak = forest->getPlacement(trees[1]);
     ASSERT_TRUE(oak);
     EXPECT_EQ(oak->name, "old oak");
-    EXPECT_EQ(oak->position, description.trees[2].position) << "in the world";
+    EXPECT_EQ(oak->position, description.trees[2].position) << "world coordinates";
     EXPECT_NEAR(oak->size.height, 6.0f, 0.06f);
     EXPECT_FALSE(forest->getPlacement(TreeId(1)));
 }
 
-TEST(ForestTreesTest, boxesAreOfTreesAtRestFromTheFootAndTheSphereHoldsTheirSway) {
+TEST(ForestTreesTest, BoxesEncloseTreesAtRestAndTheSphereTheirSway) {
     ForestDescription description = oneTree(smallSpecies());
     description.trees[0].position = {10.0, 20.0, 3.0};
     description.trees[0].size = {12.0f, 0.3f, 7.0f};
@@ -256,7 +257,7 @@ TEST(ForestTreesTest, boxesAreOfTreesAtRestFromTheFootAndTheSphereHoldsTheirSway
     EXPECT_TRUE(sphere.contains(osg::Vec3(10.0f + 3.5f + 0.35f * 12.0f, 20.0f, 14.0f))) << "as it sways";
 }
 
-TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
+TEST(ForestTreesTest, ANewBranchTransformHasTheCurrentPose) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
     updateFrames(*forest, 1, 30);
     const osg::ref_ptr<BranchTransform> late = forest->branch(TreeId(1), 9).value();
@@ -265,7 +266,7 @@ TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
     EXPECT_EQ(late->getMatrix(), now);
 }
 
-TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
+TEST(ForestTreesTest, ABranchTransformKeepsItsPositionWhenItsTreeIsRemoved) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), 9).value();
     updateFrames(*forest, 1, 30);
@@ -278,7 +279,7 @@ TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
     EXPECT_NE(forest->branch(next, 9).value(), branch);
 }
 
-TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
+TEST(ForestTreesTest, ABranchTransformFollowsAChangedTree) {
     ForestDescription description = smallForest(2, 20.0f);
     description.species.push_back(smallSpecies());
     description.species[1].tree.wood.levels = 1; // fewer branches
@@ -298,20 +299,20 @@ TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
     EXPECT_NE(first->getMatrix(), before);
 }
 
-TEST(ForestTreesTest, aSpeciesThatIsAddedHasTreesFilesAndCopies) {
+TEST(ForestTreesTest, AnAddedSpeciesIsInTreesFilesAndCopies) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     Species larch = smallSpecies();
     larch.name = "larch";
     larch.tree.wood.levels = 1;
     const Result<std::size_t> index = forest->addSpecies(larch);
-    ASSERT_TRUE(index) << linesOf(index.problems());
+    ASSERT_TRUE(index) << toString(index.problems());
     EXPECT_EQ(index.value(), 1u);
     EXPECT_FALSE(forest->addSpecies(larch)) << "its name is taken";
     EXPECT_EQ(forest->getDescription().species.back().name, "larch");
     TreePlacement place = treeAt(20.0);
     place.species = index.value();
     const Result<TreeId> tree = forest->addTree(place);
-    ASSERT_TRUE(tree) << linesOf(tree.problems());
+    ASSERT_TRUE(tree) << toString(tree.problems());
     EXPECT_TRUE(forest->branch(tree.value(), 4)) << "trunk of 2, 3 branches";
     EXPECT_TRUE(forest->getInstanced()->setLeafState(index.value(), new osg::StateSet));
     updateFrames(*forest, 1, 10);
@@ -325,19 +326,19 @@ TEST(ForestTreesTest, aSpeciesThatIsAddedHasTreesFilesAndCopies) {
     EXPECT_NE(file.str().find("name = \"larch\""), std::string::npos);
 }
 
-TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
+TEST(ForestTreesTest, AHiddenTreeWithABranchTransformStepsInEveryFrame) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 0u);
+    ASSERT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 0u);
     EXPECT_TRUE(forest->branch(TreeId(5), 0));
-    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 1u);
+    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 1u);
     updateFrames(*forest, 1, 200);
-    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);
-    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(6), ModalMotion::Level::Far);
+    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);
+    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->level(6), ModalMotion::Level::Far);
 }
 
-TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
+TEST(ForestTreesTest, ThousandsOfChangesUseNoMoreMemory) {
     ForestDescription description = smallForest(1);
     description.trees.resize(3000, description.trees[0]);
     for (std::size_t i = 0; i < description.trees.size(); ++i)
@@ -350,8 +351,9 @@ TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
         forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height));
         forest->removeTree(tree);
         if (i == 0)
-            archetypes = SimulationParts::modal(forest->getSimulation())->archetypeCount();
+            archetypes = SimulationAccess::modal(forest->getSimulation())->archetypeCount();
     }
-    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 3001u);
-    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->archetypeCount(), archetypes) << "flat memory";
+    EXPECT_LE(SimulationAccess::trees(forest->getSimulation()).size(), 3001u);
+    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->archetypeCount(), archetypes)
+        << "flat memory";
 }

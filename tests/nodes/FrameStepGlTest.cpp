@@ -10,7 +10,7 @@ namespace {
 
 class FrameStepGlTest : public GlTest {
 protected:
-    /// The 20th frame of a run whose frames come at any time.
+    /// The 20th frame of a run with irregular frame times.
     osg::ref_ptr<osg::Image> run(double (*hostTime)(int)) {
         open(96, 72);
         viewer().setSceneData(new Forest(smallForest(3)));
@@ -23,7 +23,7 @@ protected:
 
 } // namespace
 
-TEST_F(FrameStepGlTest, givesTwoRunsTheSamePictures) {
+TEST_F(FrameStepGlTest, GivesTwoRunsTheSamePictures) {
     const auto slow = [](int i) { return 0.11 * i; };
     const auto quick = [](int i) { return 0.02 * i + 0.003 * (i % 3); };
     EXPECT_GT(difference(*run(slow), *run(quick)).mean, 0.1);

@@ -17,7 +17,7 @@ protected:
     static constexpr int width = 96, height = 72;
 
     unsigned contextID() { return context().getState()->getContextID(); }
-    /// Bytes of buffers and textures that OSG keeps in the context, used or to be reused.
+    /// Bytes of the buffers and textures in OSG's pools for the context, in use or free.
     std::size_t poolSize() {
         return osg::get<osg::GLBufferObjectManager>(contextID())->getCurrGLBufferObjectPoolSize() +
                osg::get<osg::TextureObjectManager>(contextID())->getCurrTexturePoolSize();
@@ -26,7 +26,7 @@ protected:
 
 } // namespace
 
-TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
+TEST_F(GlLifetimeGlTest, AForestMovesFromOneContextToAnother) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
     viewer().setSceneData(nullptr);
@@ -36,7 +36,7 @@ TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
     EXPECT_EQ(difference(*first, *second).mean, 0.0);
 }
 
-TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
+TEST_F(GlLifetimeGlTest, AForestReleasedForAllContextsIsDrawnAgain) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::Image> first = render(forest, width, height, 3);
     forest->releaseGLObjects();
@@ -44,7 +44,7 @@ TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 
-TEST_F(GlLifetimeGlTest, buffersAreMadeRoomForBeforeMoreContexts) {
+TEST_F(GlLifetimeGlTest, BuffersAreResizedForMoreContexts) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::Image> first = render(forest, width, height, 3);
     forest->resizeGLObjectBuffers(64);
@@ -52,7 +52,7 @@ TEST_F(GlLifetimeGlTest, buffersAreMadeRoomForBeforeMoreContexts) {
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 
-TEST_F(GlLifetimeGlTest, theFiftiethOfItsKindIsDrawnAsTheFirst) {
+TEST_F(GlLifetimeGlTest, TheFiftiethForestLooksLikeTheFirst) {
     std::vector<osg::ref_ptr<Forest>> held;
     for (int i = 0; i < 50; ++i)
         held.push_back(new Forest(smallForest(2)));
@@ -61,7 +61,7 @@ TEST_F(GlLifetimeGlTest, theFiftiethOfItsKindIsDrawnAsTheFirst) {
     EXPECT_EQ(difference(*first, *render(held.back(), width, height, 3)).mean, 0.0);
 }
 
-TEST_F(GlLifetimeGlTest, oneIsReleasedAndOthersThatShareItsPartsAreDrawnOn) {
+TEST_F(GlLifetimeGlTest, ReleasingOneForestKeepsOthersThatShareItsParts) {
     osg::ref_ptr<Forest> kept = new Forest(smallForest(2)), gone = new Forest(smallForest(2));
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(kept);
@@ -79,7 +79,7 @@ TEST_F(GlLifetimeGlTest, oneIsReleasedAndOthersThatShareItsPartsAreDrawnOn) {
     EXPECT_EQ(difference(*both, image()).mean, 0.0);
 }
 
-TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
+TEST_F(GlLifetimeGlTest, ReleasingFreesAllBuffersAndTextures) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     render(forest, width, height, 1);
     viewer().setSceneData(new osg::Group);
@@ -90,12 +90,12 @@ TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
     ASSERT_GE(textures->getNumberActiveTextureObjects(), 4u) << "poses, bark and blades";
     forest->releaseGLObjects(context().getState());
     for (int i = 1; i < 100 && textures->getNumberActiveTextureObjects() > 0; ++i)
-        frame(0.04 * i); // the context takes as many in each as it has time for
+        frame(0.04 * i); // each frame deletes as many objects as its time allows
     EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), 0u);
     EXPECT_EQ(textures->getNumberActiveTextureObjects(), 0u);
 }
 
-TEST_F(GlLifetimeGlTest, whatTreesAreDrawnWithIsCompiledAhead) {
+TEST_F(GlLifetimeGlTest, CompilesAllGlObjectsAhead) {
     open(width, height);
     viewer().setSceneData(new osg::Group);
     frame(0.0);
@@ -113,10 +113,10 @@ TEST_F(GlLifetimeGlTest, whatTreesAreDrawnWithIsCompiledAhead) {
     EXPECT_GE(textures->getNumberActiveTextureObjects(), 4u) << "bark, blades and impostors";
     viewer().setSceneData(forest);
     frame(0.04);
-    EXPECT_LE(buffers->getNumberActiveGLBufferObjects(), compiled + 8) << "but for lists of trees";
+    EXPECT_LE(buffers->getNumberActiveGLBufferObjects(), compiled + 8) << "except for lists of trees";
 }
 
-TEST_F(GlLifetimeGlTest, aHundredForestsComeAndGoAndNothingGrows) {
+TEST_F(GlLifetimeGlTest, AHundredForestsLeakNothing) {
     open(width, height);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     viewer().setSceneData(scene);

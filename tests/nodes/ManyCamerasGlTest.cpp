@@ -44,7 +44,7 @@ osg::ref_ptr<osg::Camera> intoTexture(osg::Node* node, osg::Texture2D* texture) 
     return camera;
 }
 
-/// The forest, its shadow, and beside it a screen that shows it once more.
+/// The forest with its shadow, and a screen beside it with a picture of the forest.
 osg::ref_ptr<osg::Node> shadowsAndScreen(Forest* forest) {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
     texture->setTextureSize(viewWidth, viewHeight);
@@ -77,7 +77,7 @@ class ManyCamerasGlTest : public GlTest,
 protected:
     using Pictures = std::array<osg::ref_ptr<osg::Image>, 2>;
 
-    /// Two views of a scene, each in a context of its own.
+    /// Opens two views of a scene, each in its own context.
     void show(osg::Node* scene, osgViewer::ViewerBase::ThreadingModel threading) {
         _viewer = new osgViewer::CompositeViewer;
         _viewer->setThreadingModel(threading);
@@ -92,7 +92,7 @@ protected:
             _viewer->addView(view);
         }
     }
-    /// Of both views, when the drawing threads have finished with frame `last`.
+    /// Draws frames, and returns the pictures of both views after frame `last`.
     Pictures run(int first, int last) {
         for (int i = first; i <= last; ++i)
             _viewer->frame(i / 25.0);
@@ -115,7 +115,7 @@ protected:
 
 } // namespace
 
-TEST_P(ManyCamerasGlTest, allShowTheSamePoses) {
+TEST_P(ManyCamerasGlTest, AllShowTheSamePoses) {
     osg::ref_ptr<osg::Node> scene = shadowsAndScreen(new Forest(tieredForest()));
     show(scene, osgViewer::ViewerBase::SingleThreaded);
     const Pictures third = run(1, 3), thirtieth = run(4, 30);
@@ -130,7 +130,7 @@ TEST_P(ManyCamerasGlTest, allShowTheSamePoses) {
         EXPECT_EQ(difference(*picture, *thirtieth[0]).mean, 0.0);
 }
 
-TEST_P(ManyCamerasGlTest, aForestComesAndGoesWhileOthersAreDrawn) {
+TEST_P(ManyCamerasGlTest, AForestIsAddedAndRemovedWhileOthersAreDrawn) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> stays = new Forest(tieredForest());
     scene->addChild(stays);
@@ -146,7 +146,7 @@ TEST_P(ManyCamerasGlTest, aForestComesAndGoesWhileOthersAreDrawn) {
     EXPECT_EQ(covered(*run(40, 40)[1]), 0.0);
 }
 
-TEST_P(ManyCamerasGlTest, aForestIsReleasedAndShownAgain) {
+TEST_P(ManyCamerasGlTest, AReleasedForestIsDrawnAgain) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(tieredForest());
     scene->addChild(forest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A host with more forests than one would count, and threads of its own.
+// A host with hundreds of forests and its own threads.
 #include <tests/FullTests.h>
-#include <tests/ThreadsOfTheProcess.h>
+#include <tests/ProcessThreadCount.h>
 #include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -14,7 +14,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// What a viewer does with its scene in one frame, but for drawing it.
+/// The update and cull traversals of one frame.
 void showFrame(osg::Node& scene, unsigned frame) {
     update(scene, frame, frame / 25.0);
     cull(scene, frame, osg::Vec3d(5, -30, 5));
@@ -22,7 +22,7 @@ void showFrame(osg::Node& scene, unsigned frame) {
 
 } // namespace
 
-TEST(ManyForests, twoViewersShowThemOnTheThreadsOfTheirHost) {
+TEST(ManyForests, TwoViewersRunThemOnTheHostsThreads) {
     std::atomic<int> calls{0};
     const Executor host = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
         ++calls;
@@ -38,8 +38,8 @@ TEST(ManyForests, twoViewersShowThemOnTheThreadsOfTheirHost) {
         forests.push_back(made.value());
         scenes[i % 2]->addChild(made.value());
     }
-    std::thread([] {}).join(); // with which a sanitizer starts its own
-    const std::ptrdiff_t threads = threadsOfTheProcess();
+    std::thread([] {}).join(); // a sanitizer starts its own thread with the first one
+    const std::ptrdiff_t threads = processThreadCount();
     std::vector<std::thread> viewers;
     for (const osg::ref_ptr<osg::Group>& scene : scenes)
         viewers.emplace_back([&] {
@@ -48,7 +48,7 @@ TEST(ManyForests, twoViewersShowThemOnTheThreadsOfTheirHost) {
         });
     for (std::thread& viewer : viewers)
         viewer.join();
-    EXPECT_EQ(threadsOfTheProcess(), threads);
+    EXPECT_EQ(processThreadCount(), threads);
     EXPECT_GE(calls, count * 4) << "every step of every forest";
     for (const osg::ref_ptr<Forest>& forest : forests)
         ASSERT_EQ(statesOf(*forest), statesOf(*forests.front()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One allocation fails, this one or that: the host lives.
+// Single allocations fail: the host survives.
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
@@ -16,15 +16,15 @@
 
 namespace {
 
-constexpr long never = -1;
-std::atomic<long> allocationsLeft{never};
+constexpr long noFailure = -1;
+std::atomic<long> allocationsLeft{noFailure};
 
-/// Has one allocation by operator new fail, whichever thread it is of, while it lives.
+/// Makes one allocation by operator new fail during its lifetime, in any thread.
 class FailingMemory {
 public:
-    /// @param allocations that succeed before.
+    /// @param allocations that succeed before the failure.
     explicit FailingMemory(long allocations) { allocationsLeft = allocations; }
-    ~FailingMemory() { allocationsLeft = never; }
+    ~FailingMemory() { allocationsLeft = noFailure; }
     FailingMemory(const FailingMemory&) = delete;
     FailingMemory& operator=(const FailingMemory&) = delete;
 
@@ -33,8 +33,8 @@ public:
 
 } // namespace
 
-// Not inlined: GCC would take new and free() for mismatched. All that delete is given comes from here, as
-// AddressSanitizer has it.
+// Not inlined: GCC would report new and free() as mismatched. All forms of new and delete are replaced, as
+// AddressSanitizer requires.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     if (allocationsLeft >= 0 && allocationsLeft-- == 0)
         return nullptr;
@@ -61,20 +61,17 @@ namespace {
 
 class OutOfMemoryTest : public testing::Test {
 protected:
-    OutOfMemoryTest() { osg::setNotifyHandler(messages); }
-    ~OutOfMemoryTest() override { osg::setNotifyHandler(new osg::StandardNotifyHandler); }
-
-    /// Runs an entry again and again, each time with a later allocation that fails, until none does.
-    /// @return how often one failed.
+    /// Repeats an entry point, each time with a later failure, until no allocation fails.
+    /// @return the number of failures.
     template <typename Entry>
-    int failFurtherAndFurther(const Entry& entry) {
+    int failLaterEachTime(const Entry& entry) {
         int times = 0;
         for (long allocations = 0;; allocations += 1 + allocations / 12, ++times)
             if (!entry(allocations))
                 return times;
     }
 
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const ScopedMessages messages;
 };
 
 constexpr const char* smallFile = "version = 1\n"
@@ -87,13 +84,13 @@ constexpr const char* smallFile = "version = 1\n"
 
 } // namespace
 
-TEST_F(OutOfMemoryTest, aReadThatFailsSaysSo) {
+TEST_F(OutOfMemoryTest, AFailedReadIsAProblem) {
     usePluginsOfThisBuild();
     const TemporaryFolder folder;
     const std::string path = folder.write("small.treewind", smallFile);
     const osgDB::ReaderWriter* reader = osgDB::Registry::instance()->getReaderWriterForExtension("treewind");
     ASSERT_NE(reader, nullptr);
-    const int times = failFurtherAndFurther([&](long allocations) {
+    const int times = failLaterEachTime([&](long allocations) {
         osgDB::ReaderWriter::ReadResult result;
         bool failed = false;
         {
@@ -109,10 +106,10 @@ TEST_F(OutOfMemoryTest, aReadThatFailsSaysSo) {
     EXPECT_TRUE(reader->readNode(path, nullptr).success());
 }
 
-TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
+TEST_F(OutOfMemoryTest, AFailedUpdateStopsTheForest) {
     osg::ref_ptr<Forest> forest = new Forest;
     int stopped = 0;
-    const int times = failFurtherAndFurther([&](long allocations) {
+    const int times = failLaterEachTime([&](long allocations) {
         EXPECT_TRUE(forest->setDescription(smallForest(4)).empty());
         osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
         osgUtil::UpdateVisitor visitor;
@@ -134,8 +131,8 @@ TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
         const std::vector<glm::vec4> before = statesOf(*forest);
         update(4);
         stopped += statesOf(*forest) == before;
-        const std::string said = messages->take();
-        EXPECT_LE(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        const std::string warnings = messages.take();
+        EXPECT_LE(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
         return failed;
     });
     EXPECT_GT(times, 10);
@@ -147,7 +144,7 @@ TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
     EXPECT_NE(statesOf(*forest), before) << "it moves again";
 }
 
-TEST_F(OutOfMemoryTest, aCullThatFailsLeavesItsVisitorAsItWas) {
+TEST_F(OutOfMemoryTest, AFailedCullRestoresItsVisitor) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(8));
     updateFrames(*forest, 1, 2);
     InstancedTrees* const trees = InstancedParts::trees(*forest->getInstanced());
@@ -165,7 +162,7 @@ TEST_F(OutOfMemoryTest, aCullThatFailsLeavesItsVisitorAsItWas) {
         osg::Transform::ABSOLUTE_RF);
     visitor->getNodePath().reserve(64); // OSG's own
     const osgUtil::StateGraph* place = visitor->getCurrentStateGraph();
-    const int times = failFurtherAndFurther([&](long allocations) {
+    const int times = failLaterEachTime([&](long allocations) {
         stamp->setFrameNumber(static_cast<unsigned>(allocations) + 3);
         bool failed = false;
         {
@@ -178,6 +175,6 @@ TEST_F(OutOfMemoryTest, aCullThatFailsLeavesItsVisitorAsItWas) {
         return failed;
     });
     EXPECT_GT(times, 5);
-    const std::string said = messages->take();
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    const std::string warnings = messages.take();
+    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
 }

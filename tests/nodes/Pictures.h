@@ -7,10 +7,10 @@
 
 #include <cstdlib>
 
-/// How two RGBA pictures of one size differ.
+/// The difference of two RGBA pictures of the same size.
 struct Difference {
-    double mean = 0.0;     ///< Absolute, of colour values 0 to 255.
-    double outliers = 0.0; ///< Share of pixels with a colour value more than 32 off.
+    double mean = 0.0;     ///< Mean absolute difference of colour values, 0 to 255.
+    double outliers = 0.0; ///< Share of pixels with a difference above 32.
 };
 
 inline Difference difference(const osg::Image& a, const osg::Image& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seasons as they are seen, in each way of drawing.
+// Pictures of seasons, in each way of drawing.
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/Pictures.h>
 
@@ -31,7 +31,7 @@ osg::ref_ptr<Forest> tree(const char* species, SeasonWay way, float season) {
     return new Forest(std::move(forest));
 }
 
-/// Share of red in red and green of all that is drawn.
+/// Sum of red over the sum of red and green.
 double redness(const osg::Image& image) {
     double red = 0.0, green = 0.0;
     for (int i = 0; i < image.s() * image.t(); ++i) {
@@ -62,7 +62,7 @@ TEST_F(SeasonGlTest, ABroadleafLosesItsLeavesAndKeepsItsTwigs) {
     }
 }
 
-TEST_F(SeasonGlTest, LeavesTurn) {
+TEST_F(SeasonGlTest, LeavesTurnRed) {
     for (const SeasonWay way : ways) {
         const osg::ref_ptr<osg::Image> summer = picture(tree("oak", way, midsummer)),
                                        autumn = picture(tree("oak", way, midautumn));
@@ -71,7 +71,7 @@ TEST_F(SeasonGlTest, LeavesTurn) {
     }
 }
 
-TEST_F(SeasonGlTest, AnEvergreenStaysAsItIs) {
+TEST_F(SeasonGlTest, AnEvergreenDoesNotChange) {
     for (const SeasonWay way : ways) {
         const osg::ref_ptr<osg::Image> summer = picture(tree("Norway spruce", way, midsummer)),
                                        winter = picture(tree("Norway spruce", way, midwinter));
@@ -79,7 +79,7 @@ TEST_F(SeasonGlTest, AnEvergreenStaysAsItIs) {
     }
 }
 
-TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
+TEST_F(SeasonGlTest, SetSeasonGivesThePictureOfAForestMadeInThatSeason) {
     for (const SeasonWay way : ways) {
         const osg::ref_ptr<Forest> forest = tree("oak", way, midsummer);
         const osg::ref_ptr<osg::Image> summer = picture(forest);
@@ -87,18 +87,18 @@ TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
             forest->setSeason(season);
             EXPECT_EQ(forest->getSeason(), season);
             const osg::ref_ptr<Forest> made = tree("oak", way, season);
-            picture(made); // from then on its bound is as it is drawn
-            const double most = way == SeasonWay::Branchwise ? 0.5 : 0.05; // which goes on swaying
+            picture(made); // the first frame updates the bound
+            const double most = way == SeasonWay::Branchwise ? 0.5 : 0.05; // goes on swaying
             EXPECT_LT(difference(*picture(forest), *picture(made)).mean, most)
                 << static_cast<int>(way) << ", " << season;
         }
-        if (way != SeasonWay::Branchwise) { // the first picture was of another bound
+        if (way != SeasonWay::Branchwise) { // the first picture had another bound
             EXPECT_LT(difference(*picture(forest), *summer).mean, 0.05) << static_cast<int>(way);
         }
     }
 }
 
-TEST_F(SeasonGlTest, ACopyHasASeasonOfItsOwn) {
+TEST_F(SeasonGlTest, ACopyHasItsOwnSeason) {
     const osg::ref_ptr<Forest> forest = tree("oak", SeasonWay::Impostors, midautumn);
     const osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_EQ(copy->getSeason(), midautumn);

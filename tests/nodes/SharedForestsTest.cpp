@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hosts that read each of their objects by itself: forests of the same trees share what they are made of.
+// Forests of the same trees share their parts, for hosts that read each object by itself.
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -22,13 +22,13 @@ const InstancedResources& resourcesOf(const Forest& forest) {
     return InstancedParts::trees(*forest.getInstanced())->resources();
 }
 
-/// All that takes time to make or memory to hold.
+/// All parts that take time to make or much memory.
 std::set<const void*> partsOf(const Forest& forest) {
     std::set<const void*> parts;
-    for (const auto& model : SimulationParts::models(forest.getSimulation()))
+    for (const auto& model : SimulationAccess::models(forest.getSimulation()))
         parts.insert(model.get());
     for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
-        parts.insert(&SimulationParts::modal(forest.getSimulation())->archetype(tree));
+        parts.insert(&SimulationAccess::modal(forest.getSimulation())->archetype(tree));
     for (osg::Object* object : resourcesOf(forest).glObjects()) {
         if (osg::StateSet* state = object->asStateSet()) {
             for (const auto& [key, attribute] : state->getAttributeList())
@@ -50,7 +50,7 @@ Species plainSpecies(const std::string& name) {
 
 } // namespace
 
-TEST(SharedForests, haveAllInCommonThatTheyAreMadeOf) {
+TEST(SharedForests, ShareAllParts) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(4));
     const std::set<const void*> parts = partsOf(*one);
     EXPECT_GE(parts.size(), 40u);
@@ -61,64 +61,66 @@ TEST(SharedForests, haveAllInCommonThatTheyAreMadeOf) {
     }
 }
 
-TEST(SharedForests, doNotHaveInCommonWhatLooksOrSwaysOtherwise) {
+TEST(SharedForests, DoNotShareDifferentLooksOrMotion) {
     ForestDescription description = smallForest(2);
     const osg::ref_ptr<Forest> one = new Forest(description);
     description.species[0].appearance.bark.r += 0.125f;
     const osg::ref_ptr<Forest> brown = new Forest(description);
-    EXPECT_EQ(SimulationParts::models(one->getSimulation()), SimulationParts::models(brown->getSimulation()));
+    EXPECT_EQ(SimulationAccess::models(one->getSimulation()),
+              SimulationAccess::models(brown->getSimulation()));
     EXPECT_NE(resourcesOf(*one).models[0]->impostor(Tier::Impostor),
               resourcesOf(*brown).models[0]->impostor(Tier::Impostor));
     EXPECT_EQ(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*brown).models[0]->bark(Tier::Full));
     description.species[0].wood.density *= 2.0f;
     const osg::ref_ptr<Forest> heavy = new Forest(description);
-    EXPECT_NE(&SimulationParts::modal(one->getSimulation())->archetype(0),
-              &SimulationParts::modal(heavy->getSimulation())->archetype(0));
+    EXPECT_NE(&SimulationAccess::modal(one->getSimulation())->archetype(0),
+              &SimulationAccess::modal(heavy->getSimulation())->archetype(0));
 }
 
-TEST(SharedForests, areNotTiedToTheNameOfASpecies) {
+TEST(SharedForests, ShareRegardlessOfTheSpeciesName) {
     ForestDescription description = smallForest(2);
     const osg::ref_ptr<Forest> one = new Forest(description);
     description.species[0] = plainSpecies("other");
     EXPECT_EQ(partsOf(*one), partsOf(*osg::ref_ptr<Forest>(new Forest(description))));
 }
 
-TEST(SharedForests, keepGeometryOfTheirHostToThemselves) {
+TEST(SharedForests, DoNotShareTheHostsGeometry) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
     one->getInstanced()->setGeometry(0, new osg::Geometry, nullptr);
     EXPECT_NE(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*other).models[0]->bark(Tier::Full));
     EXPECT_NE(resourcesOf(*other).models[0]->leaves(Tier::Full, 0), nullptr);
 }
 
-TEST(SharedForests, eachHasItsOwnSeason) {
+TEST(SharedForests, HaveTheirOwnSeasons) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
     one->setSeason(2.0f);
     EXPECT_NE(resourcesOf(*one).looks[0].leaves, resourcesOf(*other).looks[0].leaves);
     EXPECT_EQ(other->getSeason(), osg::ref_ptr<Forest>(new Forest(smallForest(2)))->getSeason());
 }
 
-TEST(SharedForests, keepNothingWhenTheyAreGone) {
+TEST(SharedForests, KeepNothingAfterTheLastForest) {
     std::weak_ptr<const TreeModel> model;
     osg::observer_ptr<osg::Geometry> bark;
     {
         const osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-        model = SimulationParts::models(forest->getSimulation())[0];
+        model = SimulationAccess::models(forest->getSimulation())[0];
         bark = resourcesOf(*forest).models[0]->bark(Tier::Full);
     }
     EXPECT_TRUE(model.expired());
     EXPECT_FALSE(bark.valid());
 }
 
-TEST(SharedForests, shareUnderALawOfABranchToo) {
+TEST(SharedForests, ShareUnderABranchLawToo) {
     ForestDescription description = smallForest(2);
     description.law = MotionLaw::ThesisSmooth;
     const osg::ref_ptr<Forest> one = new Forest(description), other = new Forest(description);
-    EXPECT_EQ(SimulationParts::models(one->getSimulation()), SimulationParts::models(other->getSimulation()));
+    EXPECT_EQ(SimulationAccess::models(one->getSimulation()),
+              SimulationAccess::models(other->getSimulation()));
     EXPECT_EQ(BranchwiseParts::buffers(*one->getBranchwise(), 0).skin(),
               BranchwiseParts::buffers(*other->getBranchwise(), 0).skin());
 }
 
-TEST(SharedForests, threadsThatLoadAtATimeMakeOneOfEach) {
+TEST(SharedForests, ParallelLoadsMakeEachPartOnce) {
     Forests made(8);
     std::vector<std::thread> threads;
     for (osg::ref_ptr<Forest>& forest : made)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything switched now and then, for as many frames as OSGTREEWIND_SOAK_FRAMES says (script/soak): nothing
-// said, nothing that is not a number, and memory that stays flat.
+// Random changes for OSGTREEWIND_SOAK_FRAMES frames (script/soak): no messages, finite numbers, flat memory.
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -35,34 +34,34 @@ protected:
         viewer().setSceneData(root);
         viewer().getCamera()->setProjectionMatrixAsPerspective(40, 96.0 / 72.0, 0.5, 5000);
         viewer().getViewerStats()->collectStats("update", true);
-        put(new Forest(smallForest(8)));
+        setForest(new Forest(smallForest(8)));
     }
 
-    unsigned below(unsigned count) { return static_cast<unsigned>(random()) % count; }
+    unsigned randomBelow(unsigned count) { return static_cast<unsigned>(random()) % count; }
     double uniform(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     }
 
-    void put(const osg::ref_ptr<Forest>& next) {
+    void setForest(const osg::ref_ptr<Forest>& next) {
         root->removeChildren(0, root->getNumChildren());
         forest = next;
         handler = new ForestHandler(forest);
-        place = new osg::MatrixTransform;
-        place->addChild(forest);
-        root->addChild(place);
+        transform = new osg::MatrixTransform;
+        transform->addChild(forest);
+        root->addChild(transform);
         root->addChild(handler->getOverlay());
     }
 
-    Wind anyWind() {
+    Wind randomWind() {
         const glm::vec3 mean(uniform(-20.0, 20.0), uniform(-20.0, 20.0), 0.0);
         GustWind::Parameters gusts;
         gusts.mean = mean;
         WindSource source;
-        source.kind = static_cast<WindSource::Kind>(below(5));
+        source.kind = static_cast<WindSource::Kind>(randomBelow(5));
         source.position = {uniform(-5.0, 15.0), uniform(-5.0, 15.0), uniform(0.0, 20.0)};
         source.velocity = {uniform(-9.0, 9.0), 0.0, 0.0};
         Wind wind;
-        switch (below(5)) {
+        switch (randomBelow(5)) {
         case 0:
             return wind;
         case 1:
@@ -79,55 +78,56 @@ protected:
         }
     }
 
-    TreePlacement anyTree() {
+    TreePlacement randomPlacement() {
         TreePlacement tree = smallForest(1).trees.front();
         tree.position = {uniform(-10.0, 20.0), uniform(-10.0, 20.0), uniform(-1.0, 1.0)};
         tree.size.height = static_cast<float>(uniform(1.0, 12.0));
         tree.leaves = static_cast<float>(uniform(0.0, 1.0));
-        tree.openGrown = below(2) == 0;
-        tree.seed = below(1000);
+        tree.openGrown = randomBelow(2) == 0;
+        tree.seed = randomBelow(1000);
         return tree;
     }
 
-    ForestDescription anyForest() {
-        ForestDescription description = smallForest(static_cast<int>(below(12)));
-        if (below(50) == 0)
+    ForestDescription randomForest() {
+        ForestDescription description = smallForest(static_cast<int>(randomBelow(12)));
+        if (randomBelow(50) == 0)
             description.species.front() = *findSpecies("silver birch");
-        if (below(3) == 0)
-            description.law = static_cast<MotionLaw>(below(4));
-        description.damage = description.law == MotionLaw::Modal && below(3) == 0;
+        if (randomBelow(3) == 0)
+            description.law = static_cast<MotionLaw>(randomBelow(3));
+        description.damage = description.law == MotionLaw::Modal && randomBelow(3) == 0;
         description.gain = static_cast<float>(uniform(0.0, 4.0));
         description.season = static_cast<float>(uniform(0.0, 4.0));
-        description.wind.canopy.emplace().source = below(3) == 0 ? CanopySource::Forest : CanopySource::None;
-        description.drawing.tiers = below(4) > 0;
-        description.drawing.budget = below(4) == 0 ? 5.0f : 0.0f;
-        description.wind = anyWind();
+        description.wind.canopy.emplace().source =
+            randomBelow(3) == 0 ? CanopySource::Forest : CanopySource::None;
+        description.drawing.tiers = randomBelow(4) > 0;
+        description.drawing.budget = randomBelow(4) == 0 ? 5.0f : 0.0f;
+        description.wind = randomWind();
         return description;
     }
 
-    TreeId anyTreeOfIt() {
+    TreeId randomTree() {
         const std::vector<TreeId> trees = forest->getTrees();
-        return trees.empty() ? noTree : trees[below(static_cast<unsigned>(trees.size()))];
+        return trees.empty() ? noTree : trees[randomBelow(static_cast<unsigned>(trees.size()))];
     }
 
-    void followABranch() {
-        const TreeId tree = anyTreeOfIt();
+    void followRandomBranch() {
+        const TreeId tree = randomTree();
         const std::size_t units = tree == noTree ? 0 : forest->getUnits(tree).size();
         if (units == 0)
             return;
-        const unsigned unit = below(static_cast<unsigned>(units));
+        const unsigned unit = randomBelow(static_cast<unsigned>(units));
         const Result<BranchTransform*> branch = forest->branch(tree, unit);
-        if (branch && below(3) > 0)
+        if (branch && randomBelow(3) > 0)
             branch.value()->addChild(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(), 0.1f)));
         else
-            forest->unfollow(tree, unit);
+            forest->releaseBranch(tree, unit);
     }
 
-    void pressAKey() {
+    void pressRandomKey() {
         constexpr char keys[] = "0[]pn+-mgGdvbrahi";
         osg::ref_ptr<osgGA::GUIEventAdapter> event = new osgGA::GUIEventAdapter;
         event->setEventType(osgGA::GUIEventAdapter::KEYDOWN);
-        const unsigned key = below(sizeof keys + 5);
+        const unsigned key = randomBelow(sizeof keys + 5);
         event->setKey(key < sizeof keys - 1 ? keys[key]
                                             : osgGA::GUIEventAdapter::KEY_Left + static_cast<int>(key % 6));
         handler->handle(*event, viewer());
@@ -136,8 +136,7 @@ protected:
         handler->handle(*event, viewer());
     }
 
-    /// As a file has it.
-    void readWhatIsWritten() {
+    void writeAndReadForest() {
         ForestDescription description = forest->getSimulation().describe();
         if (dynamic_cast<const FunctionWind*>(description.wind.field.get()))
             description.wind = nullptr;
@@ -152,48 +151,48 @@ protected:
         EXPECT_TRUE(forest->setDescription(again.value()).empty());
     }
 
-    void lookElsewhere() {
+    void moveCamera() {
         const double distance = std::pow(10.0, uniform(0.5, 3.0)), turn = uniform(0.0, 6.28);
         viewer().getCamera()->setViewMatrixAsLookAt(
             {5.0 + distance * std::cos(turn), 3.0 + distance * std::sin(turn), uniform(0.5, 0.8 * distance)},
             {5.0, 3.0, 2.0}, osg::Z_AXIS);
     }
 
-    void switchSomething() {
+    void makeRandomChange() {
         const std::vector<std::function<void()>> all = {
             [&] {
-                Wind wind = anyWind();
-                wind.frame = static_cast<WindFrame>(below(2));
+                Wind wind = randomWind();
+                wind.frame = static_cast<WindFrame>(randomBelow(2));
                 forest->setWind(wind);
             },
             [&] { forest->setSeason(static_cast<float>(uniform(0.0, 4.0))); },
             [&] {
                 if (forest->getNumTrees() < 30)
-                    static_cast<void>(forest->addTree(anyTree()).ok());
+                    static_cast<void>(forest->addTree(randomPlacement()).ok());
             },
-            [&] { forest->removeTree(anyTreeOfIt()); },
-            [&] { forest->changeTree(anyTreeOfIt(), anyTree()); },
-            [&] { followABranch(); },
-            [&] { pressAKey(); },
-            [&] { lookElsewhere(); },
-            [&] { place->setMatrix(osg::Matrix::rotate(uniform(0.0, 6.28), osg::Z_AXIS)); },
-            [&] { time += below(2) == 0 ? 1e-4 : uniform(0.0, 20.0); },
+            [&] { forest->removeTree(randomTree()); },
+            [&] { forest->changeTree(randomTree(), randomPlacement()); },
+            [&] { followRandomBranch(); },
+            [&] { pressRandomKey(); },
+            [&] { moveCamera(); },
+            [&] { transform->setMatrix(osg::Matrix::rotate(uniform(0.0, 6.28), osg::Z_AXIS)); },
+            [&] { time += randomBelow(2) == 0 ? 1e-4 : uniform(0.0, 20.0); },
             [&] {
-                root->releaseGLObjects(below(2) == 0 ? context().getState() : nullptr);
-                context().makeCurrent(); // OSG 3.6.5 takes an array that it met last for still bound
+                root->releaseGLObjects(randomBelow(2) == 0 ? context().getState() : nullptr);
+                context().makeCurrent(); // OSG 3.6.5 takes the array that it drew last for still bound
                 context().getState()->disableAllVertexArrays();
             },
-            [&] { put(static_cast<Forest*>(forest->clone(osg::CopyOp::SHALLOW_COPY))); },
-            [&] { EXPECT_TRUE(forest->setDescription(anyForest()).empty()); },
-            [&] { put(new Forest(anyForest())); },
-            [&] { readWhatIsWritten(); },
+            [&] { setForest(static_cast<Forest*>(forest->clone(osg::CopyOp::SHALLOW_COPY))); },
+            [&] { EXPECT_TRUE(forest->setDescription(randomForest()).empty()); },
+            [&] { setForest(new Forest(randomForest())); },
+            [&] { writeAndReadForest(); },
         };
-        all[below(static_cast<unsigned>(all.size()))]();
+        all[randomBelow(static_cast<unsigned>(all.size()))]();
     }
 
-    /// Of a small forest, whatever was there before.
-    std::size_t memoryAtRest() {
-        put(new Forest(smallForest(8)));
+    /// Memory of the process with a small forest, in place of the present one.
+    std::size_t measureMemory() {
+        setForest(new Forest(smallForest(8)));
         for (int i = 0; i < 20; ++i)
             frame(time += 1.0 / 60.0);
         malloc_trim(0);
@@ -202,7 +201,7 @@ protected:
 
     std::mt19937 random{7};
     osg::ref_ptr<osg::Group> root = new osg::Group;
-    osg::ref_ptr<osg::MatrixTransform> place;
+    osg::ref_ptr<osg::MatrixTransform> transform;
     osg::ref_ptr<Forest> forest;
     osg::ref_ptr<ForestHandler> handler;
     double time = 0.0;
@@ -210,21 +209,21 @@ protected:
 
 } // namespace
 
-TEST_F(SoakGlTest, everythingIsSwitchedNowAndThen) {
+TEST_F(SoakGlTest, RandomChangesForManyFrames) {
     const char* given = std::getenv("OSGTREEWIND_SOAK_FRAMES");
     const int frames = std::max(given ? std::atoi(given) : 400, 20), part = frames / 20;
-    std::vector<std::size_t> memory; // OSG's caches breathe by some 10 MB
+    std::vector<std::size_t> memory; // OSG's caches vary by some 10 MB
     for (int i = 0; i < frames && !HasFailure(); ++i) {
         SCOPED_TRACE("frame " + std::to_string(i));
-        if (below(4) == 0)
-            switchSomething();
+        if (randomBelow(4) == 0)
+            makeRandomChange();
         frame(time += 1.0 / 60.0);
         if (i % part != 0)
             continue;
         for (const TreeId tree : forest->getTrees())
             for (const TreeUnit& unit : forest->getUnits(tree))
                 ASSERT_TRUE(std::isfinite(unit.base.length()));
-        memory.push_back(memoryAtRest());
+        memory.push_back(measureMemory());
         if (given)
             std::cout << "frame " << i << ": " << memory.back() / 1000000 << " MB" << std::endl;
     }

@@ -21,7 +21,7 @@ protected:
         camera.setViewMatrixAsLookAt(osg::Vec3(3, -14, 4), osg::Vec3(3, 0, 3), osg::Z_AXIS);
         viewer().setThreadingModel(threading);
     }
-    /// The picture of frame `last`, when the drawing threads have finished with it.
+    /// Draws frames, and returns the picture of frame `last`.
     osg::ref_ptr<osg::Image> run(int first, int last) {
         for (int i = first; i <= last; ++i)
             frame(i / 25.0);
@@ -34,7 +34,7 @@ protected:
 
 } // namespace
 
-TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThread) {
+TEST_P(ThreadedForestGlTest, ShowsThePicturesOfASingleThread) {
     start(osgViewer::ViewerBase::SingleThreaded);
     osg::ref_ptr<osg::Image> tenth = run(1, 10), sixtieth = run(11, 60);
     start(GetParam());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A forest in tiles as a viewer shows it, beside the same forest untiled.
+// Pictures of a tiled forest in a viewer, compared with the same forest without tiles.
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Over a square kilometre about (0, 0), of trees whose forms are those that a world has.
+/// A wood on a square kilometre about (0, 0), of trees with the same sizes as in a tiled forest.
 ForestDescription wood() {
     std::istringstream text("version = 1\n[wind]\nkind = \"calm\"\n"
                             "[[scatter]]\ncount = 6000\narea = [-500.0, -500.0, 500.0, 500.0]\n"
@@ -24,7 +24,7 @@ ForestDescription wood() {
     return readForest(text).value();
 }
 
-/// Of a picture's pixels that show anything.
+/// Mean brightness of the pixels that are not black.
 double brightness(const osg::Image& image) {
     double sum = 0.0;
     int count = 0;
@@ -49,7 +49,7 @@ protected:
         return new Forest(readForestFile(_folder.path() + "/world.treewind").value());
     }
 
-    /// When as many trees are there as there are to be, and a few frames later.
+    /// The picture ten frames after all trees are loaded. @param trees expected.
     osg::ref_ptr<osg::Image> picture(Forest* forest, const osg::Vec3d& eye, std::size_t trees) {
         open(width, height);
         viewer().setSceneData(forest);
@@ -77,7 +77,7 @@ private:
 
 } // namespace
 
-TEST_F(TilePagerGlTest, aPictureAcrossTheBordersOfFourTilesIsThatOfTheForestUntiled) {
+TEST_F(TilePagerGlTest, FourTilesLookLikeTheUntiledForest) {
     const ForestDescription forest = wood();
     for (const osg::Vec3d& eye : {osg::Vec3d(0, 0, 160), osg::Vec3d(0, -90, 40)}) {
         const osg::ref_ptr<osg::Image> whole = picture(new Forest(forest), eye, 6000),
@@ -87,7 +87,7 @@ TEST_F(TilePagerGlTest, aPictureAcrossTheBordersOfFourTilesIsThatOfTheForestUnti
     }
 }
 
-TEST_F(TilePagerGlTest, crownsOfFarTilesCoverWhatTheirTreesDoAndAreAsBright) {
+TEST_F(TilePagerGlTest, FarCrownsMatchTheCoverAndBrightnessOfTheirTrees) {
     const ForestDescription forest = wood();
     for (const osg::Vec3d& eye : {osg::Vec3d(0, 0, 2000), osg::Vec3d(0, -1800, 600)}) {
         const osg::ref_ptr<osg::Image> trees = picture(new Forest(forest), eye, 6000),

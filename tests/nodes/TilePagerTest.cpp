@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A forest in tiles below a viewer's pager, without a context.
+// A tiled forest with OSG's pager, without a context.
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/TileReader.h>
 #include <tests/MessageCollector.h>
 #include <tests/nodes/FileServer.h>
 #include <tests/nodes/TiledWorld.h>
+
+#include <osgDB/Registry>
 
 #include <gtest/gtest.h>
 
@@ -20,27 +22,27 @@
 
 using namespace osgTreeWind;
 
-TEST(TilePagerTest, treesInRangeComeAndThoseBeyondDoNot) {
+TEST(TilePagerTest, LoadsOnlyTreesInRange) {
     TiledWorld world;
     EXPECT_EQ(world.forest().getNumTrees(), 0u);
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     const std::set<std::string> names = world.names();
-    // A tile in the middle of which one stands is 50 m away on all sides: its eight neighbours are in range.
+    // From the middle of a tile its borders are 50 m away: the eight neighbours are in range.
     EXPECT_EQ(names.size(), 81u);
     EXPECT_TRUE(names.count("15/12"));
     EXPECT_TRUE(names.count("20/16"));
     EXPECT_FALSE(names.count("21/12"));
 }
 
-TEST(TilePagerTest, theyGoAndComeBackTheSame) {
+TEST(TilePagerTest, ReloadedTreesAreTheSame) {
     TiledWorld world;
-    world.frames(world.at(50.0, 50.0), enough);
+    world.frames(world.at(50.0, 50.0), settleFrames);
     const std::optional<TreePlacement> before = world.forest().getPlacement(world.forest().findTree("2/1"));
     ASSERT_TRUE(before);
-    world.frames(world.at(950.0, 950.0), enough);
+    world.frames(world.at(950.0, 950.0), settleFrames);
     EXPECT_EQ(world.names().count("2/1"), 0u);
     EXPECT_NE(world.forest().findTree("29/29"), noTree);
-    world.frames(world.at(50.0, 50.0), enough);
+    world.frames(world.at(50.0, 50.0), settleFrames);
     const std::optional<TreePlacement> after = world.forest().getPlacement(world.forest().findTree("2/1"));
     ASSERT_TRUE(after);
     EXPECT_EQ(after->position, before->position);
@@ -49,79 +51,75 @@ TEST(TilePagerTest, theyGoAndComeBackTheSame) {
     EXPECT_EQ(world.names().count("29/29"), 0u);
 }
 
-TEST(TilePagerTest, aShortWayBackCostsNothing) {
+TEST(TilePagerTest, AShortWayBackReloadsNothing) {
     TiledWorld world;
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     const TreeId tree = world.forest().findTree("15/12");
     world.frames(world.at(950.0, 450.0), 20);
     world.frames(world.at(550.0, 450.0), 20);
-    EXPECT_EQ(world.forest().findTree("15/12"), tree) << "it is the same one still";
+    EXPECT_EQ(world.forest().findTree("15/12"), tree) << "it was not unloaded";
 }
 
-TEST(TilePagerTest, aMissingTileLeavesAHoleAndHeals) {
+TEST(TilePagerTest, AMissingTileIsRetried) {
     TiledWorld world;
     const std::string file = world.tile("5_4"), aside = world.folder().path() + "/aside";
     std::filesystem::rename(file, aside);
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    osg::setNotifyHandler(messages);
-    world.frames(world.at(550.0, 450.0), enough);
-    osg::setNotifyHandler(new osg::StandardNotifyHandler);
+    const ScopedMessages messages;
+    world.frames(world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(world.names().size(), 72u);
-    const std::string said = messages->take();
-    EXPECT_NE(said.find("5_4.trees"), std::string::npos) << said;
-    EXPECT_LE(std::count(said.begin(), said.end(), '\n'), 4) << "not in each frame:\n" << said;
+    const std::string warnings = messages.take();
+    EXPECT_NE(warnings.find("5_4.trees"), std::string::npos) << warnings;
+    EXPECT_LE(std::count(warnings.begin(), warnings.end(), '\n'), 4) << "not one per frame:\n" << warnings;
     std::filesystem::rename(aside, file);
     world.frames(world.at(550.0, 450.0), 200);
     EXPECT_EQ(world.names().size(), 81u);
 }
 
-TEST(TilePagerTest, aCutOffTileLeavesAHoleAndHeals) {
+TEST(TilePagerTest, ATruncatedTileIsRetried) {
     TiledWorld world;
     const std::string file = world.tile("5_4");
     std::ostringstream whole;
     whole << std::ifstream(file).rdbuf();
     const std::string text = whole.str();
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    osg::setNotifyHandler(messages);
-    // In the middle of a row, and between two.
+    const ScopedMessages messages;
+    // In the middle of a row, and between two rows.
     for (const std::size_t size : {text.size() - 7, text.rfind('\n', text.size() - 2) + 1}) {
         std::ofstream(file) << text.substr(0, size);
-        world.frames(world.at(550.0, 450.0), enough);
+        world.frames(world.at(550.0, 450.0), settleFrames);
         EXPECT_EQ(world.names().size(), 72u);
-        EXPECT_NE(messages->take().find("5_4.trees"), std::string::npos);
-        world.frames(world.at(50.0, 50.0), enough);
+        EXPECT_NE(messages.take().find("5_4.trees"), std::string::npos);
+        world.frames(world.at(50.0, 50.0), settleFrames);
     }
-    osg::setNotifyHandler(new osg::StandardNotifyHandler);
     std::ofstream(file) << text;
     world.frames(world.at(550.0, 450.0), 200);
     EXPECT_EQ(world.names().size(), 81u);
 }
 
-TEST(TilePagerTest, aCopyBringsItsOwn) {
+TEST(TilePagerTest, ACopyLoadsItsOwnTiles) {
     TiledWorld world;
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     const osg::ref_ptr<Forest> copy = osg::clone(&world.forest(), osg::CopyOp::DEEP_COPY_ALL);
     EXPECT_EQ(copy->getNumTrees(), 0u);
-    world.frames(*copy, world.at(50.0, 50.0), enough);
+    world.frames(*copy, world.at(50.0, 50.0), settleFrames);
     EXPECT_EQ(TiledWorld::namesOf(*copy).size(), 36u) << "a corner, and its three neighbours";
     EXPECT_EQ(world.names().size(), 81u);
 }
 
-TEST(TilePagerTest, treesOfTheHostStay) {
+TEST(TilePagerTest, TreesOfTheHostStay) {
     TiledWorld world;
     TreePlacement own;
     own.position = {550.0, 450.0, 0.0};
     own.name = "mine";
     ASSERT_TRUE(world.forest().addTree(own));
-    world.frames(world.at(550.0, 450.0), enough);
-    world.frames(world.at(950.0, 950.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
+    world.frames(world.at(950.0, 950.0), settleFrames);
     EXPECT_NE(world.forest().findTree("mine"), noTree);
     const ForestDescription now = world.forest().getSimulation().describe();
-    ASSERT_EQ(now.trees.size(), 1u) << "those of tiles are said by their tiles";
+    ASSERT_EQ(now.trees.size(), 1u) << "trees of tiles are not listed";
     EXPECT_TRUE(now.tiles);
 }
 
-TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
+TEST(TilePagerTest, ALoadedTreeSwaysAsIfItHadBeenThere) {
     TiledWorld world;
     std::istringstream text("version = 1\n[wind]\nkind = \"gusts\"\nspeed = 9.0\ndirection_from = 250.0\n"
                             "[[tree]]\nposition = [0.0, 0.0]\n");
@@ -142,8 +140,8 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     for (const TreeId tree : world.forest().getTrees()) {
         const std::string name = world.forest().getSimulation().nameOf(tree);
         const ForestSimulation& here = world.forest().getSimulation();
-        const glm::vec2 lean = SimulationParts::modal(here)->lean(here.slotOf(tree)),
-                        expected = SimulationParts::modal(whole)->lean(whole.slotOf(*whole.findTree(name)));
+        const glm::vec2 lean = SimulationAccess::modal(here)->lean(here.slotOf(tree)),
+                        expected = SimulationAccess::modal(whole)->lean(whole.slotOf(*whole.findTree(name)));
         difference += static_cast<double>(glm::dot(lean - expected, lean - expected));
         sway += static_cast<double>(glm::dot(expected, expected));
     }
@@ -151,31 +149,29 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     EXPECT_LT(std::sqrt(difference / sway), 0.05);
 }
 
-TEST(TilePagerTest, aServerIsAsGoodAsAFolder) {
+TEST(TilePagerTest, LoadsFromAServer) {
     TiledWorld world;
     const FileServer server(world.folder().path());
     world.readFrom(server.url() + "/tiles");
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(world.names().size(), 81u);
     EXPECT_NE(world.forest().findTree("15/12"), noTree);
 }
 
-TEST(TilePagerTest, aServerThatFailsNowAndThenIsAskedAgain) {
+TEST(TilePagerTest, RetriesAServerThatFailsSometimes) {
     TiledWorld world;
     FileServer server(world.folder().path());
     server.failOneIn(4);
     world.readFrom(server.url() + "/tiles");
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    osg::setNotifyHandler(messages);
+    const ScopedMessages messages;
     world.frames(world.at(550.0, 450.0), 10);
-    world.frames(world.at(250.0, 250.0), enough);
+    world.frames(world.at(250.0, 250.0), settleFrames);
     world.frames(world.at(550.0, 450.0), 400);
-    osg::setNotifyHandler(new osg::StandardNotifyHandler);
     EXPECT_GE(server.failures(), 3) << "each way of failing once";
-    EXPECT_EQ(world.names().size(), 81u) << messages->take();
+    EXPECT_EQ(world.names().size(), 81u) << messages.take();
 }
 
-TEST(TilePagerTest, aServerThatIsSilentIsGivenUp) {
+TEST(TilePagerTest, ASilentServerTimesOut) {
     TiledWorld world;
     const SilentServer server;
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("OSG_CURL_TIMEOUT=1");
@@ -187,7 +183,7 @@ TEST(TilePagerTest, aServerThatIsSilentIsGivenUp) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
-TEST(TilePagerTest, aServersFileOfAnySizeIsNotRead) {
+TEST(TilePagerTest, AHugeFileOfAServerIsRejected) {
     struct Endless : std::streambuf {
         off_type at = 0;
         pos_type seekoff(off_type offset, std::ios::seekdir from, std::ios::openmode) override {

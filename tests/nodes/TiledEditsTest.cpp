@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trees of a world that are changed, whatever of it is there.
+// Changes of trees in loaded and unloaded tiles.
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <tests/MessageCollector.h>
@@ -14,25 +14,25 @@ namespace {
 
 const char* const near = "15/12"; // a tree of tile 5_4
 
-void goAwayAndComeBack(TiledWorld& world) {
-    world.frames(world.at(50.0, 50.0), enough);
+void unloadAndReload(TiledWorld& world) {
+    world.frames(world.at(50.0, 50.0), settleFrames);
     ASSERT_EQ(world.names().count("0/0"), 1u);
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
 }
 
 } // namespace
 
-TEST(TiledEditsTest, aTreeThatIsRemovedDoesNotComeBack) {
+TEST(TiledEditsTest, ARemovedTreeDoesNotComeBack) {
     TiledWorld world;
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
-    goAwayAndComeBack(world);
+    unloadAndReload(world);
     EXPECT_EQ(world.names().size(), 80u);
     EXPECT_EQ(world.names().count(near), 0u);
     EXPECT_EQ(world.forest().findTree(near), noTree);
 }
 
-TEST(TiledEditsTest, aTreeThatIsNotThereIsFoundInItsTile) {
+TEST(TiledEditsTest, FindsATreeInATileThatIsNotLoaded) {
     TiledWorld world;
     const TreeId tree = world.forest().findTree(near);
     ASSERT_NE(tree, noTree);
@@ -40,13 +40,13 @@ TEST(TiledEditsTest, aTreeThatIsNotThereIsFoundInItsTile) {
     EXPECT_EQ(world.forest().getPlacement(tree)->seed, 30u * 15 + 12);
     ASSERT_TRUE(world.forest().removeTree(tree).empty());
     EXPECT_EQ(world.forest().findTree("nobody"), noTree);
-    world.frames(world.at(50.0, 50.0), enough);
-    EXPECT_EQ(world.names().size(), 36u) << "the tile of the one that was looked for went again";
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(50.0, 50.0), settleFrames);
+    EXPECT_EQ(world.names().size(), 36u) << "the tile of the removed tree is unloaded again";
+    world.frames(world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(world.names().size(), 80u);
 }
 
-TEST(TiledEditsTest, aTreeWithoutANameIsFoundByItsTile) {
+TEST(TiledEditsTest, FindsATreeWithoutANameByItsTile) {
     ForestDescription forest = smallForest(12);
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(forest, folder.path()));
@@ -58,7 +58,7 @@ TEST(TiledEditsTest, aTreeWithoutANameIsFoundByItsTile) {
         EXPECT_EQ(world->findTree(name), noTree) << name;
 }
 
-TEST(TiledEditsTest, aTreeThatIsChangedStaysChanged) {
+TEST(TiledEditsTest, AChangedTreeStaysChanged) {
     TiledWorld world;
     const TreeId tree = world.forest().findTree(near);
     TreePlacement taller = *world.forest().getPlacement(tree);
@@ -66,14 +66,14 @@ TEST(TiledEditsTest, aTreeThatIsChangedStaysChanged) {
     taller.size = {};
     taller.size.height = 15.0f;
     ASSERT_TRUE(world.forest().changeTree(tree, taller).empty());
-    goAwayAndComeBack(world);
+    unloadAndReload(world);
     EXPECT_EQ(world.names().size(), 81u);
-    EXPECT_EQ(world.forest().findTree(near), tree) << "it is the forest's own now, and never goes";
+    EXPECT_EQ(world.forest().findTree(near), tree) << "it belongs to the forest now, and is never unloaded";
     EXPECT_NEAR(world.forest().getPlacement(tree)->size.height, 15.0f, 0.01f);
-    EXPECT_EQ(world.forest().getNumTrees(), 81u) << "not once more with its tile";
+    EXPECT_EQ(world.forest().getNumTrees(), 81u) << "its tile does not add it again";
 }
 
-TEST(TiledEditsTest, editsAreWrittenAndReadAgain) {
+TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
     TiledWorld world;
     Forest& forest = world.forest();
     ASSERT_TRUE(forest.removeTree(forest.findTree("0/0")).empty());
@@ -93,7 +93,7 @@ TEST(TiledEditsTest, editsAreWrittenAndReadAgain) {
         ASSERT_TRUE(edited) << edited.problems().front().text();
         EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", near}));
         ASSERT_TRUE(loadTiles(edited.value()));
-        EXPECT_EQ(edited.value().trees.size(), 900u) << "one less, one more";
+        EXPECT_EQ(edited.value().trees.size(), 900u) << "one removed, one added";
         EXPECT_TRUE(world.forest().setDescription(readForestFile(file).value()).empty());
         EXPECT_EQ(world.forest().findTree("0/0"), noTree);
         EXPECT_NE(world.forest().findTree("mine"), noTree);
@@ -104,41 +104,39 @@ TEST(TiledEditsTest, editsAreWrittenAndReadAgain) {
     EXPECT_NE(text.find("folder = \"tiles\""), std::string::npos) << "the world can be moved as a whole";
 }
 
-TEST(TiledEditsTest, aCopyHasTheEditsAndAllTheRest) {
+TEST(TiledEditsTest, ACopyHasTheEdits) {
     TiledWorld world;
-    world.frames(world.at(550.0, 450.0), enough);
+    world.frames(world.at(550.0, 450.0), settleFrames);
     ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
     const osg::ref_ptr<Forest> copy = osg::clone(&world.forest(), osg::CopyOp::DEEP_COPY_ALL);
-    world.frames(*copy, world.at(550.0, 450.0), enough);
+    world.frames(*copy, world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(TiledWorld::namesOf(*copy).size(), 80u);
 }
 
-TEST(TiledEditsTest, aTileThatCannotBeReadIsSaidAndNothingIsFound) {
+TEST(TiledEditsTest, AnUnreadableTileGivesAWarningAndNoTree) {
     TiledWorld world;
     std::filesystem::remove(world.tile("5_4"));
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    osg::setNotifyHandler(messages);
+    const ScopedMessages messages;
     EXPECT_EQ(world.forest().findTree(near), noTree);
-    EXPECT_NE(messages->take().find("5_4.trees"), std::string::npos);
+    EXPECT_NE(messages.take().find("5_4.trees"), std::string::npos);
     for (const auto& file : std::filesystem::directory_iterator(world.folder().path() + "/tiles"))
         if (file.path().extension() == ".ids")
             std::filesystem::remove(file.path());
     EXPECT_EQ(world.forest().findTree("0/0"), noTree);
-    EXPECT_NE(messages->take().find(".ids"), std::string::npos);
-    osg::setNotifyHandler(new osg::StandardNotifyHandler);
+    EXPECT_NE(messages.take().find(".ids"), std::string::npos);
 }
 
-TEST(TiledEditsTest, whatAStormBroughtDownLiesThereStill) {
+TEST(TiledEditsTest, FallenTreesSurviveUnloading) {
     ForestDescription storm;
     storm.species = {*findSpecies("Norway spruce")};
-    storm.species[0].wood.bendingStrength *= 20.0f; // roots give way first
+    storm.species[0].wood.bendingStrength *= 20.0f; // roots fail first
     storm.wind = std::make_shared<UniformWind>(glm::vec3(60.0f, 0.0f, 0.0f));
     storm.damage = true;
     TiledWorld world(storm, 20.0f);
     const auto down = [&] {
         std::set<std::string> names;
         for (const TreeId tree : world.forest().getTrees())
-            if (!world.forest().getSimulation().stands(tree))
+            if (!world.forest().getSimulation().isStanding(tree))
                 names.insert(world.forest().getSimulation().nameOf(tree));
         return names;
     };
@@ -146,7 +144,7 @@ TEST(TiledEditsTest, whatAStormBroughtDownLiesThereStill) {
     const std::set<std::string> before = down();
     ASSERT_GT(before.size(), 10u);
     world.forest().setWind(nullptr);
-    goAwayAndComeBack(world);
+    unloadAndReload(world);
     EXPECT_EQ(down(), before);
     EXPECT_EQ(world.names().size(), 81u);
     EXPECT_EQ(world.forest().getNumTrees(), 81u);

@@ -18,14 +18,14 @@
 #include <thread>
 #include <utility>
 
-constexpr int enough = 100; // frames: for what is near to come, for what is far to go
+constexpr int settleFrames = 100; // to load near tiles and unload far ones
 
 namespace osgTreeWind {
 
-/// What a cull traversal tells of where it looks from.
-class Eye : public osg::NodeVisitor {
+/// A cull visitor at a place, for TilePager.
+class EyeVisitor : public osg::NodeVisitor {
 public:
-    explicit Eye(const osg::Vec3& place)
+    explicit EyeVisitor(const osg::Vec3& place)
         : osg::NodeVisitor(CULL_VISITOR, TRAVERSE_ACTIVE_CHILDREN), _place(place) {}
     osg::Vec3 getEyePoint() const override { return _place; }
     osg::Vec3 getViewPoint() const override { return _place; }
@@ -34,10 +34,10 @@ private:
     osg::Vec3 _place;
 };
 
-/// 10 x 10 tiles of 100 m with nine trees each, at 100 m's range.
+/// A forest of 10 x 10 tiles of 100 m with nine trees each; tiles within 100 m are loaded.
 class TiledWorld {
 public:
-    /// @param height of the least trees.
+    /// @param height of the smallest trees, metres.
     explicit TiledWorld(ForestDescription forest = smallForest(0), float height = 4.0f) {
         for (int x = 0; x < 30; ++x)
             for (int y = 0; y < 30; ++y) {
@@ -60,7 +60,7 @@ public:
     ~TiledWorld() { _pager->cancel(); }
 
     Forest& forest() { return *_forest; }
-    /// Its tiles come from there from now on.
+    /// Loads the tiles from a URL from now on.
     void readFrom(const std::string& url) {
         Result<ForestDescription> world = readForestFile(_folder.path() + "/world.treewind");
         world.value().tiles->folder = url;
@@ -69,7 +69,7 @@ public:
     const TemporaryFolder& folder() const { return _folder; }
     std::string tile(const std::string& name) const { return _folder.path() + "/tiles/" + name + ".trees"; }
 
-    /// Frames of 0.1 s, with the time that a pager's thread takes.
+    /// Runs frames of 0.1 s, with pauses for the thread of the pager.
     void frames(const osg::Vec3& eye, int count) { frames(*_forest, eye, count); }
     void frames(Forest& forest, const osg::Vec3& eye, int count) {
         for (int i = 0; i < count; ++i) {
@@ -82,7 +82,7 @@ public:
             osgUtil::UpdateVisitor update;
             update.setFrameStamp(stamp);
             forest.accept(update);
-            Eye cull(eye);
+            EyeVisitor cull(eye);
             cull.setFrameStamp(stamp);
             cull.setDatabaseRequestHandler(_pager);
             forest.accept(cull);
@@ -91,7 +91,7 @@ public:
         }
     }
 
-    /// The forest's frame is the world's but for its origin.
+    /// A place 2 m above the ground in the forest's frame. @param x, y world coordinates.
     osg::Vec3 at(double x, double y) const { return osg::Vec3d(x, y, 2.0) - _forest->getOrigin(); }
 
     std::set<std::string> names() const { return namesOf(*_forest); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The same wind, wherever a host puts the forest.
+// The frames of a wind, for forests at different places.
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr float westerly = 12.0f; // m/s at 10 m
 
-/// From the given direction, as strong everywhere or by the logarithmic profile.
+/// A steady wind toward a direction, uniform or with the logarithmic profile.
 WindFieldPtr toward(const osg::Vec3d& direction, bool logarithmic) {
     WindSeries series;
     series.times = {0.0};
@@ -43,19 +43,19 @@ ForestDescription trees(const WindFieldPtr& wind) {
     return description;
 }
 
-/// Where the trees lean after two seconds at that place, in the axes of the forest.
+/// The lean of the trees after two seconds at a place, in the axes of the forest.
 std::vector<glm::vec2> leansAt(const osg::Matrixd& place, Forest& forest) {
     const osg::ref_ptr<osg::MatrixTransform> scene = new osg::MatrixTransform(place);
     scene->addChild(&forest);
     updateFrames(*scene, 1, 50);
     std::vector<glm::vec2> leans;
     for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
-        leans.push_back(SimulationParts::modal(forest.getSimulation())->lean(tree));
+        leans.push_back(SimulationAccess::modal(forest.getSimulation())->lean(tree));
     return leans;
 }
 
-void expectAlike(const std::vector<glm::vec2>& found, const std::vector<glm::vec2>& expected,
-                 const char* where) {
+void expectSameLeans(const std::vector<glm::vec2>& found, const std::vector<glm::vec2>& expected,
+                     const char* where) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t tree = 0; tree < found.size(); ++tree) {
         EXPECT_GT(expected[tree].x, 0.01f);
@@ -75,19 +75,19 @@ const Place places[] = {{"turned", osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS)}
 
 } // namespace
 
-TEST(WindFrameTest, theWindOfADescriptionGoesWhereTheForestGoes) {
+TEST(WindFrameTest, AForestWindMovesWithTheForest) {
     for (const bool logarithmic : {false, true}) {
         const WindFieldPtr wind = toward(osg::X_AXIS, logarithmic);
         const osg::ref_ptr<Forest> flat = new Forest(trees(wind));
         const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
         for (const Place& place : places) {
             const osg::ref_ptr<Forest> forest = new Forest(trees(wind));
-            expectAlike(leansAt(place.matrix, *forest), expected, place.name);
+            expectSameLeans(leansAt(place.matrix, *forest), expected, place.name);
         }
     }
 }
 
-TEST(WindFrameTest, aGeocentricWindIsTheSameOnTheFlat) {
+TEST(WindFrameTest, AGeocentricWindActsAsOnFlatGround) {
     for (const bool logarithmic : {false, true}) {
         const osg::ref_ptr<Forest> flat = new Forest(trees(toward(osg::X_AXIS, logarithmic)));
         const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
@@ -96,21 +96,21 @@ TEST(WindFrameTest, aGeocentricWindIsTheSameOnTheFlat) {
             const osg::Vec3d east = osg::Matrixd::transform3x3(osg::X_AXIS, place);
             const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
             forest->setWind({toward(east, logarithmic), WindFrame::Geocentric});
-            expectAlike(leansAt(place, *forest), expected, "geocentric");
+            expectSameLeans(leansAt(place, *forest), expected, "geocentric");
         }
     }
 }
 
-TEST(WindFrameTest, theWindOfASceneIsThatOfItsRoot) {
+TEST(WindFrameTest, ASceneWindUsesTheAxesOfTheRoot) {
     const osg::ref_ptr<Forest> flat = new Forest(trees(toward(osg::X_AXIS, true)));
     const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
     const osg::ref_ptr<Forest> turned = new Forest(trees(nullptr));
     turned->setWind(toward(osg::Y_AXIS, true));
     EXPECT_EQ(turned->getWind().frame, WindFrame::Scene);
-    expectAlike(leansAt(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS), *turned), expected, "turned");
+    expectSameLeans(leansAt(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS), *turned), expected, "turned");
 }
 
-TEST(WindFrameTest, aCopyHasTheWindInTheSameFrame) {
+TEST(WindFrameTest, ACopyHasTheWindInTheSameFrame) {
     const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
     forest->setWind({toward(osg::X_AXIS, false), WindFrame::Geocentric});
     const osg::ref_ptr<Forest> copy = new Forest(*forest);
@@ -118,7 +118,7 @@ TEST(WindFrameTest, aCopyHasTheWindInTheSameFrame) {
     EXPECT_EQ(copy->getSimulation().describe().wind.frame, WindFrame::Geocentric);
 }
 
-TEST(WindFrameTest, aCanopyTakesNothingFromSourcesWhereverTheForestIs) {
+TEST(WindFrameTest, ACanopyDoesNotWeakenSourcesAtAnyPlace) {
     const auto leansUnderAJet = [](const osg::Matrixd& place) {
         const osg::Vec3d mouth = osg::Vec3d(-6.0, 0.0, 4.0) * place,
                          way = osg::Matrixd::transform3x3(osg::X_AXIS, place);
@@ -139,8 +139,8 @@ TEST(WindFrameTest, aCanopyTakesNothingFromSourcesWhereverTheForestIs) {
         return leansAt(place, *forest);
     };
     const std::vector<glm::vec2> expected = leansUnderAJet(osg::Matrixd());
-    expectAlike(leansUnderAJet(osg::Matrixd::translate(500.0, 0.0, 0.0)), expected, "500 m to the east");
-    expectAlike(leansUnderAJet(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS) *
-                               osg::Matrixd::translate(40.0, 90.0, 0.0)),
-                expected, "turned");
+    expectSameLeans(leansUnderAJet(osg::Matrixd::translate(500.0, 0.0, 0.0)), expected, "500 m to the east");
+    expectSameLeans(leansUnderAJet(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS) *
+                                   osg::Matrixd::translate(40.0, 90.0, 0.0)),
+                    expected, "turned");
 }

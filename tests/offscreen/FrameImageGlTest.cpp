@@ -13,7 +13,7 @@ namespace {
 
 class FrameImageGlTest : public GlTest {
 protected:
-    /// Opens a view in which one unit is one pixel, (0, 0) the bottom left corner, y up.
+    /// Opens a view with one unit per pixel, the origin at the bottom left, y up.
     void openPixelView(int width, int height, int samples = 0) {
         open(width, height, samples);
         viewer().getCamera()->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
@@ -22,7 +22,7 @@ protected:
     }
 };
 
-/// An unlit red shape of the z = 0 plane.
+/// An unlit red shape in the plane z = 0.
 osg::ref_ptr<osg::Geometry> redShape(std::initializer_list<osg::Vec3> corners) {
     osg::ref_ptr<osg::Geometry> shape = new osg::Geometry;
     shape->setVertexArray(new osg::Vec3Array(corners.begin(), corners.end()));
@@ -36,7 +36,7 @@ osg::ref_ptr<osg::Geometry> redShape(std::initializer_list<osg::Vec3> corners) {
 
 } // namespace
 
-TEST_F(FrameImageGlTest, everyPixelIsTheClearColourOfAnEmptyScene) {
+TEST_F(FrameImageGlTest, AnEmptySceneHasTheClearColour) {
     for (const int samples : {0, 4}) {
         open(33, 17, samples);
         viewer().getCamera()->setClearColor(osg::Vec4(51 / 255.f, 102 / 255.f, 204 / 255.f, 1));
@@ -48,7 +48,7 @@ TEST_F(FrameImageGlTest, everyPixelIsTheClearColourOfAnEmptyScene) {
     }
 }
 
-TEST_F(FrameImageGlTest, aShapeIsExactlyWhereTheProjectionPutsIt) {
+TEST_F(FrameImageGlTest, AShapeCoversTheProjectedPixels) {
     openPixelView(40, 24);
     viewer().setSceneData(redShape({{6, 3, 0}, {20, 3, 0}, {20, 8, 0}, {6, 8, 0}}));
     frame(0);
@@ -59,7 +59,7 @@ TEST_F(FrameImageGlTest, aShapeIsExactlyWhereTheProjectionPutsIt) {
         }
 }
 
-TEST_F(FrameImageGlTest, theBottomRowComesFirst) {
+TEST_F(FrameImageGlTest, TheBottomRowComesFirst) {
     openPixelView(8, 8);
     viewer().setSceneData(redShape({{0, 0, 0}, {8, 0, 0}, {8, 1, 0}, {0, 1, 0}}));
     frame(0);
@@ -68,7 +68,7 @@ TEST_F(FrameImageGlTest, theBottomRowComesFirst) {
     EXPECT_EQ(image().data(0, 7)[0], 0);
 }
 
-TEST_F(FrameImageGlTest, samplesMakeTheEdgeOfAShapeSmooth) {
+TEST_F(FrameImageGlTest, SamplesSmoothTheEdgesOfAShape) {
     for (const int samples : {0, 1, 4}) {
         openPixelView(32, 32, samples);
         viewer().setSceneData(redShape({{0, 0, 0}, {32, 0, 0}, {0, 13, 0}}));
@@ -83,7 +83,7 @@ TEST_F(FrameImageGlTest, samplesMakeTheEdgeOfAShapeSmooth) {
     }
 }
 
-TEST_F(FrameImageGlTest, moreSamplesThanThereAreBecomeTheMost) {
+TEST_F(FrameImageGlTest, ClampsTheNumberOfSamples) {
     openPixelView(32, 32, 1000);
     viewer().setSceneData(redShape({{0, 0, 0}, {32, 0, 0}, {0, 13, 0}}));
     viewer().frame(0);
@@ -93,7 +93,7 @@ TEST_F(FrameImageGlTest, moreSamplesThanThereAreBecomeTheMost) {
     EXPECT_GT(reds.size(), 2u);
 }
 
-TEST_F(FrameImageGlTest, nearHidesFar) {
+TEST_F(FrameImageGlTest, NearShapesHideFarOnes) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<osg::Geometry> hidden = redShape({{0, 0, -.5f}, {8, 0, -.5f}, {8, 8, -.5f}, {0, 8, -.5f}});
     osg::ref_ptr<osg::Geometry> seen = redShape({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
@@ -106,17 +106,17 @@ TEST_F(FrameImageGlTest, nearHidesFar) {
     EXPECT_EQ(pixel(4, 4), osg::Vec4ub(0, 255, 0, 255));
 }
 
-TEST_F(FrameImageGlTest, theSameSceneGivesTheSameBytes) {
+TEST_F(FrameImageGlTest, TheSameSceneGivesTheSameBytes) {
     osg::ref_ptr<osg::Node> cone = new osg::ShapeDrawable(new osg::Cone(osg::Vec3(), 1, 2));
     const osg::ref_ptr<osg::Image> first = render(cone, 64, 48, 3);
     const osg::ref_ptr<osg::Image> second = render(cone, 64, 48, 3);
     EXPECT_EQ(std::memcmp(first->data(), second->data(), first->getTotalSizeInBytes()), 0);
     EXPECT_GT(std::set<unsigned char>(first->data(), first->data() + first->getTotalSizeInBytes()).size(),
               20u)
-        << "the cone is not there, or not lit";
+        << "the cone is missing or unlit";
 }
 
-TEST_F(FrameImageGlTest, eachFrameRefillsTheImage) {
+TEST_F(FrameImageGlTest, EachFrameUpdatesTheImage) {
     open(8, 8);
     for (const int red : {255, 0, 51}) {
         viewer().getCamera()->setClearColor(osg::Vec4(red / 255.f, 0, 0, 1));

@@ -25,8 +25,8 @@ osg::ref_ptr<osg::GraphicsContext> realizedContext(int width, int height) {
     return made.value();
 }
 
-/// The bottom left pixel of the context's own frame buffer after it was cleared to a colour.
-osg::Vec4ub cleared(float red, float green, float blue) {
+/// Clears the frame buffer to a colour. @return the bottom left pixel.
+osg::Vec4ub clearAndRead(float red, float green, float blue) {
     glClearColor(red, green, blue, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     osg::Vec4ub pixel;
@@ -51,7 +51,7 @@ class OffscreenContextGlTest : public GlTest {};
 
 } // namespace
 
-TEST_F(OffscreenContextGlTest, refusesSizesOutsideItsRangeAndSaysWhich) {
+TEST_F(OffscreenContextGlTest, RejectsSizesOutOfRange) {
     const int big = std::numeric_limits<int>::max();
     for (const auto& [width, height] :
          {std::pair(0, 8), {8, 0}, {-1, 8}, {8, -1}, {16385, 8}, {8, 16385}, {big, big}}) {
@@ -64,23 +64,23 @@ TEST_F(OffscreenContextGlTest, refusesSizesOutsideItsRangeAndSaysWhich) {
     }
 }
 
-TEST_F(OffscreenContextGlTest, takesTheSmallestSizeAndLongThinOnes) {
+TEST_F(OffscreenContextGlTest, AcceptsExtremeSizes) {
     for (const auto& [width, height] : {std::pair(1, 1), {16384, 1}, {1, 16384}}) {
         auto context = realizedContext(width, height);
         ASSERT_TRUE(context && context->makeCurrent()) << width << "x" << height;
-        EXPECT_EQ(cleared(0, 1, 0), osg::Vec4ub(0, 255, 0, 255)) << width << "x" << height;
+        EXPECT_EQ(clearAndRead(0, 1, 0), osg::Vec4ub(0, 255, 0, 255)) << width << "x" << height;
         context->releaseContext();
     }
 }
 
-TEST_F(OffscreenContextGlTest, leavesNoContextCurrent) {
+TEST_F(OffscreenContextGlTest, LeavesNoContextCurrent) {
     const GLubyte* const before = glGetString(GL_VERSION);
     auto context = realizedContext(8, 8);
     EXPECT_EQ(before, nullptr);
     EXPECT_EQ(glGetString(GL_VERSION), nullptr);
 }
 
-TEST_F(OffscreenContextGlTest, offersOpenGL33WithTheCompatibilityProfile) {
+TEST_F(OffscreenContextGlTest, OffersOpenGL33WithTheCompatibilityProfile) {
     auto context = realizedContext(8, 8);
     ASSERT_TRUE(context && context->makeCurrent());
     EXPECT_GE(integer(GL_MAJOR_VERSION) * 10 + integer(GL_MINOR_VERSION), 33) << glGetString(GL_VERSION);
@@ -99,7 +99,7 @@ TEST_F(OffscreenContextGlTest, offersOpenGL33WithTheCompatibilityProfile) {
     context->releaseContext();
 }
 
-TEST_F(OffscreenContextGlTest, hasTheDepthAndStencilBitsItStates) {
+TEST_F(OffscreenContextGlTest, HasTheDocumentedDepthAndStencilBits) {
     auto context = realizedContext(8, 8);
     ASSERT_TRUE(context && context->makeCurrent());
     EXPECT_EQ(integer(GL_DEPTH_BITS), 24);
@@ -108,16 +108,16 @@ TEST_F(OffscreenContextGlTest, hasTheDepthAndStencilBitsItStates) {
     context->releaseContext();
 }
 
-TEST_F(OffscreenContextGlTest, twoAtOnceHaveIdsAndPixelsOfTheirOwn) {
+TEST_F(OffscreenContextGlTest, TwoContextsHaveTheirOwnIdsAndPixels) {
     auto first = realizedContext(8, 8);
     auto second = realizedContext(16, 16);
     ASSERT_TRUE(first && second);
     EXPECT_NE(first->getState()->getContextID(), second->getState()->getContextID());
     first->makeCurrent();
-    cleared(1, 0, 0);
+    clearAndRead(1, 0, 0);
     first->releaseContext();
     second->makeCurrent();
-    EXPECT_EQ(cleared(0, 0, 1), osg::Vec4ub(0, 0, 255, 255));
+    EXPECT_EQ(clearAndRead(0, 0, 1), osg::Vec4ub(0, 0, 255, 255));
     second->releaseContext();
     second = nullptr;
     first->makeCurrent();
@@ -127,7 +127,7 @@ TEST_F(OffscreenContextGlTest, twoAtOnceHaveIdsAndPixelsOfTheirOwn) {
     first->releaseContext();
 }
 
-TEST_F(OffscreenContextGlTest, fiftyInARowDrawAndReuseTheirIds) {
+TEST_F(OffscreenContextGlTest, FiftyContextsInTurnReuseTheirIds) {
     osg::ref_ptr<osg::Node> node = quad(osg::Vec3(-1, 0, -1), osg::Vec3(2, 0, 0), osg::Vec3(0, 0, 2));
     std::set<unsigned int> ids;
     for (int i = 0; i < 50; ++i) {
@@ -143,21 +143,21 @@ TEST_F(OffscreenContextGlTest, fiftyInARowDrawAndReuseTheirIds) {
     EXPECT_EQ(ids.size(), 1u);
 }
 
-TEST_F(OffscreenContextGlTest, goesWithItsLastReferenceWithoutAViewerToCloseIt) {
+TEST_F(OffscreenContextGlTest, ClosesWithItsLastReference) {
     std::size_t before = 0;
     for (int i = 0; i < 50; ++i) {
         auto context = realizedContext(512, 512);
         ASSERT_TRUE(context && context->makeCurrent());
-        cleared(1, 0, 0);
+        clearAndRead(1, 0, 0);
         context->releaseContext();
         if (i == 10)
             before = residentMemory();
     }
-    // Contexts of this size left behind hold over 4 MiB each.
+    // A leaked context of this size takes over 4 MiB.
     EXPECT_LT(residentMemory(), before + 2 * keptMemory);
 }
 
-TEST_F(OffscreenContextGlTest, closedIsNeitherValidNorRealizedAndCannotBecomeCurrent) {
+TEST_F(OffscreenContextGlTest, AClosedContextIsInvalid) {
     auto context = realizedContext(8, 8);
     ASSERT_TRUE(context);
     context->close();
@@ -167,22 +167,22 @@ TEST_F(OffscreenContextGlTest, closedIsNeitherValidNorRealizedAndCannotBecomeCur
     context->close();
 }
 
-TEST_F(OffscreenContextGlTest, canMoveToAnotherThread) {
+TEST_F(OffscreenContextGlTest, MovesToAnotherThread) {
     auto context = realizedContext(8, 8);
     ASSERT_TRUE(context);
     osg::Vec4ub there;
     std::thread([&] {
         ASSERT_TRUE(context->makeCurrent());
-        there = cleared(1, 1, 0);
+        there = clearAndRead(1, 1, 0);
         context->releaseContext();
     }).join();
     EXPECT_EQ(there, osg::Vec4ub(255, 255, 0, 255));
     ASSERT_TRUE(context->makeCurrent());
-    EXPECT_EQ(cleared(0, 1, 1), osg::Vec4ub(0, 255, 255, 255));
+    EXPECT_EQ(clearAndRead(0, 1, 1), osg::Vec4ub(0, 255, 255, 255));
     context->releaseContext();
 }
 
-TEST_F(OffscreenContextGlTest, drawsInEveryThreadingModelOfTheViewer) {
+TEST_F(OffscreenContextGlTest, DrawsInEveryThreadingModel) {
     for (const auto model :
          {osgViewer::ViewerBase::SingleThreaded, osgViewer::ViewerBase::CullDrawThreadPerContext,
           osgViewer::ViewerBase::DrawThreadPerContext,
@@ -198,7 +198,7 @@ TEST_F(OffscreenContextGlTest, drawsInEveryThreadingModelOfTheViewer) {
     }
 }
 
-TEST_F(OffscreenContextGlTest, servesTwoViewsOfACompositeViewer) {
+TEST_F(OffscreenContextGlTest, ServesTwoViewsOfACompositeViewer) {
     auto context = realizedContext(16, 8);
     ASSERT_TRUE(context);
     osgViewer::CompositeViewer composite;
@@ -220,7 +220,7 @@ TEST_F(OffscreenContextGlTest, servesTwoViewsOfACompositeViewer) {
     context->releaseContext();
 }
 
-TEST_F(OffscreenContextGlTest, floatTargetsKeepValuesBelowZeroAndAboveOne) {
+TEST_F(OffscreenContextGlTest, FloatTargetsKeepValuesBelowZeroAndAboveOne) {
     const osg::Vec4 value(-2.5f, 1e6f, 0.1f, 7.0f);
     osg::ref_ptr<osg::Image> target = new osg::Image;
     target->allocateImage(4, 4, 1, GL_RGBA, GL_FLOAT);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An OSG program that knows nothing of osgTreeWind and asks for a window: succeeds when the window shows its
-// colour.
+// An OSG program without osgTreeWind that opens a window. It succeeds if the window has the clear colour.
 #include <osgViewer/Viewer>
 
 #include <iostream>

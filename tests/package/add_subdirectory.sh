@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A strict host that has the sources below its own. The library and the programs beside it are not built again, which
-# takes minutes: the host is configured, and its own source compiled as its build would.
+# Tests a host that includes the sources by add_subdirectory(). It configures the host and compiles only the host's own
+# source, because building the library again takes minutes.
 # Usage: add_subdirectory.sh SOURCE_FOLDER
 set -euo pipefail
 work=$(mktemp -d)

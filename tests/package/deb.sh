@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Debian packages of a build: lintian finds no error, each file is in one of them, they name what they need, and their
-# files, unpacked, show a forest in a stock osgviewer.
-# Usage: deb.sh BUILD_FOLDER LIBRARY_FOLDER      exit 77: not possible here
+# Tests the Debian packages of a build: lintian finds no error, no file is in two packages, dependencies are declared, and
+# the unpacked files show a forest in a stock osgviewer.
+# Usage: deb.sh BUILD_FOLDER LIBRARY_FOLDER      exit 77: skipped
 set -euo pipefail
 build=$1 library=$2
 for program in cpack dpkg-shlibdeps lintian help2man xvfb-run osgviewer; do
@@ -21,7 +21,7 @@ for package in "$work"/*.deb; do
 done
 twice=$(sort "$work/files" | uniq -d)
 [[ -z $twice ]] || { echo "deb: in two packages: $twice"; exit 1; }
-needs() { # PACKAGE WORD: whether its control file says so
+needs() { # PACKAGE DEPENDENCY
     dpkg-deb -f "$work"/"$1"_*.deb Depends | grep -q "$2" || { echo "deb: $1 does not depend on $2"; exit 1; }
 }
 needs libosgtreewind2.0 libopenscenegraph161
@@ -29,13 +29,13 @@ needs libosgtreewind-dev "libosgtreewind2.0 (= "
 needs osgtreewind-plugin libosgtreewind2.0
 needs osgtreewind libosmesa6
 find "$root/usr/bin" "$root/usr/$library" -type f -exec sh -c 'readelf -d "$1" 2>/dev/null | grep -E "R(UN)?PATH" && echo "$1"' _ {} \; >"$work/paths"
-[[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: the lines above say where libraries are"; exit 1; }
+[[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: expected no RPATH or RUNPATH, found the lines above"; exit 1; }
 unset OSG_FILE_PATH
 export LD_LIBRARY_PATH=$root/usr/$library
-# OSG opens a display twice: an Xvfb that starts anew in between (no -noreset) breaks the second one.
+# OSG opens the display twice; without -noreset, Xvfb would reset in between and break the second connection.
 OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-noreset -screen 0 320x240x24" \
-    osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/said" 2>&1 || { cat "$work/said"; exit 1; }
-! grep -iE "warning|error" "$work/said"
+    osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/output" 2>&1 || { cat "$work/output"; exit 1; }
+! grep -iE "warning|error" "$work/output"
 for command in "" $("$root/usr/bin/osgtreewind" --help | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) .*/-\1/p'); do
     zcat "$root/usr/share/man/man1/osgtreewind$command.1.gz" | grep -q "^osgtreewind$command .- [a-z]" ||
         { echo "deb: no manual page of osgtreewind$command"; exit 1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Hosts that find the installed package by CMake: examples/embed, the backends, and one that uses every header.
+# Tests hosts that find the installed package by CMake: examples/embed, one for each backend, and one with all headers.
 # Usage: find_package.sh PREFIX LIBRARY_FOLDER [BACKEND...]     (LIBRARY_FOLDER: lib, lib64, ...)
 set -euo pipefail
 here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")

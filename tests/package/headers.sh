@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The headers that are installed are those of the list, and each can be included alone by a strict host.
+# The installed headers are those of the list, and each compiles alone with strict warnings.
 # Usage: headers.sh PREFIX LIST COMPILER      (LIST: cmake/PublicHeaders.cmake)
 set -euo pipefail
 export prefix=$1 compiler=$3
 cd "$prefix/include"
 diff <(grep -o 'osgTreeWind/.*\.h' "$2" | sort) <(find osgTreeWind -name '*.h' | sort) ||
-    { echo "headers: the list (<) is not what is installed (>)"; exit 1; }
+    { echo "headers: the list (<) differs from the installed headers (>)"; exit 1; }
 alone() {
     "$compiler" -std=c++17 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror -I. -x c++ - <<<"#include <$1>" ||
         { echo "headers: $1 cannot be included alone"; return 1; }

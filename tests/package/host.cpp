@@ -6,7 +6,7 @@
 
 #include <iostream>
 
-/// A tree made in code, in a wind: succeeds when it has moved.
+/// Makes a tree in a wind and simulates it. Succeeds if the tree moves.
 int main() {
     osgTreeWind::ForestDescription description;
     description.species = {osgTreeWind::defaultSpecies()};
@@ -18,7 +18,7 @@ int main() {
     for (int frame = 0; frame <= 60; ++frame)
         simulation.advance(frame / 60.0);
     const osgTreeWind::TreeMotion motion = simulation.motion(0);
-    const float turn = motion.rotations[0].y; // of the trunk, whose top goes with the wind
-    std::cout << forest->getNumTrees() << " tree, half its turn " << turn << " rad\n";
-    return forest->getNumTrees() == 1 && turn > 0.0f ? 0 : 1;
+    const float halfAngle = motion.rotations[0].y; // the trunk bends downwind
+    std::cout << forest->getNumTrees() << " tree, half its rotation " << halfAngle << " rad\n";
+    return forest->getNumTrees() == 1 && halfAngle > 0.0f ? 0 : 1;
 }

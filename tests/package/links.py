@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every function that an installed header declares can be linked, and every type that one names is defined in one.
-Doxygen reads the headers; a program that calls each of their functions is made of what it finds.
+"""Checks that all functions declared in installed headers can be linked, and that all types named there are defined there.
+Doxygen reads the headers, and a generated program calls each function.
 Usage: links.py PREFIX LIBRARY_FOLDER COMPILER [LINKER_ARGUMENT...]"""
 
 import os
@@ -52,7 +52,7 @@ class Function:
         self.destructor = self.name.startswith("~")
 
     def program(self, number, aliases):
-        """A function that calls it."""
+        """Source of a function that calls this one."""
         call = f"{self.scope}::{self.name}({self.arguments})"
         if self.protected:  # as a derived class may
             known = f"struct Derived{number} : {self.scope} {{"
@@ -69,7 +69,7 @@ class Function:
         elif self.scope != "osgTreeWind" and not self.static:
             parameters.insert(0, f"{self.const}{self.scope}& self")
             call = "self." + call
-        # The names of a class's own types are known as they are within it.
+        # The aliases make the nested types of the class known without its name.
         return f"struct Call{number} {{ {aliases} static void call({', '.join(parameters)}); }};\n" \
             f"void Call{number}::call({', '.join(parameters)}) {{ (void){call}; }}"
 
@@ -83,7 +83,7 @@ def is_declared_only(member):
 
 
 def read(folder):
-    """Functions with the aliases they need, classes, and what public declarations say of types: text and its place."""
+    """Returns functions with the aliases they need, classes, and the types in public declarations: place and text."""
     functions, classes, declarations = [], [], []
     for file in sorted(folder.glob("*.xml")):
         compound = xml.parse(file).getroot().find("compounddef")
@@ -113,12 +113,12 @@ def read(folder):
 
 
 def undefined_types(defined):
-    """Types of the library that headers announce and none defines."""
-    announced = set()
+    """Types of the library that headers declare but do not define."""
+    declared = set()
     for header in headers:
-        announced |= set(re.findall(r"^\s*(?:enum )?(?:class|struct) (?:OSGTREEWIND_EXPORT )?(\w+)(?: : [\w:]+)?;",
+        declared |= set(re.findall(r"^\s*(?:enum )?(?:class|struct) (?:OSGTREEWIND_EXPORT )?(\w+)(?: : [\w:]+)?;",
                                     (include / header).read_text(), re.M))
-    return announced - {name.split("::")[-1] for name in defined}
+    return declared - {name.split("::")[-1] for name in defined}
 
 
 def program(functions, classes):
@@ -133,9 +133,9 @@ def main(work):
     functions, classes, declarations = read(work / "xml")
     failed = False
     undefined = undefined_types(classes)
-    for place, said in declarations:
-        for name in sorted({word.removeprefix("osgTreeWind::") for word in re.findall(r"[\w:]+", said)} & undefined):
-            print(f"links: {place} names {name}, which no installed header defines")
+    for place, types in declarations:
+        for name in sorted({word.removeprefix("osgTreeWind::") for word in re.findall(r"[\w:]+", types)} & undefined):
+            print(f"links: {place} uses {name}, which no installed header defines")
             failed = True
 
     source = work / "links.cpp"
@@ -150,7 +150,7 @@ def main(work):
     if done.returncode and not missing:
         print(done.stderr)
     if len(functions) < 100:
-        print(f"links: only {len(functions)} functions were found in the headers")
+        print(f"links: expected at least 100 functions in the headers, found {len(functions)}")
         failed = True
     if failed or done.returncode:
         sys.exit(1)

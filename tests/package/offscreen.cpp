@@ -9,7 +9,7 @@
 
 #include <iostream>
 
-/// Draws a forest without a display: succeeds when the picture is not empty. Usage: PROGRAM FILE.treewind
+/// Draws a forest without a display. Succeeds if the image is not empty. Usage: PROGRAM FILE.treewind
 int main(int, char** argv) {
     const auto forest = osgTreeWind::readForestFile(argv[1]);
     const auto context = osgTreeWind::createOffscreenContext(64, 64);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A strict host that finds the installed library by pkg-config. Usage: pkg_config.sh PREFIX LIBRARY_FOLDER COMPILER
+# Builds a host with pkg-config and strict warnings. Usage: pkg_config.sh PREFIX LIBRARY_FOLDER COMPILER
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 work=$(mktemp -d)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The vcpkg port and the Conan recipe, as far as they can be tried without either: they parse, name the version and all
-that the build looks for, and configure with the options and the sources that they give.
+"""Tests the vcpkg port and the Conan recipe without these programs: they parse, have the version of the project and all its
+dependencies, and configure with their options and sources.
 Usage: recipes.py ROOT PREFIX LIBRARY_FOLDER"""
 
 import fnmatch
@@ -18,25 +18,25 @@ import types
 
 root, prefix, libraries = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 version = re.search(r"project\(osgTreeWind VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1)
-# What find_package() and pkg_check_modules() look for, and whose it is.
+# Package names for the arguments of find_package() and pkg_check_modules().
 vcpkg_names = {"OpenSceneGraph": "osg", "Eigen3": "eigen3", "LibCsv": "libcsv", "GDAL": "gdal", "Matio": "matio", "ZLIB": "zlib",
                "CLI11": "cli11", "nlohmann_json": "nlohmann-json", "netcdf": "netcdf-c"}
 conan_names = {"OpenSceneGraph": "openscenegraph", "Eigen3": "eigen", "LibCsv": "libcsv-dev", "GDAL": "gdal", "Matio": "matio",
                "ZLIB": "zlib", "CLI11": "cli11", "nlohmann_json": "nlohmann_json", "netcdf": "netcdf"}
-of_the_system = {"OpenGL", "PkgConfig", "OSMesa", "osgViewer"}  # optional, of the driver, or part of OpenSceneGraph
+system_packages = {"OpenGL", "PkgConfig", "OSMesa", "osgViewer"}  # optional, from the driver, or part of OpenSceneGraph
 
 
-def wanted():
+def find_dependencies():
     names = set()
     for folder in ("", "osgTreeWind", "osgTreeWind/offscreen", "plugins/treewind", "plugins/weather", "plugins/matlab", "examples/osgtreewind"):
         text = (root / folder / "CMakeLists.txt").read_text()
         names |= set(re.findall(r"^ *find_package\((\w+)", text, re.M)) | set(re.findall(r"pkg_check_modules\((\w+)", text))
-    return names - of_the_system
+    return names - system_packages
 
 
-def expect(good, what):
-    if not good:
-        sys.exit(f"recipes: {what}")
+def expect(condition, message):
+    if not condition:
+        sys.exit(f"recipes: {message}")
 
 
 def configure(source, folder, definitions):
@@ -47,20 +47,20 @@ def configure(source, folder, definitions):
 def check_vcpkg(work):
     port = root / "packaging/vcpkg/osgtreewind"
     manifest = json.loads((port / "vcpkg.json").read_text())
-    expect(manifest["version"] == version, f"vcpkg.json says {manifest['version']}, the project is {version}")
+    expect(manifest["version"] == version, f"vcpkg.json: expected version {version}, found {manifest['version']}")
     listed = list(manifest["dependencies"])
     for feature in manifest["features"].values():
         listed += feature["dependencies"]
     listed = {one["name"] if isinstance(one, dict) else one for one in listed}
-    for name in wanted():
-        expect(vcpkg_names.get(name, name) in listed, f"vcpkg.json lacks {name}")
+    for name in find_dependencies():
+        expect(vcpkg_names.get(name, name) in listed, f"vcpkg.json: the dependency {name} is missing")
     for features in ("", "tool;matlab"):
         subprocess.run(["cmake", f"-DPORT={port}", f"-DFEATURES={features}", f"-DPREFIX={prefix}", f"-DLIBRARIES={libraries}",
                         f"-DWORK={work}/vcpkg{len(features)}", "-P", root / "tests/package/vcpkg.cmake"], check=True)
 
 
-class StandIn:
-    """What the recipe asks of Conan."""
+class MockConanFile:
+    """The parts of Conan that the recipe uses."""
 
     def __init__(self, work):
         self.options = types.SimpleNamespace(tool=True, matlab=True)
@@ -73,7 +73,7 @@ class StandIn:
         self.required.add(reference.split("/")[0])
 
 
-def stand_in_modules(packages):
+def mock_conan_modules(packages):
     def copy(_, pattern, src, dst):
         found = 0
         for file in pathlib.Path(src).rglob("*"):
@@ -83,7 +83,7 @@ def stand_in_modules(packages):
                 target = pathlib.Path(dst) / path
                 target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(file, target)
-        expect(found, f"nothing is called {pattern}")
+        expect(found, f"no file matches {pattern}")
 
     class Toolchain:
         def __init__(self, conanfile):
@@ -94,7 +94,7 @@ def stand_in_modules(packages):
 
     generator = type("Generator", (), {"__init__": lambda self, _: None, "generate": lambda self: None})
     apt = type("Apt", (), {"__init__": lambda self, _: None, "install": lambda self, names: packages.update(names)})
-    contents = {"conan": {"ConanFile": StandIn}, "conan.errors": {"ConanInvalidConfiguration": ValueError},
+    contents = {"conan": {"ConanFile": MockConanFile}, "conan.errors": {"ConanInvalidConfiguration": ValueError},
                 "conan.tools": {}, "conan.tools.gnu": {"PkgConfigDeps": generator},
                 "conan.tools.cmake": {"CMake": generator, "CMakeDeps": generator, "CMakeToolchain": Toolchain, "cmake_layout": None},
                 "conan.tools.files": {"copy": copy, "load": lambda _, path: pathlib.Path(path).read_text()},
@@ -106,23 +106,23 @@ def stand_in_modules(packages):
 
 def check_conan(work):
     packages = set()
-    stand_in_modules(packages)
+    mock_conan_modules(packages)
     spec = importlib.util.spec_from_file_location("conanfile", root / "packaging/conan/conanfile.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     recipe = module.OsgTreeWind(work)
     recipe.set_version()
-    expect(recipe.version == version, f"the recipe says {recipe.version}, the project is {version}")
+    expect(recipe.version == version, f"conanfile.py: expected version {version}, found {recipe.version}")
     recipe.validate()
     recipe.requirements()
     recipe.system_requirements()
-    for name in wanted():
-        expect(conan_names.get(name, name) in recipe.required | packages, f"the recipe lacks {name}")
+    for name in find_dependencies():
+        expect(conan_names.get(name, name) in recipe.required | packages, f"conanfile.py: the dependency {name} is missing")
     recipe.export_sources()
     recipe.generate()
-    shown = {True: "ON", False: "OFF"}
+    cmake_values = {True: "ON", False: "OFF"}
     configure(recipe.export_sources_folder, work + "/conan",
-              ["-DCMAKE_BUILD_TYPE=Release"] + [f"-D{name}={shown.get(value, value)}" for name, value in recipe.definitions.items()])
+              ["-DCMAKE_BUILD_TYPE=Release"] + [f"-D{name}={cmake_values.get(value, value)}" for name, value in recipe.definitions.items()])
 
 
 sys.dont_write_bytecode = True

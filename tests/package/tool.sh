@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The installed tool, plugins and shaders. Usage: tool.sh PREFIX LIBRARY_FOLDER
+# Tests the installed tool, plugins and shaders. Usage: tool.sh PREFIX LIBRARY_FOLDER
 set -euo pipefail
 prefix=$1 library=$2
 work=$(mktemp -d)

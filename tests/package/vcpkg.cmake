@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What the port asks of vcpkg, done with what is installed here: it configures, and looks into an installed copy for
-# what the port moves. Usage: cmake -DPORT=FOLDER -DFEATURES=a;b -DPREFIX=FOLDER -DLIBRARIES=lib -DWORK=FOLDER -P vcpkg.cmake
+# Mocks the functions of vcpkg that the port calls: configures the project, and checks that an installed copy has the
+# files that the port moves. Usage: cmake -DPORT=FOLDER -DFEATURES=a;b -DPREFIX=FOLDER -DLIBRARIES=lib -DWORK=FOLDER -P vcpkg.cmake
 cmake_policy(VERSION 3.25) # IN_LIST
 function(vcpkg_check_linkage)
 endfunction()
@@ -10,7 +10,7 @@ function(vcpkg_check_features)
     while(check_FEATURES)
         list(POP_FRONT check_FEATURES feature option)
         file(READ ${PORT}/vcpkg.json manifest)
-        string(JSON described GET "${manifest}" features ${feature} description) # an error where it is not declared
+        string(JSON described GET "${manifest}" features ${feature} description) # fails if it is not declared
         set(value OFF)
         if(feature IN_LIST FEATURES)
             set(value ON)
@@ -22,16 +22,16 @@ endfunction()
 function(vcpkg_cmake_configure)
     cmake_parse_arguments(configure "" SOURCE_PATH OPTIONS ${ARGN})
     execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${configure_SOURCE_PATH} -B ${WORK} -DCMAKE_BUILD_TYPE=Release ${configure_OPTIONS}
-        OUTPUT_QUIET ERROR_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
-    if(said)
-        message(FATAL_ERROR "${said}") # of options that are none, too
+        OUTPUT_QUIET ERROR_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+    if(output)
+        message(FATAL_ERROR "${output}") # for example, unknown options
     endif()
 endfunction()
 function(vcpkg_cmake_install)
 endfunction()
 function(expect_file path)
     if(NOT EXISTS ${path})
-        message(FATAL_ERROR "${path} is not there")
+        message(FATAL_ERROR "${path} does not exist")
     endif()
 endfunction()
 function(vcpkg_cmake_config_fixup)

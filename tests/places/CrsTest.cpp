@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,12 @@ Crs crsOf(const std::string& text) {
     return crs.value();
 }
 
-glm::dvec2 brought(const glm::dvec2& place, const std::string& from, const std::string& to) {
-    const auto way = CrsWay::between(crsOf(from), crsOf(to));
-    EXPECT_TRUE(way);
-    glm::dvec2 there = place;
-    EXPECT_TRUE(way.value().go(there)) << place.x << ' ' << place.y;
-    return there;
+glm::dvec2 transformed(const glm::dvec2& place, const std::string& from, const std::string& to) {
+    const auto transform = CrsTransform::between(crsOf(from), crsOf(to));
+    EXPECT_TRUE(transform);
+    glm::dvec2 result = place;
+    EXPECT_TRUE(transform.value().apply(result)) << place.x << ' ' << place.y;
+    return result;
 }
 
 std::string problemOfMap(const std::string& text) {
@@ -31,21 +31,21 @@ std::string problemOfMap(const std::string& text) {
 
 } // namespace
 
-TEST(Crs, IsWhatProjKnowsByAnyName) {
+TEST(Crs, AcceptsAnyFormThatProjAccepts) {
     const std::string wkt = crsOf("EPSG:25832").text();
     EXPECT_EQ(wkt, "EPSG:25832");
     EXPECT_EQ(crsOf("EPSG:25832").name(), "ETRS89 / UTM zone 32N");
     EXPECT_EQ(crsOf("http://www.opengis.net/def/crs/EPSG/0/7415").text(), "EPSG:28992")
-        << "heights are left out";
-    const std::string mine = crsOf("+proj=tmerc +lon_0=9.25 +k=1 +x_0=7 +ellps=GRS80").text();
-    EXPECT_EQ(crsOf(mine).text(), mine) << "what has no code is written as WKT";
+        << "the vertical part is dropped";
+    const std::string custom = crsOf("+proj=tmerc +lon_0=9.25 +k=1 +x_0=7 +ellps=GRS80").text();
+    EXPECT_EQ(crsOf(custom).text(), custom) << "without a code, it is WKT";
 }
 
-TEST(Crs, OfASceneIsAMapInMetres) {
+TEST(Crs, SceneMustBeProjectedInMetres) {
     EXPECT_EQ(problemOfMap("EPSG:32633"), "");
-    EXPECT_EQ(problemOfMap("EPSG:31467"), "") << "axes north, east: x is the easting all the same";
+    EXPECT_EQ(problemOfMap("EPSG:31467"), "") << "x is the easting despite its axis order north, east";
     EXPECT_EQ(problemOfMap("EPSG:4326"),
-              "crs: expected a projected system in metres, found WGS 84, which is on degrees");
+              "crs: expected a projected system in metres, found WGS 84, which uses degrees");
     EXPECT_EQ(problemOfMap("EPSG:2263"),
               "crs: expected a projected system in metres, found NAD83 / New York Long "
               "Island (ftUS) in US survey foot");
@@ -53,7 +53,7 @@ TEST(Crs, OfASceneIsAMapInMetres) {
     EXPECT_NE(problemOfMap("EPSG:5513").find("x to the east"), std::string::npos) << "Krovak, south and west";
 }
 
-TEST(Crs, RefusesWhatIsNoneInOneLine) {
+TEST(Crs, RejectsInvalidTextWithAMessageOfOneLine) {
     for (const std::string text :
          {"", "EPSG:1", "utm 32", "+proj=nothing", "PROJCS[\"half", "\x01\x02", "http://127.0.0.1:9/crs",
           "/vsicurl/http://127.0.0.1:9/crs", "/etc/passwd"}) {
@@ -66,7 +66,7 @@ TEST(Crs, RefusesWhatIsNoneInOneLine) {
     }
 }
 
-TEST(Crs, ZonesOfUtmGoAroundTheEarth) {
+TEST(Crs, FindsUtmZonesAroundTheEarth) {
     const auto zone = [](double longitude, double latitude) {
         return Crs::utmOf({longitude, latitude}).value().text();
     };
@@ -79,39 +79,39 @@ TEST(Crs, ZonesOfUtmGoAroundTheEarth) {
 }
 
 /// A zone's central meridian has easting 500 km, and the equator northing 0.
-TEST(CrsWay, GoesToTheMapAndBack) {
-    const glm::dvec2 middle = brought({9.0, 0.0}, "EPSG:4326", "EPSG:32632");
+TEST(CrsTransform, TransformsToTheMapAndBack) {
+    const glm::dvec2 middle = transformed({9.0, 0.0}, "EPSG:4326", "EPSG:32632");
     EXPECT_NEAR(middle.x, 500000.0, 1e-6);
     EXPECT_NEAR(middle.y, 0.0, 1e-6);
     // Snyder, Map Projections (USGS 1395), p. 269: 73.5 W, 40.5 N on Clarke 1866, k 0.9996 from 75 W, 0 N.
-    const glm::dvec2 snyder = brought({-73.5, 40.5}, "+proj=longlat +ellps=clrk66",
-                                      "+proj=tmerc +lon_0=-75 +k=0.9996 +ellps=clrk66");
+    const glm::dvec2 snyder = transformed({-73.5, 40.5}, "+proj=longlat +ellps=clrk66",
+                                          "+proj=tmerc +lon_0=-75 +k=0.9996 +ellps=clrk66");
     EXPECT_NEAR(snyder.x, 127106.5, 0.1);
     EXPECT_NEAR(snyder.y, 4484124.4, 0.1);
     const glm::dvec2 back =
-        brought(brought({13.4, 52.5}, "EPSG:4326", "EPSG:25833"), "EPSG:25833", "EPSG:4326");
+        transformed(transformed({13.4, 52.5}, "EPSG:4326", "EPSG:25833"), "EPSG:25833", "EPSG:4326");
     EXPECT_NEAR(back.x, 13.4, 1e-9);
     EXPECT_NEAR(back.y, 52.5, 1e-9);
 }
 
-TEST(CrsWay, BetweenTheSameLeavesEveryBit) {
+TEST(CrsTransform, BetweenEqualSystemsIsExact) {
     const glm::dvec2 place{428759.19, 4512931.77};
-    EXPECT_EQ(brought(place, "EPSG:26912", "EPSG:26912"), place);
+    EXPECT_EQ(transformed(place, "EPSG:26912", "EPSG:26912"), place);
 }
 
-TEST(CrsWay, SaysWhereThereIsNone) {
-    const auto way = CrsWay::between(crsOf("EPSG:4326"), crsOf("EPSG:32632"));
+TEST(CrsTransform, ReportsPlacesThatCannotBeTransformed) {
+    const auto transform = CrsTransform::between(crsOf("EPSG:4326"), crsOf("EPSG:32632"));
     for (glm::dvec2 place : {glm::dvec2{9.0, 91.0}, glm::dvec2{NAN, 0.0}, glm::dvec2{9.0, INFINITY}})
-        EXPECT_FALSE(way.value().go(place));
+        EXPECT_FALSE(transform.value().apply(place));
 }
 
-TEST(CrsWay, ManyThreadsFindTheirOwn) {
+TEST(CrsTransform, ThreadsMayUseTheirOwnTransforms) {
     std::vector<std::thread> threads;
     for (int zone = 1; zone <= 8; ++zone)
         threads.emplace_back([zone] {
             const std::string utm = "EPSG:" + std::to_string(32600 + zone);
             for (int i = 0; i < 20; ++i)
-                EXPECT_NEAR(brought({6.0 * zone - 183.0, 10.0}, "EPSG:4326", utm).x, 500000.0, 1e-6);
+                EXPECT_NEAR(transformed({6.0 * zone - 183.0, 10.0}, "EPSG:4326", utm).x, 500000.0, 1e-6);
         });
     for (std::thread& thread : threads)
         thread.join();

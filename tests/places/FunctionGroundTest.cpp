@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-TEST(FunctionGround, HasNoHeightBeyondItsAreaNorWhereTheFunctionHasNone) {
+TEST(FunctionGround, HasNoHeightOutsideItsAreaOrForNaN) {
     const FunctionGround ground([](double x, double y) { return x > 5 ? std::nan("") : x + y; },
                                 {{0, 0}, {9, 9}, 1});
     EXPECT_EQ(ground.height({2, 3}), 5.0);
@@ -18,11 +18,11 @@ TEST(FunctionGround, HasNoHeightBeyondItsAreaNorWhereTheFunctionHasNone) {
     EXPECT_FALSE(FunctionGround(nullptr).height({0, 0}));
 }
 
-TEST(Ground, AFootIsAtTheLowestPointOfTheTrunksCircle) {
+TEST(Ground, FootIsAtTheLowestPointOfTheTrunksCircle) {
     const FunctionGround slope([](double x, double) { return 0.5 * x; });
     EXPECT_NEAR(footHeight(slope, {10, 0}, 0.4).value(), 5.0 - 0.2, 1e-9);
     const FunctionGround edge([](double x, double) { return x < 0 ? std::nan("") : 1.0; });
-    EXPECT_EQ(footHeight(edge, {0.1, 0}, 0.4), 1.0) << "its rim may be over the edge";
+    EXPECT_EQ(footHeight(edge, {0.1, 0}, 0.4), 1.0) << "its rim may extend beyond the edge";
     EXPECT_FALSE(footHeight(edge, {-0.1, 0}, 0.4));
 }
 

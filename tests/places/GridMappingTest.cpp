@@ -14,7 +14,7 @@ struct Known {
     std::map<std::string, std::vector<double>> numbers;
 };
 
-/// As the EPSG registry has them.
+/// Parameters from the EPSG registry.
 const Known maps[] = {
     {"EPSG:25832",
      "transverse_mercator",
@@ -43,24 +43,24 @@ const Known maps[] = {
 
 } // namespace
 
-TEST(GridMapping, SaysAMapInTheWordsOfCf) {
+TEST(GridMapping, HasTheCfAttributesOfAMap) {
     for (const Known& known : maps) {
         const GridMapping mapping = gridMappingOf(Crs::parse(known.crs).value()).value();
         EXPECT_EQ(mapping.name, known.name);
-        const std::map<std::string, std::vector<double>> said(mapping.numbers.begin(), mapping.numbers.end());
+        const std::map<std::string, std::vector<double>> found(mapping.numbers.begin(),
+                                                               mapping.numbers.end());
         for (const auto& [name, values] : known.numbers) {
-            ASSERT_EQ(said.count(name), 1u) << known.crs << ' ' << name;
-            ASSERT_EQ(said.at(name).size(), values.size()) << known.crs << ' ' << name;
+            ASSERT_EQ(found.count(name), 1u) << known.crs << ' ' << name;
+            ASSERT_EQ(found.at(name).size(), values.size()) << known.crs << ' ' << name;
             for (std::size_t i = 0; i < values.size(); ++i)
-                EXPECT_NEAR(said.at(name)[i], values[i], 1e-9 * (1.0 + values[i]))
+                EXPECT_NEAR(found.at(name)[i], values[i], 1e-9 * (1.0 + values[i]))
                     << known.crs << ' ' << name;
         }
         EXPECT_TRUE(Crs::parse(mapping.wkt).value().isSame(Crs::parse(known.crs).value()));
     }
 }
 
-/// A projection without words here has its WKT, which says all.
-TEST(GridMapping, LeavesOutWhatItHasNoWordsFor) {
+TEST(GridMapping, UnsupportedProjectionHasOnlyWkt) {
     const GridMapping mapping = gridMappingOf(Crs::parse("EPSG:28992").value()).value();
     EXPECT_EQ(mapping.name, "");
     EXPECT_TRUE(mapping.numbers.empty());

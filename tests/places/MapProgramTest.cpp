@@ -18,7 +18,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Processes that this thread has started and that still run.
+/// Running processes started by this thread.
 std::vector<pid_t> children() {
     std::ifstream file("/proc/self/task/" + std::to_string(gettid()) + "/children");
     std::vector<pid_t> all;
@@ -27,28 +27,28 @@ std::vector<pid_t> children() {
     return all;
 }
 
-/// What a program makes of a system, or what is wrong with it.
+/// The CRS as parsed by a program, or its error.
 std::string textOf(MapProgram& program, const std::string& crs) {
-    const auto facts = program.ask<Crs::Facts>({MapQuestion::Task::ParseCrs, {crs}});
+    const auto facts = program.request<Crs::Facts>({MapRequest::Task::ParseCrs, {crs}});
     return facts ? facts.value().text : firstProblem(facts);
 }
 
 } // namespace
 
-TEST(MapProgram, RunsFromTheFirstQuestionUntilNobodyHoldsIt) {
-    const std::vector<pid_t> before = children(); // the shared one may be among them
+TEST(MapProgram, RunsFromTheFirstRequestUntilDestruction) {
+    const std::vector<pid_t> before = children(); // may include the shared one
     {
         MapProgram program;
-        EXPECT_EQ(children(), before) << "before it is asked";
+        EXPECT_EQ(children(), before) << "before the first request";
         EXPECT_EQ(textOf(program, "EPSG:25832"), "EPSG:25832");
         EXPECT_EQ(children().size(), before.size() + 1);
         EXPECT_EQ(textOf(program, "EPSG:25833"), "EPSG:25833");
-        EXPECT_EQ(children().size(), before.size() + 1) << "one process for all questions";
+        EXPECT_EQ(children().size(), before.size() + 1) << "one process for all requests";
     }
     EXPECT_EQ(children(), before);
 }
 
-TEST(MapProgram, ThatWasKilledStartsAnewForTheNextQuestion) {
+TEST(MapProgram, RestartsAfterItWasKilled) {
     MapProgram program;
     ASSERT_EQ(textOf(program, "EPSG:25832"), "EPSG:25832");
     kill(children().back(), SIGKILL);
@@ -56,7 +56,7 @@ TEST(MapProgram, ThatWasKilledStartsAnewForTheNextQuestion) {
     EXPECT_EQ(textOf(program, "EPSG:25832"), "EPSG:25832");
 }
 
-TEST(MapProgram, ThatIsMissingIsNamed) {
+TEST(MapProgram, ReportsThePathOfAMissingProgram) {
     const EnvironmentVariable missing("OSGTREEWIND_MAP", "/nowhere/map");
     MapProgram program;
     const std::string reason =
@@ -67,14 +67,14 @@ TEST(MapProgram, ThatIsMissingIsNamed) {
     EXPECT_EQ(firstProblem(Raster::open(file)), file + ": " + reason);
 }
 
-TEST(MapProgram, ThatGivesNoAnswerIsAReasonNotToRead) {
+TEST(MapProgram, ReportsAProgramThatDoesNotAnswer) {
     const EnvironmentVariable silent("OSGTREEWIND_MAP", "/bin/true");
     const TemporaryFolder folder;
     const std::string file = folder.write("a.tif", "");
     EXPECT_EQ(firstProblem(Raster::open(file)), file + ": cannot be read: its reader ended with status 0");
 }
 
-TEST(MapProgram, ThreadsAskOneByOne) {
+TEST(MapProgram, ThreadsMayShareAProgram) {
     MapProgram program;
     std::vector<std::thread> threads;
     for (int zone = 1; zone <= 4; ++zone)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 
 #include <osgTreeWind/places/PointTable.h>
 #include <osgTreeWind/places/VectorFile.h>
 
 namespace osgTreeWind {
 
-TEST(PointTable, IsAMapThatReadsBack) {
+TEST(PointTable, GeoPackageReadsBack) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/trees.gpkg";
     PointTable table;
@@ -32,7 +32,7 @@ TEST(PointTable, IsAMapThatReadsBack) {
     EXPECT_FALSE(read.next().value());
 }
 
-TEST(PointTable, SaysWhatKeepsItFromBeingWritten) {
+TEST(PointTable, ReportsWhyItCannotBeWritten) {
     PointTable table;
     table.name = "risk";
     const Diagnostics nowhere = writeGeoPackage(table, "/nowhere/trees.gpkg");

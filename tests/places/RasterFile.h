@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// A raster that a test writes through GDAL: cells of a metre about (0, 0) unless it says more.
+/// A raster written with GDAL for a test. By default it has 4 x 4 cells of 1 m in [0, 4].
 struct RasterFile {
     int columns = 4, rows = 4;
     std::function<double(int column, int row)> value = [](int column, int row) {
@@ -26,7 +26,7 @@ struct RasterFile {
     int bands = 1;
     bool isPalette = false;
 
-    /// @return the path. @param tiles lie in a GeoTIFF in squares of 256, compressed.
+    /// @param tiles write a GeoTIFF in compressed tiles of 256 x 256. @return the path.
     std::string write(const std::string& path, const char* format = "GTiff", bool tiles = false) const {
         GDALAllRegister();
         const char* const tiled[] = {"TILED=YES", "COMPRESS=DEFLATE", nullptr};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 #include <tests/places/RasterFile.h>
 
 #include <osgTreeWind/places/RasterGround.h>
@@ -25,7 +25,7 @@ std::shared_ptr<const RasterGround> opened(const RasterGround::Source& source, c
 
 } // namespace
 
-TEST(RasterGround, WithoutAnySystemMetresStayAsTheyAre) {
+TEST(RasterGround, WithoutAnyCrsCoordinatesAreUnchanged) {
     const TemporaryFolder folder;
     const auto ground = opened({{RasterFile{}.write(folder.path() + "/a.tif")}, ""});
     ASSERT_TRUE(ground);
@@ -36,13 +36,13 @@ TEST(RasterGround, WithoutAnySystemMetresStayAsTheyAre) {
     EXPECT_NEAR(ground->height({1.0, 3.5}).value(), 100.5, 1e-4);
 }
 
-TEST(RasterGround, TheFirstTileThatHasAPlaceCounts) {
+TEST(RasterGround, FirstTileWithAHeightCounts) {
     const TemporaryFolder folder;
     RasterFile first, second;
     first.value = [](int column, int) { return column == 3 ? -1.0 : 1.0; };
     first.nodata = -1.0;
     second.value = [](int, int) { return 2.0; };
-    second.transform[0] = 2; // two cells over the first, two beyond it
+    second.transform[0] = 2; // overlaps the first by two cells
     const auto ground =
         opened({{first.write(folder.path() + "/1.tif"), second.write(folder.path() + "/2.tif")}, ""});
     ASSERT_TRUE(ground);
@@ -53,7 +53,7 @@ TEST(RasterGround, TheFirstTileThatHasAPlaceCounts) {
     EXPECT_EQ(ground->area().high, glm::dvec2(6, 4));
 }
 
-TEST(RasterGround, AMapInMetresBecomesTheWorldsAndDegreesTheirZone) {
+TEST(RasterGround, WorldCrsIsThatOfTheFileOrItsUtmZone) {
     const TemporaryFolder folder;
     RasterFile file;
     file.crs = "EPSG:25832";
@@ -69,7 +69,7 @@ TEST(RasterGround, AMapInMetresBecomesTheWorldsAndDegreesTheirZone) {
     EXPECT_EQ(opened({{folder.path() + "/b.tif"}, ""}, "EPSG:25831")->map()->text(), "EPSG:25831");
 }
 
-TEST(RasterGround, LongitudesCountFromZeroOrFromTheDateLine) {
+TEST(RasterGround, LongitudesMayStartAtZero) {
     const TemporaryFolder folder;
     RasterFile file;
     file.crs = "EPSG:4326";
@@ -79,7 +79,7 @@ TEST(RasterGround, LongitudesCountFromZeroOrFromTheDateLine) {
     EXPECT_TRUE(ground->height({501500.0, 5096000.0}));
 }
 
-TEST(RasterGround, ItsCrsGoesBeforeTheFiles) {
+TEST(RasterGround, StatedCrsOverridesTheFiles) {
     const TemporaryFolder folder;
     RasterFile file;
     file.crs = "EPSG:25831";
@@ -91,17 +91,17 @@ TEST(RasterGround, ItsCrsGoesBeforeTheFiles) {
     EXPECT_TRUE(opened({{file.write(folder.path() + "/b.tif")}, "EPSG:25832"}, "EPSG:25832")->height({1, 1}));
 }
 
-TEST(RasterGround, ASystemIsAskedForWhereTheForestHasOne) {
+TEST(RasterGround, RequiresACrsIfTheForestHasOne) {
     const TemporaryFolder folder;
     const std::string path = RasterFile{}.write(folder.path() + "/a.tif");
     const auto ground = RasterGround::open({{path}, ""}, crsOrNone("EPSG:25832"));
     ASSERT_FALSE(ground);
     EXPECT_EQ(ground.problems().front().text(),
-              path + ": it has no coordinate reference system; expected ground.crs to say of what it is");
+              path + ": it has no coordinate reference system; expected ground.crs to state it");
 }
 
-/// The same model on degrees, by gdalwarp, is the same ground within its own resampling.
-TEST(RasterGround, WarpedToDegreesTheModelOfMissoulaIsTheSame) {
+/// Compares a real elevation model with its reprojection to degrees by gdalwarp.
+TEST(RasterGround, ReprojectedModelOfMissoulaIsTheSameGround) {
     REQUIRE_REAL_DATA(path, "place/dem.tif");
     REQUIRE_PROGRAM("gdalwarp");
     const TemporaryFolder folder;
@@ -112,21 +112,21 @@ TEST(RasterGround, WarpedToDegreesTheModelOfMissoulaIsTheSame) {
               0);
     const auto ground = opened({{path}, ""}), onDegrees = opened({{warped}, ""}, "EPSG:32611");
     ASSERT_TRUE(ground && onDegrees);
-    double sum = 0.0, most = 0.0;
+    double sum = 0.0, largest = 0.0;
     int count = 0;
     for (double x = 726500; x < 729300; x += 97)
         for (double y = 5209100; y < 5213700; y += 89, ++count) {
             const double difference =
                 std::abs(ground->height({x, y}).value() - onDegrees->height({x, y}).value());
             sum += difference;
-            most = std::max(most, difference);
+            largest = std::max(largest, difference);
         }
-    std::cout << "mean " << sum / count << " m, most " << most << " m over " << count << " places\n";
+    std::cout << "mean " << sum / count << " m, largest " << largest << " m at " << count << " places\n";
     EXPECT_LT(sum / count, 0.05);
-    EXPECT_LT(most, 2.0); // between slopes, over cells of 8 m by 11 m
+    EXPECT_LT(largest, 2.0); // between slopes, over cells of 8 m by 11 m
 }
 
-TEST(RasterGround, ManyThreadsAskOne) {
+TEST(RasterGround, IsThreadSafe) {
     const TemporaryFolder folder;
     RasterFile file;
     file.crs = "EPSG:4326";

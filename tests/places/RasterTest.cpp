@@ -3,7 +3,7 @@
 #include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 #include <tests/places/RasterFile.h>
 
 #include <osgTreeWind/places/Raster.h>
@@ -35,7 +35,7 @@ void expectNear(const std::optional<double>& height, double expected, double tol
 
 } // namespace
 
-TEST(Raster, HeightsAreBilinearBetweenCentresAndHoldToTheEdge) {
+TEST(Raster, HeightsAreBilinearAndConstantAtTheBorder) {
     const Raster raster = opened(RasterFile{});
     expectNear(raster.height({0.5, 3.5}), 100.0);
     expectNear(raster.height({1.0, 3.5}), 100.5);
@@ -49,7 +49,7 @@ TEST(Raster, HeightsAreBilinearBetweenCentresAndHoldToTheEdge) {
         EXPECT_FALSE(raster.height(beyond)) << beyond.x << ", " << beyond.y;
 }
 
-TEST(Raster, ACellWithoutAHeightIsAHoleWhereverItCounts) {
+TEST(Raster, HasNoHeightWhereAContributingCellHasNone) {
     for (const double none : {-9999.0, std::nan("")}) {
         RasterFile file;
         file.value = [&](int column, int row) { return column == 1 && row == 1 ? none : 7.0; };
@@ -59,29 +59,30 @@ TEST(Raster, ACellWithoutAHeightIsAHoleWhereverItCounts) {
         EXPECT_FALSE(raster.height({1.5, 2.5}));
         EXPECT_FALSE(raster.height({0.51, 2.5}));
         EXPECT_FALSE(raster.height({2.49, 1.51}));
-        expectNear(raster.height({0.5, 2.5}), 7.0); // its centre; the hole has no weight
+        expectNear(raster.height({0.5, 2.5}), 7.0); // at a cell's centre, the hole has no weight
         expectNear(raster.height({2.5, 1.5}), 7.0);
         expectNear(raster.height({3.0, 1.0}), 7.0);
     }
 }
 
-TEST(Raster, FormatsThatBreakOnDamagedFilesAreRefusedByName) {
+TEST(Raster, RejectsFormatsThatCrashOnDamagedFiles) {
     const TemporaryFolder folder;
     GDALAllRegister();
     if (!GDALGetDriverByName("netCDF"))
         GTEST_SKIP() << "this GDAL writes no NetCDF";
     const auto raster = Raster::open(RasterFile{}.write(folder.path() + "/a.nc", "netCDF"));
     ASSERT_FALSE(raster);
-    EXPECT_NE(raster.problems().front().message.find("expected another format than netCDF"),
+    EXPECT_NE(raster.problems().front().message.find("expected a format of docs/treewind.md, found netCDF"),
               std::string::npos)
         << raster.problems().front().text();
     const auto grib = Raster::open(OSGTREEWIND_TEST_DATA "/wind/small.grib2");
     ASSERT_FALSE(grib);
-    EXPECT_NE(grib.problems().front().message.find("expected another format than GRIB"), std::string::npos)
+    EXPECT_NE(grib.problems().front().message.find("expected a format of docs/treewind.md, found GRIB"),
+              std::string::npos)
         << grib.problems().front().text();
 }
 
-TEST(Raster, OneCellWideHoldsAcross) {
+TEST(Raster, SupportsASingleColumn) {
     RasterFile file;
     file.columns = 1;
     const Raster raster = opened(file);
@@ -92,7 +93,7 @@ TEST(Raster, OneCellWideHoldsAcross) {
     expectNear(opened(file).height({0.9, 3.1}), 100.0);
 }
 
-TEST(Raster, UnitsScaleAndOffsetBecomeMetres) {
+TEST(Raster, ConvertsUnitScaleAndOffsetToMetres) {
     RasterFile file;
     file.unit = "ft";
     expectNear(opened(file).height({0.5, 3.5}), 30.48);
@@ -102,7 +103,7 @@ TEST(Raster, UnitsScaleAndOffsetBecomeMetres) {
     expectNear(opened(file).height({0.5, 3.5}), 100.0);
     file.unit = "";
     file.type = GDT_Int16;
-    file.nodata = 101.0; // of what is stored
+    file.nodata = 101.0; // a stored value, before scale and offset
     file.scale = 0.1;
     file.offset = 1000.0;
     const Raster scaled = opened(file);
@@ -115,7 +116,7 @@ TEST(Raster, UnitsScaleAndOffsetBecomeMetres) {
     expectNear(opened(file).height({0.5, 3.5}), 100.0 * 1200.0 / 3937.0);
 }
 
-TEST(Raster, ATurnedOneIsReadWhereItLies) {
+TEST(Raster, SupportsRotation) {
     RasterFile file;
     const double c = 2.0 * std::cos(0.5), s = 2.0 * std::sin(0.5); // cells of 2 m, half a radian
     file.transform = {1000, c, s, 2000, s, -c};
@@ -128,7 +129,7 @@ TEST(Raster, ATurnedOneIsReadWhereItLies) {
     EXPECT_FALSE(raster.height(place(-0.1, 2)));
 }
 
-TEST(Raster, AVrtOfTilesIsOneRasterWithoutSeams) {
+TEST(Raster, VrtOfTilesHasNoSeams) {
     REQUIRE_PROGRAM("gdalbuildvrt");
     const TemporaryFolder folder;
     RasterFile west, east;
@@ -143,7 +144,7 @@ TEST(Raster, AVrtOfTilesIsOneRasterWithoutSeams) {
     expectNear(raster.height({7.5, 3.5}), 107.0);
 }
 
-TEST(Raster, GridsOfTextAreRead) {
+TEST(Raster, ReadsEsriAsciiGrids) {
     const TemporaryFolder folder;
     const Raster raster =
         opened(folder.write("a.asc", "ncols 2\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 5\n"
@@ -154,7 +155,7 @@ TEST(Raster, GridsOfTextAreRead) {
     EXPECT_FALSE(raster.crs());
 }
 
-TEST(Raster, TilesAndCompressionChangeNothing) {
+TEST(Raster, ReadsCompressedTiles) {
     const TemporaryFolder folder;
     RasterFile file;
     file.columns = 700;
@@ -168,8 +169,8 @@ TEST(Raster, TilesAndCompressionChangeNothing) {
     }
 }
 
-/// What gdallocationinfo says of its cells, which knows nothing of us.
-TEST(Raster, TheModelOfMissoulaIsAsGdalLocationInfoSays) {
+/// Compares with gdallocationinfo, an independent program.
+TEST(Raster, ModelOfMissoulaMatchesGdalLocationInfo) {
     REQUIRE_REAL_DATA(path, "place/dem.tif");
     REQUIRE_PROGRAM("gdallocationinfo");
     const Raster raster = opened(path);
@@ -196,7 +197,7 @@ TEST(Raster, TheModelOfMissoulaIsAsGdalLocationInfoSays) {
             expectNear(raster.height(centre), cell(column, row), 0.1);
             if (column == 36 || row == 57)
                 continue;
-            const double u = 0.3, v = 0.8; // between four of them
+            const double u = 0.3, v = 0.8; // between four centres
             expectNear(raster.height(centre + 85.0 * glm::dvec2(u, -v)),
                        (1 - u) * (1 - v) * cell(column, row) + u * (1 - v) * cell(column + 1, row) +
                            (1 - u) * v * cell(column, row + 1) + u * v * cell(column + 1, row + 1),
@@ -219,7 +220,7 @@ std::string sourceOf(const std::string& name) {
 
 } // namespace
 
-TEST(Raster, AVrtPutsFilesTogetherAndDoesNothingElse) {
+TEST(Raster, VrtMayOnlyMosaicFiles) {
     const TemporaryFolder folder;
     (void)RasterFile().write(folder.path() + "/a.tif");
     const auto problemOf = [&](const std::string& text) {
@@ -229,24 +230,23 @@ TEST(Raster, AVrtPutsFilesTogetherAndDoesNothingElse) {
     const std::string secret = folder.write("secret", "16 bytes of text");
     EXPECT_EQ(
         problemOf(vrtOf("<SourceFilename>" + secret + "</SourceFilename>", " subClass=\"VRTRawRasterBand\"")),
-        "a.vrt: expected a VRT that puts files together, found one with \"VRTRawRasterBand\"");
+        "a.vrt: expected a VRT that combines files, found one with \"VRTRawRasterBand\"");
     EXPECT_EQ(problemOf(vrtOf(sourceOf("a.tif"), " subClass=\"VRTDerivedRasterBand\"")),
-              "a.vrt: expected a VRT that puts files together, found one with \"VRTDerivedRasterBand\"");
+              "a.vrt: expected a VRT that combines files, found one with \"VRTDerivedRasterBand\"");
     EXPECT_EQ(problemOf(vrtOf(sourceOf("secret"))),
-              "a.vrt: its source \"secret\" is of no format that is read as ground");
+              "a.vrt: its source \"secret\" has a format that is not supported for ground");
     for (const char* const name :
          {"/vsicurl/http://localhost/a.tif", "http://localhost/a.tif", "/vsimem/a.tif", "no.tif"})
         EXPECT_EQ(problemOf(vrtOf("<SimpleSource><SourceFilename>" + std::string(name) +
                                   "</SourceFilename></SimpleSource>")),
-                  "a.vrt: its source \"" + std::string(name) + "\" is no file");
+                  "a.vrt: its source \"" + std::string(name) + "\" is not a file");
     folder.write("b.vrt", vrtOf(sourceOf("secret")));
     EXPECT_EQ(problemOf(vrtOf(sourceOf("b.vrt"))),
-              "a.vrt: its source \"secret\" is of no format that is read as ground");
-    EXPECT_EQ(problemOf(vrtOf(sourceOf("a.vrt"))),
-              "a.vrt: its source \"a.vrt\" is the VRT of too many others");
+              "a.vrt: its source \"secret\" has a format that is not supported for ground");
+    EXPECT_EQ(problemOf(vrtOf(sourceOf("a.vrt"))), "a.vrt: its source \"a.vrt\" is a VRT nested too deeply");
 }
 
-TEST(Raster, TakesNoMoreMemoryThanAllowed) {
+TEST(Raster, RespectsTheMemoryLimit) {
     const TemporaryFolder folder;
     const std::string vrt = folder.write(
         "a.vrt",
@@ -255,7 +255,7 @@ TEST(Raster, TakesNoMoreMemoryThanAllowed) {
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1G");
     EXPECT_EQ(firstProblem(Raster::open(vrt)),
               vrt + ": its 20000 x 19000 cells need about 1.52 GB of memory; the limit is 1 GB "
-                    "(OSGTREEWIND_MAX_MEMORY sets another)");
+                    "(set another with OSGTREEWIND_MAX_MEMORY)");
 }
 
 } // namespace osgTreeWind

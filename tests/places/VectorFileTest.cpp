@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 
 #include <osgTreeWind/places/VectorFile.h>
 
@@ -18,8 +18,8 @@ VectorFile openedVectors(const std::string& path, const std::string& layer = "")
     return std::move(file.value());
 }
 
-/// What is left of a file, as "feature 0 (1, 2, 3) oak".
-std::string all(VectorFile& file) {
+/// The remaining features, one per line: "feature 0 (1, 2, 3) oak".
+std::string remainingFeatures(VectorFile& file) {
     std::string text;
     auto found = file.next();
     for (; found && found.value(); found = file.next()) {
@@ -44,7 +44,7 @@ const std::string two = geoJson(point("9.5, 50.25, 3", R"("kind": "oak", "h": 1.
 
 } // namespace
 
-TEST(VectorFile, GivesFeaturesInTheirOrder) {
+TEST(VectorFile, ReadsFeaturesInOrder) {
     const TemporaryFolder folder;
     VectorFile file = openedVectors(folder.write("two.geojson", two));
     EXPECT_EQ(file.columns(), (std::vector<std::string>{"kind", "h"}));
@@ -53,9 +53,9 @@ TEST(VectorFile, GivesFeaturesInTheirOrder) {
     EXPECT_TRUE(file.hasGeometry());
     const std::string expected = "feature 0 (9.500000, 50.250000, 3.000000) oak 1.5\n"
                                  "feature 1 (9.250000, 50.500000, 0.000000) elm \n";
-    EXPECT_EQ(all(file), expected);
+    EXPECT_EQ(remainingFeatures(file), expected);
     file.rewind();
-    EXPECT_EQ(all(file), expected);
+    EXPECT_EQ(remainingFeatures(file), expected);
 }
 
 TEST(VectorFile, NumbersAreNotRounded) {
@@ -67,17 +67,16 @@ TEST(VectorFile, NumbersAreNotRounded) {
     EXPECT_EQ(file.text(1), "9007199254740993");
 }
 
-/// Every format by its content where it has one, also under a name that says nothing.
-TEST(VectorFile, FormatsAreKnownByContentOrExtension) {
+TEST(VectorFile, DetectsFormatsByContentOrExtension) {
     REQUIRE_PROGRAM("ogr2ogr");
     const TemporaryFolder folder;
     folder.write("two.geojson", two);
     for (const char* name : {"a.gpkg", "a.fgb", "a.shp", "a.gml", "a.kml", "a.geojsonl", "a.tab", "a.sqlite",
                              "a.xlsx", "a.ods"}) {
         convert(folder, "two.geojson", name,
-                name == std::string("a.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // their order
+                name == std::string("a.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // keeps the order
         const std::string path = folder.path() + '/' + name;
-        EXPECT_TRUE(VectorFile::knows(path)) << name;
+        EXPECT_TRUE(VectorFile::isSupported(path)) << name;
         VectorFile file = openedVectors(path);
         const auto kind = std::find(file.columns().begin(), file.columns().end(), "kind");
         ASSERT_NE(kind, file.columns().end()) << name;
@@ -91,19 +90,19 @@ TEST(VectorFile, FormatsAreKnownByContentOrExtension) {
         EXPECT_NEAR(place.value().position.y, 50.25, 1e-6) << name;
     }
     std::filesystem::copy_file(folder.path() + "/a.gpkg", folder.path() + "/trees");
-    EXPECT_TRUE(VectorFile::knows(folder.path() + "/trees"));
-    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/a.gfs")) << "nothing is written beside files";
+    EXPECT_TRUE(VectorFile::isSupported(folder.path() + "/trees"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/a.gfs")) << "reading must not write files";
 }
 
-TEST(VectorFile, TablesOfTextAreNotItsOwn) {
+TEST(VectorFile, DoesNotSupportTextTables) {
     const TemporaryFolder folder;
-    EXPECT_FALSE(VectorFile::knows(folder.write("a.csv", "x,y\n1,2\n")));
-    EXPECT_FALSE(VectorFile::knows(folder.write("a.txt", "x,y\n1,2\n")));
-    EXPECT_FALSE(VectorFile::knows(folder.write("a.tab", "x\ty\n1\t2\n")));
-    EXPECT_FALSE(VectorFile::knows(folder.write("a", "")));
+    EXPECT_FALSE(VectorFile::isSupported(folder.write("a.csv", "x,y\n1,2\n")));
+    EXPECT_FALSE(VectorFile::isSupported(folder.write("a.txt", "x,y\n1,2\n")));
+    EXPECT_FALSE(VectorFile::isSupported(folder.write("a.tab", "x\ty\n1\t2\n")));
+    EXPECT_FALSE(VectorFile::isSupported(folder.write("a", "")));
 }
 
-TEST(VectorFile, ALayerIsNamedWhereThereAreSeveral) {
+TEST(VectorFile, RequiresALayerNameIfThereAreSeveral) {
     REQUIRE_PROGRAM("ogr2ogr");
     const TemporaryFolder folder;
     folder.write("two.geojson", two);
@@ -123,10 +122,9 @@ TEST(VectorFile, ALayerIsNamedWhereThereAreSeveral) {
     EXPECT_EQ(file.feature(), "layer \"shrubs\", feature 1");
 }
 
-TEST(VectorFile, AnOutlineIsItsMiddleAndWidth) {
+TEST(VectorFile, OutlineGivesItsCentroidAndWidth) {
     const TemporaryFolder folder;
-    // An L of three squares of 2 m: centroid 5/3 from its corner, extents 4 and 4; and an oblong with a
-    // hole.
+    // An L of three squares of 2 m (centroid 5/3 m from the corner, extents 4 m); a rectangle with a hole.
     VectorFile file = openedVectors(folder.write(
         "a.geojson",
         geoJson(
@@ -147,7 +145,7 @@ TEST(VectorFile, AnOutlineIsItsMiddleAndWidth) {
     EXPECT_EQ(place.width, 6.0);
 }
 
-TEST(VectorFile, ManyThreadsReadManyFiles) {
+TEST(VectorFile, ThreadsMayReadFilesConcurrently) {
     const TemporaryFolder folder;
     std::string features;
     for (int i = 0; i < 500; ++i)

@@ -5,7 +5,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -24,7 +24,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-osg::ref_ptr<osg::Node> thereAndBack(const osg::Node& node, const std::string& extension) {
+osg::ref_ptr<osg::Node> writeAndRead(const osg::Node& node, const std::string& extension) {
     const TemporaryFolder folder;
     const std::string file = folder.path() + "/scene." + extension;
     EXPECT_TRUE(osgDB::writeNodeFile(node, file));
@@ -37,35 +37,30 @@ osg::ref_ptr<Forest> example(const char* name) {
 
 } // namespace
 
-/// The formats of OSG: text, binary, XML.
+/// By the extension of OSG's text, binary and XML format.
 class ForestSerializerTest : public ::testing::TestWithParam<const char*> {
 protected:
-    ForestSerializerTest() : _messages(new MessageCollector), _former(osg::getNotifyHandler()) {
-        usePluginsOfThisBuild();
-        osg::setNotifyHandler(_messages);
-    }
-    ~ForestSerializerTest() override { osg::setNotifyHandler(_former); }
-    std::string takeSaid() { return _messages->take(); }
+    ForestSerializerTest() { usePluginsOfThisBuild(); }
+    std::string takeWarnings() { return _messages.take(); }
 
 private:
-    osg::ref_ptr<MessageCollector> _messages;
-    osg::ref_ptr<osg::NotifyHandler> _former;
+    const ScopedMessages _messages;
 };
 
-TEST_P(ForestSerializerTest, bringsBackAForestThatMovesAlike) {
+TEST_P(ForestSerializerTest, ARestoredForestMovesTheSame) {
     osg::ref_ptr<Forest> forest = example("forest.treewind");
     ASSERT_TRUE(forest);
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     Forest* const back = dynamic_cast<Forest*>(node.get());
     ASSERT_NE(back, nullptr);
     ASSERT_EQ(back->getNumTrees(), 40u);
     updateFrames(*forest, 1, 10);
     updateFrames(*back, 1, 10);
     EXPECT_EQ(statesOf(*back), statesOf(*forest)) << "shapes, law or wind differ";
-    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(takeWarnings(), "");
 }
 
-TEST_P(ForestSerializerTest, findsTheScansOfAForestAgain) {
+TEST_P(ForestSerializerTest, ARestoredForestFindsItsScans) {
     const TemporaryFolder folder;
     std::filesystem::copy_file(OSGTREEWIND_TEST_DATA "/scan/treeqsm.txt", folder.path() + "/tree.txt");
     const std::string file =
@@ -73,29 +68,29 @@ TEST_P(ForestSerializerTest, findsTheScansOfAForestAgain) {
                                    "[[tree]]\nposition = [0, 0]\n");
     osg::ref_ptr<osg::Node> forest = osgDB::readRefNodeFile(file);
     ASSERT_TRUE(dynamic_cast<Forest*>(forest.get()));
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     const Forest* const back = dynamic_cast<const Forest*>(node.get());
     ASSERT_NE(back, nullptr);
     EXPECT_EQ(back->getBound().radius(), forest->getBound().radius());
-    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(takeWarnings(), "");
 }
 
-TEST_P(ForestSerializerTest, keepsTheSceneAroundIt) {
+TEST_P(ForestSerializerTest, KeepsTheSceneAroundTheForest) {
     osg::ref_ptr<osg::MatrixTransform> hill = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 30));
     hill->addChild(example("thesis.treewind"));
     hill->addChild(new osg::Group);
     hill->getChild(0)->setName("the tree");
-    osg::ref_ptr<osg::Node> node = thereAndBack(*hill, GetParam());
+    osg::ref_ptr<osg::Node> node = writeAndRead(*hill, GetParam());
     ASSERT_TRUE(node && node->asGroup());
     ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
     const Forest* const back = dynamic_cast<const Forest*>(node->asGroup()->getChild(0));
     ASSERT_NE(back, nullptr);
     EXPECT_EQ(back->getName(), "the tree");
     EXPECT_EQ(back->getNumTrees(), 1u);
-    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(takeWarnings(), "");
 }
 
-TEST_P(ForestSerializerTest, aSceneOfGroundSourcesAndAVehicleMovesAsTheOriginal) {
+TEST_P(ForestSerializerTest, ASceneWithGroundSourcesAndAVehicleMovesTheSame) {
     const TemporaryFolder folder;
     std::string slope = "ncols 5\nnrows 5\nxllcorner -50\nyllcorner -50\ncellsize 25\n";
     for (int row = 0; row < 5; ++row)
@@ -119,8 +114,8 @@ TEST_P(ForestSerializerTest, aSceneOfGroundSourcesAndAVehicleMovesAsTheOriginal)
     scene->addChild(lorry);
     scene->addChild(osgDB::readRefNodeFile(file));
 
-    osg::ref_ptr<osg::Node> back = thereAndBack(*scene, GetParam());
-    ASSERT_TRUE(back && back->asGroup()->getNumChildren() == 2u) << takeSaid();
+    osg::ref_ptr<osg::Node> back = writeAndRead(*scene, GetParam());
+    ASSERT_TRUE(back && back->asGroup()->getNumChildren() == 2u) << takeWarnings();
     updateFrames(*scene, 1, 75);
     updateFrames(*back, 1, 75);
     auto* one = dynamic_cast<Forest*>(scene->getChild(1));
@@ -139,21 +134,21 @@ TEST_P(ForestSerializerTest, aSceneOfGroundSourcesAndAVehicleMovesAsTheOriginal)
     EXPECT_LT(most, 1e-4f) << "metres";
     const auto matrix = [](osg::Node* node) { return node->asTransform()->asMatrixTransform()->getMatrix(); };
     EXPECT_EQ(matrix(back->asGroup()->getChild(0)), matrix(lorry));
-    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(takeWarnings(), "");
 }
 
-TEST_P(ForestSerializerTest, keepsTheUsersChildren) {
+TEST_P(ForestSerializerTest, KeepsTheHostsChildren) {
     osg::ref_ptr<Forest> forest = example("thesis.treewind");
     osg::ref_ptr<osg::Group> house = new osg::Group;
     house->setName("house");
     forest->addChild(house);
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     ASSERT_TRUE(node && node->asGroup());
     ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
     EXPECT_EQ(node->asGroup()->getChild(1)->getName(), "house");
 }
 
-TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
+TEST_P(ForestSerializerTest, RestoresAForestMadeInCode) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     const TreeId second = forest->getSimulation().idOf(1);
     TreePlacement moved = forest->getSimulation().placementOf(second);
@@ -164,60 +159,60 @@ TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     EXPECT_TRUE(forest->addTree(moved));
     forest->setSeason(5.0f); // spring, again
     forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0)));
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     const Forest* const back = dynamic_cast<const Forest*>(node.get());
     ASSERT_NE(back, nullptr);
-    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(takeWarnings(), "");
     EXPECT_EQ(back->getNumTrees(), 4u);
     EXPECT_EQ(back->getSeason(), midspring);
     const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind().field);
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
-    const PlacedTree& tree = SimulationParts::trees(
+    const PlacedTree& tree = SimulationAccess::trees(
         back->getSimulation())[back->getSimulation().slotOf(*back->getSimulation().findTree("moved"))];
-    const PlacedTree& was = SimulationParts::trees(forest->getSimulation())[1];
+    const PlacedTree& was = SimulationAccess::trees(forest->getSimulation())[1];
     EXPECT_EQ(tree.position, was.position);
-    EXPECT_EQ(tree.scale.axes, was.scale.axes) << "to the bit";
+    EXPECT_EQ(tree.scale.axes, was.scale.axes) << "exactly";
     EXPECT_EQ(tree.scale.radius, was.scale.radius);
 }
 
-TEST_P(ForestSerializerTest, leavesOutAWindThatNoFileCanSayAndSaysSo) {
+TEST_P(ForestSerializerTest, OmitsAWindWithoutFileFormWithAWarning) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     forest->setWind(std::make_shared<FunctionWind>(nullptr));
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
-    EXPECT_NE(takeSaid().find("is written without its wind: wind: a wind that no file can say"),
+    osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
+    EXPECT_NE(takeWarnings().find("is written without its wind: wind: this wind cannot be written to a file"),
               std::string::npos);
     const Forest* const back = dynamic_cast<const Forest*>(node.get());
     ASSERT_NE(back, nullptr);
     EXPECT_EQ(back->getNumTrees(), 2u);
 }
 
-TEST_P(ForestSerializerTest, whatNoFileCanSayIsNotWrittenWithFewerTrees) {
+TEST_P(ForestSerializerTest, RefusesNamesThatAreNotUtf8) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     ForestDescription description = smallForest(2);
     description.species[0].name = "\xe9";
     scene->addChild(new Forest(description));
     const TemporaryFolder folder;
     EXPECT_FALSE(osgDB::writeNodeFile(*scene, folder.path() + "/scene." + GetParam()));
-    EXPECT_NE(takeSaid().find("a Forest cannot be written: species[0].name: expected UTF-8"),
+    EXPECT_NE(takeWarnings().find("a Forest cannot be written: species[0].name: expected UTF-8"),
               std::string::npos);
 }
 
-TEST_P(ForestSerializerTest, isSmall) {
+TEST_P(ForestSerializerTest, IsSmall) {
     const TemporaryFolder folder;
     const std::string file = folder.path() + "/forest." + GetParam();
     osgDB::writeNodeFile(*example("forest.treewind"), file);
-    EXPECT_LT(std::filesystem::file_size(file), 20000u) << "the document, not its geometry";
+    EXPECT_LT(std::filesystem::file_size(file), 20000u) << "the document without geometry";
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ForestSerializerTest, ::testing::Values("osgt", "osgb", "osgx"),
                          [](const auto& info) { return std::string(info.param); });
 
-TEST(ForestTextTest, waysOfDrawingThatAreNoMoreLoadAsThePublishedOnes) {
+TEST(ForestTextTest, ReadsTheRemovedDrawingModes) {
     usePluginsOfThisBuild();
     std::ostringstream written;
     written << std::ifstream(OSGTREEWIND_TEST_DATA "/written-by-1.0/thesis.osgt").rdbuf();
-    for (const std::string ways : {"0 0", "0 1", "1 0"}) { // in one draw; as published
+    for (const std::string ways : {"0 0", "0 1", "1 0"}) { // removed modes
         std::string text = written.str();
         const std::string now = "BranchwiseDrawing 1 1";
         ASSERT_NE(text.find(now), std::string::npos);

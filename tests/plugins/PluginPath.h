@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// Shows OSG the plugins of this build, as OSG_LIBRARY_PATH=build/lib does.
+/// Makes OSG find the plugins of this build, as OSG_LIBRARY_PATH=build/lib does.
 inline void usePluginsOfThisBuild() {
     osgDB::FilePathList& folders = osgDB::Registry::instance()->getLibraryFilePathList();
     if (folders.empty() || folders.front() != OSGTREEWIND_PLUGIN_PATH)

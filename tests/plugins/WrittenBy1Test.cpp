@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes and a world that 1.0 wrote, which must load for ever (tests/data/written-by-1.0/README.md).
+// Scenes and a tiled forest written by version 1.0, which every version must read
+// (tests/data/written-by-1.0/README.md).
 #include <tests/Folders.h>
 #include <tests/MessageCollector.h>
 #include <tests/plugins/PluginPath.h>
@@ -16,34 +17,29 @@
 
 using namespace osgTreeWind;
 
-/// Everything loads without a word but on how trees grew then.
+/// Expects no messages except those on the growth parameters of version 1.
 class WrittenBy1 : public ::testing::Test {
 protected:
-    WrittenBy1() : _former(osg::getNotifyHandler()) {
-        usePluginsOfThisBuild();
-        osg::setNotifyHandler(_messages);
-    }
+    WrittenBy1() { usePluginsOfThisBuild(); }
     ~WrittenBy1() override {
-        osg::setNotifyHandler(_former);
-        std::istringstream said(_messages->take());
-        for (std::string line; std::getline(said, line);)
+        std::istringstream messages(_messages.take());
+        for (std::string line; std::getline(messages, line);)
             EXPECT_NE(line.find("[species.growth] of version 1 is read as"), std::string::npos) << line;
     }
 
-    static osg::ref_ptr<Forest> forestOf(const std::string& name) {
+    static osg::ref_ptr<Forest> readVersion1Forest(const std::string& name) {
         const osg::ref_ptr<osg::Node> node =
             osgDB::readRefNodeFile(OSGTREEWIND_TEST_DATA "/written-by-1.0/" + name);
         return dynamic_cast<Forest*>(node.get());
     }
 
 private:
-    osg::ref_ptr<MessageCollector> _messages = new MessageCollector;
-    osg::ref_ptr<osg::NotifyHandler> _former;
+    const ScopedMessages _messages;
 };
 
-TEST_F(WrittenBy1, scenesOfAForest) {
+TEST_F(WrittenBy1, ReadsScenesOfAForest) {
     for (const char* name : {"forest.osgt", "forest.osgb"}) {
-        const osg::ref_ptr<Forest> forest = forestOf(name);
+        const osg::ref_ptr<Forest> forest = readVersion1Forest(name);
         ASSERT_TRUE(forest) << name;
         EXPECT_EQ(forest->getName(), "forest.treewind");
         EXPECT_EQ(forest->getNumTrees(), 40u);
@@ -53,9 +49,9 @@ TEST_F(WrittenBy1, scenesOfAForest) {
     }
 }
 
-TEST_F(WrittenBy1, scenesOfTheThesis) {
+TEST_F(WrittenBy1, ReadsScenesOfTheThesis) {
     for (const char* name : {"thesis.osgt", "thesis.osgb"}) {
-        const osg::ref_ptr<Forest> forest = forestOf(name);
+        const osg::ref_ptr<Forest> forest = readVersion1Forest(name);
         ASSERT_TRUE(forest) << name;
         EXPECT_EQ(forest->getNumTrees(), 1u);
         EXPECT_EQ(forest->getDescription().law, MotionLaw::Thesis);
@@ -65,8 +61,8 @@ TEST_F(WrittenBy1, scenesOfTheThesis) {
     }
 }
 
-TEST_F(WrittenBy1, tilesOfAWorldComeByTheIdsOfTheirTrees) {
-    const osg::ref_ptr<Forest> world = forestOf("world/world.treewind");
+TEST_F(WrittenBy1, FindsTreesOfTilesByTheirIds) {
+    const osg::ref_ptr<Forest> world = readVersion1Forest("world/world.treewind");
     ASSERT_TRUE(world);
     EXPECT_EQ(world->getNumTrees(), 0u);
     EXPECT_NE(world->findTree("7"), noTree);

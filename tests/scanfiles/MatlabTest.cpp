@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/FullTests.h>
+#include <tests/MissingReader.h>
 #include <tests/TestData.h>
-#include <tests/WithoutReader.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
@@ -52,7 +52,7 @@ protected:
     }
 };
 
-TEST_P(Matlab, AQsmIsTheTreeOfItsText) {
+TEST_P(Matlab, QsmEqualsItsTextFile) {
     const ScanCylinders tree = sapling();
     const auto scan = readScanFile(write({qsmStruct("QSM", {QsmArrays(tree)})}));
     ASSERT_TRUE(scan) << firstProblem(scan);
@@ -61,13 +61,13 @@ TEST_P(Matlab, AQsmIsTheTreeOfItsText) {
     expectSame(scan.value().trees.front(), tree);
 }
 
-TEST_P(Matlab, ARealQsmIsTheTreeOfItsText) {
+TEST_P(Matlab, RealQsmEqualsItsTextFile) {
     REQUIRE_REAL_DATA(path, "qsm/Tree_1_TreeQSM.txt");
     const ScanCylinders tree = treeOf(path);
     expectSame(treeOf(write({qsmStruct("QSM", {QsmArrays(tree)})})), tree);
 }
 
-TEST_P(Matlab, SeveralQsmsAreSeveralTrees) {
+TEST_P(Matlab, ReadsSeveralTrees) {
     const QsmArrays one(sapling());
     QsmArrays other = one;
     for (std::size_t i = 0; i < other.radius.size(); ++i)
@@ -94,7 +94,7 @@ TEST_P(Matlab, SeveralQsmsAreSeveralTrees) {
     }
 }
 
-TEST_P(Matlab, NumbersMayBeSingle) {
+TEST_P(Matlab, ReadsSinglePrecision) {
     const QsmArrays arrays(sapling());
     std::vector<matvar_t*> fields = arrays.variables(qsmNames);
     Mat_VarFree(fields[0]);
@@ -104,17 +104,17 @@ TEST_P(Matlab, NumbersMayBeSingle) {
     EXPECT_EQ(tree[0].radius, static_cast<double>(0.03f));
 }
 
-TEST_P(Matlab, Version2HasVariables) {
+TEST_P(Matlab, ReadsVariablesOfVersion2) {
     const ScanCylinders tree = sapling();
     expectSame(treeOf(write(QsmArrays(tree).variables({"Rad", "Len", "Sta", "Axe", "CPar"}))), tree);
 }
 
-TEST_P(Matlab, WhatIsWrongHasItsPlace) {
+TEST_P(Matlab, ErrorsNameTheirPlace) {
     const auto with = [&](const std::function<void(QsmArrays&)>& change) {
         QsmArrays good(sapling()), arrays = good;
         change(arrays);
         const std::string problem = problemOf({qsmStruct("QSM", {good, arrays})});
-        return problem.substr(0, problem.find("; all others bear "));
+        return problem.substr(0, problem.find("; branches without a parent have "));
     };
     EXPECT_EQ(with([](QsmArrays&) {}), "");
     EXPECT_EQ(with([](QsmArrays& a) { a.radius[2] = 0.0; }),
@@ -122,32 +122,32 @@ TEST_P(Matlab, WhatIsWrongHasItsPlace) {
     EXPECT_EQ(with([](QsmArrays& a) { a.start[8] = std::nan(""); }),
               "QSM(2).cylinder.start(1,2): expected metres within 1e9, found 'nan'");
     EXPECT_EQ(with([](QsmArrays& a) { a.axis[16] = 0.1; }),
-              "QSM(2).cylinder.axis(1,1): expected a direction of length 1, found one of 0.1");
+              "QSM(2).cylinder.axis(1,1): expected a unit vector, found one of length 0.1");
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[4] = 9; }),
               "QSM(2).cylinder.parent(5): expected a parent of the same tree, found 9");
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[4] = 0; }),
-              "tree 2, cylinder 5: expected one root, found another one than in line 1");
+              "tree 2, cylinder 5: expected one root, found a second one besides line 1");
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[1] = 2; }),
               "tree 2, cylinder 2: expected parents that lead to the root, found a loop");
     EXPECT_EQ(with([](QsmArrays& a) { a.length.pop_back(); }),
-              "QSM(2).cylinder.length: expected a real number for each cylinder of 8");
+              "QSM(2).cylinder.length: expected a real number for each of 8 cylinders");
     EXPECT_EQ(with([](QsmArrays& a) { a.axis.resize(21); }),
-              "QSM(2).cylinder.axis: expected 3 real numbers for each cylinder of 8");
+              "QSM(2).cylinder.axis: expected 3 real numbers for each of 8 cylinders");
     EXPECT_EQ(problemOf({matStruct("cylinder", {"radius", "start"},
                                    {matColumns("", std::vector<double>{0.1}),
                                     matColumns("", std::vector<double>{0, 0, 0}, 3)})}),
-              "cylinder.length: expected a real number for each cylinder of 1");
+              "cylinder.length: expected a real number for each of 1 cylinders");
     EXPECT_EQ(problemOf({matColumns("a", std::vector<double>{1.0})}),
-              "expected TreeQSM's cylinders, as in QSM.cylinder; found none");
+              "expected TreeQSM's cylinders, for example QSM.cylinder; found none");
 }
 
-TEST_P(Matlab, CutAnywhereItIsReadWholeOrNotAtAll) {
+TEST_P(Matlab, TruncatedFilesAreReadCompletelyOrRefused) {
     const ScanCylinders tree = sapling();
     const QsmArrays arrays(tree);
-    for (const bool apart : {false, true}) {
+    for (const bool separate : {false, true}) {
         const std::string whole =
-            bytesOf(apart ? write({qsmStruct("elm", {arrays}), qsmStruct("oak", {arrays})})
-                          : write({qsmStruct("QSM", {arrays, arrays})}));
+            bytesOf(separate ? write({qsmStruct("elm", {arrays}), qsmStruct("oak", {arrays})})
+                             : write({qsmStruct("QSM", {arrays, arrays})}));
         const std::size_t step = whole.size() / static_cast<std::size_t>(casesToRun(60, 12)) + 1;
         for (std::size_t length = 0; length < whole.size(); length += step) {
             const auto scan = readScanFile(_folder.write("cut.mat", whole.substr(0, length)));
@@ -162,7 +162,7 @@ TEST_P(Matlab, CutAnywhereItIsReadWholeOrNotAtAll) {
     }
 }
 
-TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
+TEST_P(Matlab, DamagedFilesAreReadOrRefused) {
     const QsmArrays arrays(sapling());
     const std::string whole = bytesOf(write({qsmStruct("QSM", {arrays})}));
     std::mt19937 random(6);
@@ -184,18 +184,18 @@ TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
     }
     RecordProperty("readers_ended", ended);
     const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(said.find("there is no value"), std::string::npos) << said;
+    EXPECT_EQ(said.find("value() of a failed Result"), std::string::npos) << said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, testing::ValuesIn(matVersions),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(MatlabReader, WithoutItTheErrorSaysWhatIsMissing) {
+TEST(MatlabReader, ErrorNamesTheMissingReader) {
     const TemporaryFolder folder;
     const std::string path =
         writeMat(folder.path() + "/a.mat", matVersions[0], {qsmStruct("QSM", {QsmArrays(sapling())})});
-    expectReaderMissed("OSGTREEWIND_MATLAB", path, ".mat", "libmatio",
-                       [&] { return firstProblem(readScanFile(path)); });
+    expectMissingReaderError("OSGTREEWIND_MATLAB", path, ".mat", "libmatio",
+                             [&] { return firstProblem(readScanFile(path)); });
 }
 
 } // namespace osgTreeWind

@@ -6,7 +6,7 @@
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
-#include <osgTreeWind/motion/sway/CalmTree.h>
+#include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
 #include <glm/geometric.hpp>
@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-/// Scanned trees that nobody on this project wrote.
+/// Scanned trees from outside this project.
 namespace osgTreeWind {
 
 namespace {
@@ -23,8 +23,8 @@ struct RealScan {
     const char* file;
     const char* format;
     std::size_t cylinders;
-    double height, volume;   ///< Of the cylinders as a script of its own reads them: metres, m^3.
-    double slowest, fastest; ///< Hz, of the first mode of such a tree.
+    double height, volume;             ///< Of the cylinders, computed by a separate script; metres, m^3.
+    double minFrequency, maxFrequency; ///< Plausible range of the first natural frequency, Hz.
 };
 
 const RealScan realScans[] = {
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-TEST_P(RealScanTest, StandsAtTheOriginAsHighAsItsCylinders) {
+TEST_P(RealScanTest, StandsAtTheOriginWithTheHeightOfItsCylinders) {
     EXPECT_EQ(tree.skeleton.units.front().base, glm::vec3(0.0f));
     float low = 1e9f, high = 0.0f;
     for (const glm::vec3& point : tree.skeleton.points) {
@@ -71,7 +71,7 @@ TEST_P(RealScanTest, StandsAtTheOriginAsHighAsItsCylinders) {
     EXPECT_NEAR(high / GetParam().height, 1.0, 0.01);
 }
 
-TEST_P(RealScanTest, KeepsTheVolumeOfItsWoodAsDrawnAndAsSwayed) {
+TEST_P(RealScanTest, DrawnAndSimulatedWoodKeepTheVolume) {
     double swayed = 0.0;
     for (const BranchUnit& unit : tree.skeleton.units)
         swayed += static_cast<double>(ScaledUnit(unit, {}).volume());
@@ -82,12 +82,12 @@ TEST_P(RealScanTest, KeepsTheVolumeOfItsWoodAsDrawnAndAsSwayed) {
     EXPECT_LE(tree.skeleton.units.size(), 400u);
 }
 
-TEST_P(RealScanTest, SwaysWithModesAtAPlausiblePace) {
-    const CalmTree calm(species(), TreePlacement{});
-    ASSERT_FALSE(calm.modes().empty());
-    const double frequency = calm.pace(0) / 6.283185;
-    EXPECT_GT(frequency, GetParam().slowest);
-    EXPECT_LT(frequency, GetParam().fastest);
+TEST_P(RealScanTest, HasAPlausibleNaturalFrequency) {
+    const FreeSwayTree swaying(species(), TreePlacement{});
+    ASSERT_FALSE(swaying.modes().empty());
+    const double frequency = swaying.omega(0) / 6.283185;
+    EXPECT_GT(frequency, GetParam().minFrequency);
+    EXPECT_LT(frequency, GetParam().maxFrequency);
 }
 
 INSTANTIATE_TEST_SUITE_P(Trees, RealScanTest, testing::ValuesIn(realScans),

@@ -22,7 +22,7 @@ namespace {
 
 const std::string folder = OSGTREEWIND_TEST_DATA "/scan/";
 
-/// The same sapling in each format: 8 cylinders, 2 m high, its foot at (100.5, 200.25, 3).
+/// The same sapling in each format: 8 cylinders, 2 m high, foot at (100.5, 200.25, 3).
 struct FormatCase {
     const char* file;
     const char* format;
@@ -48,10 +48,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-/// @param cases a text and its problem.
+/// @param cases texts and their problems.
 void expectProblems(std::initializer_list<std::pair<std::string, std::string>> cases) {
     for (const auto& [text, problem] : cases)
-        EXPECT_EQ(problemOfText(text), problem) << text;
+        EXPECT_EQ(problemOfScanText(text), problem) << text;
 }
 
 double volumeOf(const ScanCylinders& tree) {
@@ -61,7 +61,7 @@ double volumeOf(const ScanCylinders& tree) {
     return volume;
 }
 
-/// Sound trees that can be grown, or one problem with a message.
+/// Expects valid trees that can be converted, or one problem with a message.
 void expectTreesOrProblem(const std::string& text, const std::string& what) {
     const auto scan = readScan(text, "damaged");
     if (!scan) {
@@ -83,7 +83,7 @@ void expectTreesOrProblem(const std::string& text, const std::string& what) {
 
 class ScanFormat : public testing::TestWithParam<FormatCase> {};
 
-TEST_P(ScanFormat, IsRecognisedAndReadWhole) {
+TEST_P(ScanFormat, IsRecognisedAndReadCompletely) {
     const auto scan = readScanFile(folder + GetParam().file);
     ASSERT_TRUE(scan) << firstProblem(scan);
     EXPECT_EQ(scan.value().format, GetParam().format);
@@ -92,7 +92,7 @@ TEST_P(ScanFormat, IsRecognisedAndReadWhole) {
         EXPECT_EQ(tree.size(), 8u);
 }
 
-TEST_P(ScanFormat, GivesTheSameTreeAsTheOthers) {
+TEST_P(ScanFormat, GivesTheSameTreeAsOtherFormats) {
     const auto scan = readScanFile(folder + GetParam().file);
     ASSERT_TRUE(scan) << firstProblem(scan);
     for (const ScanCylinders& tree : scan.value().trees) {
@@ -110,14 +110,14 @@ TEST_P(ScanFormat, GivesTheSameTreeAsTheOthers) {
     }
 }
 
-TEST_P(ScanFormat, CutAnywhereIsReadWholeOrNotAtAll) {
+TEST_P(ScanFormat, TruncatedFilesAreReadCompletelyOrRefused) {
     const std::string whole = bytesOf(folder + GetParam().file);
     ASSERT_FALSE(whole.empty());
     for (std::size_t length = 0; length < whole.size(); ++length)
         expectTreesOrProblem(whole.substr(0, length), "cut at " + std::to_string(length));
 }
 
-TEST_P(ScanFormat, ChangedBytesAreReadOrRefused) {
+TEST_P(ScanFormat, DamagedFilesAreReadOrRefused) {
     const std::string whole = bytesOf(folder + GetParam().file);
     Random random(5);
     for (int round = 0; round < 3000; ++round) {
@@ -130,7 +130,7 @@ TEST_P(ScanFormat, ChangedBytesAreReadOrRefused) {
     }
 }
 
-TEST_P(ScanFormat, EndsOfLinesOfWindowsAndAByteOrderMarkAreNoMatter) {
+TEST_P(ScanFormat, AcceptsWindowsLineEndsAndAByteOrderMark) {
     std::string text = "\xEF\xBB\xBF";
     for (const char c : bytesOf(folder + GetParam().file))
         text += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -146,14 +146,14 @@ INSTANTIATE_TEST_SUITE_P(Saplings, ScanFormat, testing::ValuesIn(formats), [](co
     return name;
 });
 
-TEST(ScanFile, TreesOfOneFileStandWhereTheyStood) {
+TEST(ScanFile, TreesKeepTheirPositions) {
     const auto scan = readScanFile(folder + "raycloud.txt");
     ASSERT_TRUE(scan) << firstProblem(scan);
     EXPECT_EQ(scan.value().trees[0].front().start, glm::dvec3(100.5, 200.25, 3.0));
     EXPECT_EQ(scan.value().trees[1].front().start, glm::dvec3(105.5, 200.25, 3.0));
 }
 
-TEST(ScanFile, ValuesOfATreeAndOfItsFirstSegmentMayDifferFromOthers) {
+TEST(ScanFile, ReadsTreeValuesAndAShorterFirstSegment) {
     const auto scan = readScan("height,dbh, x,y,z,radius x,y,z,radius,parent_id,volume\n"
                                "2,0.1, 0,0,0,0.05, 0,0,1,0.05,0,0.1, 0,0,2,0.04,1,0.1\n",
                                "a");
@@ -163,7 +163,7 @@ TEST(ScanFile, ValuesOfATreeAndOfItsFirstSegmentMayDifferFromOthers) {
     EXPECT_EQ(scan.value().trees.front()[1].parent, 0);
 }
 
-TEST(ScanFile, OfStemsFromOneRootTheThickestBearsTheOthers) {
+TEST(ScanFile, ThickestStemOfARootBecomesTheTrunk) {
     const auto scan = readScan("1 1 0 0 0 0.1 -1\n2 3 0.2 0 1 0.05 1\n3 3 -0.1 0 2 0.08 1\n", "a");
     ASSERT_TRUE(scan) << firstProblem(scan);
     const ScanCylinders& tree = scan.value().trees.front();
@@ -171,7 +171,7 @@ TEST(ScanFile, OfStemsFromOneRootTheThickestBearsTheOthers) {
     EXPECT_EQ(tree[0].parent, 1);
 }
 
-TEST(BrokenScan, OfTreeQsmIsOneProblemWithItsPlace) {
+TEST(BrokenScan, TreeQsmGivesOneErrorWithItsPlace) {
     const std::string row = "0.1 1 0 0 0 0 0 1 0 2 0 0.1 1 0 1\n",
                       next = "0.1 1 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n";
     expectProblems(
@@ -186,19 +186,18 @@ TEST(BrokenScan, OfTreeQsmIsOneProblemWithItsPlace) {
          {row + replaced(next, "0 0 1 0", "0 nan 1 0"), "a:2:9: expected metres within 1e9, found 'nan'"},
          {row + replaced(next, "0 0 1 0", "0 1e999 1 0"), "a:2:9: expected metres within 1e9, found '1e999'"},
          {row + replaced(next, "0 0 1 1", "0 0 0.5 1"),
-          "a:2:13: expected a direction of length 1, found one of 0.5"},
+          "a:2:13: expected a unit vector, found one of length 0.5"},
          {row + replaced(next, " 1 0 0 0.1", " 7 0 0 0.1"),
           "a:2: expected a parent of the same tree, found 7"},
          {row + replaced(next, " 1 0 0 0.1", " 1.5 0 0 0.1"),
-          "a:2:19: expected the number of a cylinder as parent, or 0, found '1.5'"},
+          "a:2:19: expected the number of the parent cylinder, or 0, found '1.5'"},
          {row + replaced(next, " 1 0 0 0.1", " 0 0 0 0.1"),
-          "a:2: expected one root, found another one than in line 1; all others bear 50 % of the wood, and "
-          "at most 5 % are joined to what is nearest"},
+          "a:2: expected one root, found a second one besides line 1; branches without a parent have 50 % of "
+          "the wood, and at most 5 % can be joined to the nearest cylinder"},
          {row + replaced(next, " 1 0 0 0.1", " 2 0 0 0.1"),
           "a:2: expected parents that lead to the root, found a loop"},
-         {replaced(row, "1 0 2", "1 2 2") + next,
-          "a: expected a root: a cylinder that springs from no other"},
-         {row + "0.1 1 0 0 1 0 0 1 1\n", "a:2: expected 15 or 17 columns, in all lines alike, found 9"},
+         {replaced(row, "1 0 2", "1 2 2") + next, "a: expected a root: a cylinder without a parent"},
+         {row + "0.1 1 0 0 1 0 0 1 1\n", "a:2: expected 15 or 17 columns, the same in all lines, found 9"},
          {"radius length start axis parent\n", "a: expected at least one cylinder"},
          {replaced(row, "0.1 1 0", "0.1 160 0"),
           "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 160"},
@@ -206,53 +205,52 @@ TEST(BrokenScan, OfTreeQsmIsOneProblemWithItsPlace) {
           "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 0"}});
 }
 
-TEST(BrokenScan, OfSimpleForestIsOneProblemWithItsPlace) {
+TEST(BrokenScan, SimpleForestGivesOneErrorWithItsPlace) {
     const std::string head = " ID, parentID, startX, startY, startZ, endX, endY, endZ, radius\n",
                       row = "0,-1,0,0,0,0,0,1,0.1\n";
     expectProblems(
         {{head + row, ""},
          {head, "a: expected at least one cylinder"},
-         {head + "0,-1,0,0,0,0,0,0,0.1\n", "a:2: expected a cylinder with a length"},
+         {head + "0,-1,0,0,0,0,0,0,0.1\n", "a:2: expected a cylinder of at least a micrometre"},
          {head + "0,-1,0,0,0,0,tall,1,0.1\n", "a:2: endY: expected metres within 1e9, found 'tall'"},
-         {head + row + row, "a:3: expected each id once, found 0 again"},
+         {head + row + row, "a:3: expected unique ids, found 0 again"},
          {head + row + "1,4,0,0,1,0,0,2,0.1\n", "a:3: expected a parent of the same tree, found 4"},
          {head + row + "1,0,0,0,1,0,0\n", "a:3: expected 9 cells as in the header, found 7"},
          {replaced(head, "radius", "width") + row, "a:1: radius: expected a column of this name"}});
 }
 
-TEST(BrokenScan, OfRayCloudToolsIsOneProblemWithItsPlace) {
+TEST(BrokenScan, RayCloudToolsGivesOneErrorWithItsPlace) {
     const std::string head = "# a\nx,y,z,radius,parent_id\n";
     expectProblems(
         {{head + "0,0,0,0.1,-1, 0,0,1,0.1,0\n", ""},
-         {head, "a:2: expected at least one tree after the names"},
-         {"x,y,z,radius\n0,0,0,0.1\n",
-          "a:1: expected names of columns that begin with x,y,z,radius and have parent_id"},
+         {head, "a:2: expected at least one tree after the header"},
+         {"x,y,z,radius\n0,0,0,0.1\n", "a:1: expected column names with x,y,z,radius and parent_id"},
          {head + "0,0,0,0.1,-1\n", "a:3: expected 5 values and then 5 for each further segment, found 5"},
          {head + "0,0,0,0.1,-1, 0,0,1,0.1\n",
           "a:3: expected 5 values and then 5 for each further segment, found 9"},
          {head + "0,0,0,0.1,-1, 0,0,1,none,0\n",
           "a:3:21: expected a radius above 0 and of at most 10 m, found 'none'"},
          {head + "0,0,0,0.1,-1, 0,0,1,0.1,-1\n",
-          "a:3:25: expected the place of a segment in its line, from 0 on, found '-1'"},
+          "a:3:25: expected the index of a segment in its line, from 0, found '-1'"},
          {head + "0,0,0,0.1,-1, 0,0,1,0.1,5\n", "a:3: expected a parent of the same tree, found 5"}});
 }
 
-TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
+TEST(BrokenScan, SwcGivesOneErrorWithItsPlace) {
     const std::string root = "# a\n1 1 0 0 0 0.1 -1\n";
-    expectProblems({{root + "2 3 0 0 1 0.1 1\n", ""},
-                    {root, "a:2: expected more than one point"},
-                    {root + "2 3 0 0 1 0.1 1\n3 3 1 0 0 0.1 -1\n4 3 1 0 1 0.1 3\n",
-                     "a:5: expected one root, found another one than in line 3; all others bear 50 % of the "
-                     "wood, and at most 5 % are joined to what is nearest"},
-                    {root + "2 3 0 0 1 0.1\n",
-                     "a:3: expected 7 numbers: id, type, x, y, z, radius, parent; found 6 words"},
-                    {root + "2 3 0 0 1 0.1 3\n3 3 0 0 2 0.1 2\n",
-                     "a: expected a root: a cylinder that springs from no other"},
-                    {root + "2 3 0 0 1 0.1 1\n3 3 0 0 2 0.1 4\n4 3 0 0 3 0.1 3\n",
-                     "a:4: expected parents that lead to the root, found a loop"}});
+    expectProblems(
+        {{root + "2 3 0 0 1 0.1 1\n", ""},
+         {root, "a:2: expected more than one point"},
+         {root + "2 3 0 0 1 0.1 1\n3 3 1 0 0 0.1 -1\n4 3 1 0 1 0.1 3\n",
+          "a:5: expected one root, found a second one besides line 3; branches without a parent "
+          "have 50 % of the wood, and at most 5 % can be joined to the nearest cylinder"},
+         {root + "2 3 0 0 1 0.1\n",
+          "a:3: expected 7 numbers: id, type, x, y, z, radius, parent; found 6 words"},
+         {root + "2 3 0 0 1 0.1 3\n3 3 0 0 2 0.1 2\n", "a: expected a root: a cylinder without a parent"},
+         {root + "2 3 0 0 1 0.1 1\n3 3 0 0 2 0.1 4\n4 3 0 0 3 0.1 3\n",
+          "a:4: expected parents that lead to the root, found a loop"}});
 }
 
-TEST(BrokenScan, OfNoKnownFormatSaysWhatIsKnown) {
+TEST(BrokenScan, UnknownFormatListsTheKnownOnes) {
     expectProblems({{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
                     {"hello\n", "a: expected a scanned tree: TreeQSM's cylinders as text or .mat, a "
                                 "table of SimpleForest, aRchi "

@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 
-/// What is wrong with a scan of that text.
-inline std::string problemOfText(const std::string& text) {
+/// First problem of a text that is read as a scan.
+inline std::string problemOfScanText(const std::string& text) {
     return firstProblem(osgTreeWind::readScan(text, "a"));
 }

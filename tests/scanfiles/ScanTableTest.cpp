@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Names, and a row a cylinder; their commas become delimiters.
+/// A table with column names and a row per cylinder, whose commas are replaced by `delimiter`.
 std::string table(const std::string& names, const std::vector<std::string>& rows, char delimiter = ',') {
     std::string text = names + '\n';
     for (const std::string& row : rows)
@@ -45,7 +45,7 @@ std::vector<int> parentsOf(const ScanFile& scan) {
 
 } // namespace
 
-TEST(ScanTable, ColumnsHaveTheNamesOfTheirWriterInAnyCaseAndOrder) {
+TEST(ScanTable, FindsColumnsInAnyCaseAndOrder) {
     EXPECT_EQ(read(table(archi, archiRows)).format, "aRchi");
     EXPECT_EQ(read(table(rtwig, rtwigRows)).format, "rTwig");
     EXPECT_EQ(read(table("RADIUS,Parent_Id,cyl_id,ENDZ,ENDY,ENDX,note,STARTZ,STARTY,STARTX",
@@ -54,7 +54,7 @@ TEST(ScanTable, ColumnsHaveTheNamesOfTheirWriterInAnyCaseAndOrder) {
               "table");
 }
 
-TEST(ScanTable, CellsArePartedByCommasSemicolonsTabsOrBlanks) {
+TEST(ScanTable, ReadsCommasSemicolonsTabsAndBlanks) {
     for (const char delimiter : {',', ';', '\t', ' '}) {
         const ScanFile scan = read(table(archi, archiRows, delimiter));
         ASSERT_EQ(scan.trees.front().size(), 2u);
@@ -68,13 +68,13 @@ TEST(ScanTable, CellsArePartedByCommasSemicolonsTabsOrBlanks) {
               1u);
 }
 
-TEST(ScanTable, AnAxisAndALengthAreAnEnd) {
+TEST(ScanTable, ComputesTheEndFromAxisAndLength) {
     const ScanCylinders tree = read(table(rtwig, rtwigRows)).trees.front();
     EXPECT_NEAR(glm::distance(tree[1].end, {0, 0.3, 1.4}), 0.0, 1e-12);
     EXPECT_NEAR(glm::distance(tree[1].start, tree[1].end), 0.5, 1e-12);
 }
 
-TEST(ScanTable, TheRootIsBornByNone) {
+TEST(ScanTable, RecognisesTheParentOfTheRoot) {
     for (const char* none : {"0", "-1", "NA", "na", ""})
         EXPECT_EQ(
             parentsOf(read(table(archi, {"0,0,0,0,0,1,1," + std::string(none) + ",0.1", archiRows[1]}))),
@@ -82,11 +82,12 @@ TEST(ScanTable, TheRootIsBornByNone) {
             << none;
     EXPECT_EQ(parentsOf(read(table(archi, {"0,0,1,0,0,2,7,0,0.1", "0,0,0,0,0,1,0,-1,0.1"}))),
               (std::vector<int>{1, -1}))
-        << "0 is a cylinder where one has that id";
+        << "0 is the id of a cylinder";
 }
 
-/// TreeQSM's extension is the next cylinder of a branch, 0 at its end; update_cylinders() makes it the id.
-TEST(ScanTable, ExtensionsAreIdsOnceTheyHaveNoZero) {
+/// TreeQSM's extension is the next cylinder of a branch, 0 at its end. rTwig's update_cylinders() replaces it
+/// by the id.
+TEST(ScanTable, ExtensionsWithoutAZeroAreIds) {
     const auto parents = [](const char* first, const char* second, const char* third) {
         return parentsOf(read(table(treeQsm, {"0.1,0,0,0,0,0,1,1," + std::string(first),
                                               "0.1,0,0,1,0,0,1,1," + std::string(second),
@@ -96,7 +97,7 @@ TEST(ScanTable, ExtensionsAreIdsOnceTheyHaveNoZero) {
     EXPECT_EQ(parents("1,0", "5,1", "3,5"), (std::vector<int>{-1, 0, 1}));
 }
 
-TEST(ScanTable, ARealTreeIsTheSameInATable) {
+TEST(ScanTable, RealTreeIsTheSameAsATable) {
     REQUIRE_REAL_DATA(path, "qsm/Tree_1_TreeQSM.txt");
     const auto real = readScanFile(path);
     ASSERT_TRUE(real) << firstProblem(real);
@@ -125,9 +126,9 @@ TEST(ScanTable, ARealTreeIsTheSameInATable) {
     }
 }
 
-TEST(BrokenScanTable, SaysWhichColumnIsMissingAndHowItMayBeCalled) {
+TEST(BrokenScanTable, ErrorListsTheNamesOfAMissingColumn) {
     const auto without = [](std::string names, const std::string& name) {
-        return problemOfText(table(names.replace(names.find(name), name.size(), "other"), {}));
+        return problemOfScanText(table(names.replace(names.find(name), name.size(), "other"), {}));
     };
     EXPECT_EQ(without(archi, "radius_cyl"), "a:1: radius_cyl: expected a column of this name");
     EXPECT_EQ(without(archi, "endY"), "a:1: endY: expected a column of this name");
@@ -136,13 +137,13 @@ TEST(BrokenScanTable, SaysWhichColumnIsMissingAndHowItMayBeCalled) {
     EXPECT_EQ(without(rtwig, "length"), "a:1: length: expected a column of this name");
     EXPECT_EQ(without(archi, "cyl_ID"), "a:1: cyl_ID: expected a column of this name");
     EXPECT_EQ(without(treeQsm, "extension"), "a:1: id: expected a column of this name or extension");
-    EXPECT_EQ(problemOfText("cyl_ID,parent,startX,startY,startZ,endX,endY,endZ\n"),
+    EXPECT_EQ(problemOfScanText("cyl_ID,parent,startX,startY,startZ,endX,endY,endZ\n"),
               "a:1: radius: expected a column of this name or radius_cyl");
 }
 
-TEST(BrokenScanTable, IsOneProblemWithItsPlace) {
+TEST(BrokenScanTable, GivesOneErrorWithItsPlace) {
     const auto archiWith = [](const std::string& row) {
-        return problemOfText(table(archi, {archiRows[0], row}));
+        return problemOfScanText(table(archi, {archiRows[0], row}));
     };
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1,0"),
               "a:3: radius_cyl: expected a radius above 0 and of at most 10 m, found '0'");
@@ -150,17 +151,18 @@ TEST(BrokenScanTable, IsOneProblemWithItsPlace) {
     EXPECT_EQ(archiWith("0,0,1,0,0,2,NA,1,0.1"), "a:3: cyl_ID: expected a whole number, found 'NA'");
     EXPECT_EQ(
         archiWith("0,0,1,0,0,2,2,1.5,0.1"),
-        "a:3: parent_ID: expected the id of a cylinder, or 0, -1 or NA for that of the root, found '1.5'");
+        "a:3: parent_ID: expected the id of the parent cylinder, or 0, -1 or NA for the root, found '1.5'");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,3,0.1"), "a:3: expected a parent of the same tree, found 3");
-    EXPECT_EQ(archiWith("0,0,1,0,0,2,2,NA,0.1"),
-              "a:3: expected one root, found another one than in line 2; all others bear 50 % of the wood, "
-              "and at most 5 % are joined to what is nearest");
+    EXPECT_EQ(
+        archiWith("0,0,1,0,0,2,2,NA,0.1"),
+        "a:3: expected one root, found a second one besides line 2; branches without a parent have 50 % of "
+        "the wood, and at most 5 % can be joined to the nearest cylinder");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1"), "a:3: expected 9 cells as in the header, found 8");
-    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,2,1,0,0.1,1"})),
-              "a:2: axis_z: expected a part of a direction of length 1, found '2'");
-    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,0.5,1,0,0.1,1"})),
-              "a:2: axis_x: expected a direction of length 1, found one of 0.5");
-    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,1,1,0,0.1,"})),
+    EXPECT_EQ(problemOfScanText(table(rtwig, {"0,0,0,0,0,2,1,0,0.1,1"})),
+              "a:2: axis_z: expected a component of a unit vector, found '2'");
+    EXPECT_EQ(problemOfScanText(table(rtwig, {"0,0,0,0,0,0.5,1,0,0.1,1"})),
+              "a:2: axis_x: expected a unit vector, found one of length 0.5");
+    EXPECT_EQ(problemOfScanText(table(rtwig, {"0,0,0,0,0,1,1,0,0.1,"})),
               "a:2: length: expected a length above 0 and of at most 200 m, found nothing");
 }
 

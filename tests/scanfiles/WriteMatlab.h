@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-/// Files as MATLAB saves what TreeQSM made, written by libmatio.
+/// Writes .mat files like those of MATLAB and TreeQSM, with libmatio.
 namespace osgTreeWind {
 
-/// A version of .mat, and whether its variables are packed.
+/// A version of .mat and its compression.
 struct MatVersion {
     const char* name;
     mat_ft version;
-    matio_compression packed;
+    matio_compression compression;
 };
 
 constexpr MatVersion matVersions[] = {{"v6", MAT_FT_MAT5, MAT_COMPRESSION_NONE},
@@ -71,7 +71,7 @@ struct QsmArrays {
 
 inline const std::vector<std::string> qsmNames = {"radius", "length", "start", "axis", "parent"};
 
-/// `rows` structs with these fields, all of one after the other.
+/// An array of structs with these fields; all values of the first struct come first.
 inline matvar_t* matStruct(const std::string& name, const std::vector<std::string>& fields,
                            const std::vector<matvar_t*>& values) {
     std::vector<const char*> names;
@@ -91,7 +91,7 @@ inline matvar_t* matCell(const std::string& name, const std::vector<matvar_t*>& 
     return Mat_VarCreate(name.c_str(), MAT_C_CELL, MAT_T_CELL, 2, sizes, cells.data(), 0);
 }
 
-/// QSM, with as many elements as there are trees.
+/// TreeQSM's array of structs, one per tree.
 inline matvar_t* qsmStruct(const std::string& name, const std::vector<QsmArrays>& trees) {
     std::vector<matvar_t*> values;
     for (const QsmArrays& tree : trees) {
@@ -101,13 +101,13 @@ inline matvar_t* qsmStruct(const std::string& name, const std::vector<QsmArrays>
     return matStruct(name, {"cylinder", "treedata"}, values);
 }
 
-/// Writes the variables, and frees them. @return the path.
+/// Writes and frees the variables. @return the path.
 inline std::string writeMat(const std::string& path, const MatVersion& version,
                             const std::vector<matvar_t*>& variables) {
     mat_t* file = Mat_CreateVer(path.c_str(), nullptr, version.version);
     EXPECT_NE(file, nullptr) << path;
     for (matvar_t* variable : variables) {
-        EXPECT_EQ(Mat_VarWrite(file, variable, version.packed), 0);
+        EXPECT_EQ(Mat_VarWrite(file, variable, version.compression), 0);
         Mat_VarFree(variable);
     }
     Mat_Close(file);

@@ -17,7 +17,7 @@
 
 using namespace osgTreeWind;
 
-TEST(GrowthLaws, ACrownFollowsTheTrunkAndTheRoomItHas) {
+TEST(GrowthLaws, CrownWidthFollowsTrunkAndSite) {
     const Species oak = *findSpecies("oak");
     TreeSize size;
     size.trunkDiameter = 0.4f;
@@ -29,7 +29,7 @@ TEST(GrowthLaws, ACrownFollowsTheTrunkAndTheRoomItHas) {
     EXPECT_LT(open / size.trunkDiameter, 28.0f);
 }
 
-TEST(GrowthLaws, ACrownThatIsGivenOrHasNoTrunkStays) {
+TEST(GrowthLaws, GivenOrUnknownCrownsStay) {
     const Species oak = *findSpecies("oak");
     TreeSize size;
     EXPECT_EQ(withCrown(size, oak.crown, true).crownWidth, 0.0f);
@@ -39,7 +39,7 @@ TEST(GrowthLaws, ACrownThatIsGivenOrHasNoTrunkStays) {
     EXPECT_EQ(withCrown(size, oak.crown, true).crownWidth, 3.0f);
 }
 
-TEST(GrowthLaws, OpenCrownsAreAsWideAsThoseOfACampus) {
+TEST(GrowthLaws, OpenCrownWidthsMatchThoseOfACampus) {
     REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
     std::ifstream file(path);
     std::string line;
@@ -69,7 +69,7 @@ TEST(GrowthLaws, OpenCrownsAreAsWideAsThoseOfACampus) {
 
 namespace {
 
-/// With a crown as deep in a forest as ForestGALES has it of Sitka spruce.
+/// Species with the crown depth of Sitka spruce in ForestGALES.
 Species withForestCrown(const std::string& name) {
     Species kind = *findSpecies(name);
     kind.crown.depth = 2.4682f;
@@ -79,7 +79,7 @@ Species withForestCrown(const std::string& name) {
 
 } // namespace
 
-TEST(GrowthLaws, GreenBoughsOfTheForestSpringWhereForestGalesHasThem) {
+TEST(GrowthLaws, CrownBaseInAForestMatchesForestGales) {
     const Species sitka = withForestCrown("Sitka spruce");
     const float height = sitka.tree.growth->size.height;
     const TreeModel model = makeTreeModel(growthOf(sitka, false));
@@ -97,7 +97,7 @@ TEST(GrowthLaws, GreenBoughsOfTheForestSpringWhereForestGalesHasThem) {
     EXPECT_NEAR(*std::min_element(feet.begin(), feet.end()), height - depth, 1.0f);
 }
 
-TEST(GrowthLaws, ARaisedCrownBearsTheLeavesOfItsTrunk) {
+TEST(GrowthLaws, LeafAreaOfAForestTreeFollowsItsTrunk) {
     const Species oak = withForestCrown("oak");
     const TreeModel open = makeTreeModel(growthOf(oak, true)), forest = makeTreeModel(growthOf(oak, false));
     EXPECT_EQ(open.leaves.size(), forest.leaves.size());
@@ -112,10 +112,10 @@ TEST(GrowthLaws, ARaisedCrownBearsTheLeavesOfItsTrunk) {
                 0.01f);
 }
 
-TEST(GrowthLaws, WhatGrowsByLightAloneGrowsByItsCompany) {
+TEST(GrowthLaws, ForestShadesTreesThatGrowByLight) {
     EXPECT_TRUE(growsByLight(*findSpecies("oak")));
     EXPECT_FALSE(growsByLight(*findSpecies("palm")));
-    EXPECT_FALSE(growsByLight({})) << "a tree of levels";
+    EXPECT_FALSE(growsByLight({})) << "a tree built of levels";
     EXPECT_EQ(growthOf(*findSpecies("oak"), true).growth->site.shade, 0.0f);
     EXPECT_GT(growthOf(*findSpecies("oak"), false).growth->site.shade, 0.2f);
 }
@@ -128,14 +128,14 @@ TEST(GrowthLaws, StoutTreesHaveSofterWood) {
     EXPECT_NEAR(stemModulus(wood, 100.0) / stemModulus(wood, 60.0), std::pow(100.0 / 60.0, 0.78), 1e-4);
 }
 
-TEST(GrowthLaws, TheModulusIsNotCarriedBeyondWhereItWasMeasured) {
+TEST(GrowthLaws, ModulusIsConstantBeyondTheMeasuredSlenderness) {
     WoodParameters wood;
     wood.modulusPower = 0.78f;
     EXPECT_EQ(stemModulus(wood, 10.0), stemModulus(wood, 50.0));
     EXPECT_EQ(stemModulus(wood, 400.0), stemModulus(wood, 110.0));
 }
 
-TEST(GrowthLaws, AStemIsSofterThanItsClearWood) {
+TEST(GrowthLaws, LivingStemsAreSofterThanClearWood) {
     WoodParameters wood;
     const double clear = stemModulus(wood, 80.0);
     wood.wholeStem = 0.85f;
@@ -148,7 +148,7 @@ TEST(GrowthLaws, AStemIsSofterThanItsClearWood) {
     EXPECT_LT(overBark, 10.6e9);
 }
 
-TEST(GrowthLaws, ConifersBearTheBranchesThatWereWeighed) {
+TEST(GrowthLaws, BranchMassOfConifersMatchesWeighedTrees) {
     // Geometric means of trees of BAAD (Falster et al. 2015): diameter, height, dry branches.
     WoodParameters wood;
     wood.branchWood = WoodAllometry::Conifer;
@@ -163,33 +163,33 @@ TEST(GrowthLaws, ConifersBearTheBranchesThatWereWeighed) {
     expectNear(0.306, 28.7, 36.4); // 24 Norway spruces, Kantola and Makela 2004
 }
 
-TEST(GrowthLaws, SlenderConifersBearFewBranches) {
+TEST(GrowthLaws, SlenderConifersHaveLittleBranchMass) {
     WoodParameters wood;
     wood.branchWood = WoodAllometry::Conifer;
     const auto mass = [&](double diameter, double height) {
         return branchWoodMass(wood, diameter, height, 100.0, 5.0);
     };
     EXPECT_NEAR(mass(0.2, 24.0) / mass(0.2, 12.0), std::pow(2.0, -0.91), 1e-9);
-    EXPECT_EQ(mass(0.1, 20.0), mass(0.1, 15.0)); // no tree that was weighed is more slender
+    EXPECT_EQ(mass(0.1, 20.0), mass(0.1, 15.0)); // the limit of the weighed trees
     EXPECT_EQ(mass(0.0, 0.0), 0.0);
 }
 
-TEST(GrowthLaws, BroadleavesBearWhatTheirTrunkLeavesOfTheTotal) {
-    // Jenkins et al. 2003, hard maple, oak, hickory and beech of 30 cm: 524 kg dry, a 40th of it leaves.
+TEST(GrowthLaws, BranchMassOfBroadleavesIsTotalMinusTrunk) {
+    // Jenkins et al. 2003, hard maple, oak, hickory and beech of 30 cm: 524 kg dry, 1/40 of it leaves.
     WoodParameters wood;
     wood.density = 1000.0f;
     wood.branchWood = WoodAllometry::Broadleaf;
     const double total = branchWoodMass(wood, 0.3, 20.0, 400.0, 300.0) + 400.0;
     EXPECT_NEAR(total / 1000.0 * 580.0, 524.0 * 0.98, 10.0);
-    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 900.0, 300.0), 300.0); // never less than drawn
-    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 10.0, 100.0), 300.0);  // nor more than three times
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 900.0, 300.0), 300.0); // at least the drawn mass
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 10.0, 100.0), 300.0);  // at most three times the drawn mass
 }
 
-TEST(GrowthLaws, RootsGiveAQuarterOfADegreeEarlyOn) {
+TEST(GrowthLaws, RootsTurnAQuarterOfADegreeUnderASmallLoad) {
     // 1/2.5 of the overturning moment, 150 N m per kg of a stem of 0.45 pi/4 d^2 h.
     WoodParameters wood;
-    EXPECT_EQ(rootGive(wood, 0.3, 20.0), 0.0);
+    EXPECT_EQ(rootCompliance(wood, 0.3, 20.0), 0.0);
     wood.anchorage = 150.0f;
     const double stem = 0.45 * 900.0 * 3.141592653589793 * 0.0225 * 20.0;
-    EXPECT_NEAR(rootGive(wood, 0.3, 20.0) * 0.4 * 150.0 * stem * 180.0 / 3.141592653589793, 0.25, 1e-9);
+    EXPECT_NEAR(rootCompliance(wood, 0.3, 20.0) * 0.4 * 150.0 * stem * 180.0 / 3.141592653589793, 0.25, 1e-9);
 }

@@ -25,8 +25,8 @@ struct Scatter {
     double bias = 0.0, deviation = 0.0;
 };
 
-/// How logarithms of measured heights are off the laws: bias above 0 is laws that are too low.
-/// @param fallback for species that are not built in, nor their genus.
+/// Deviations of logarithms of measured heights from the laws. The bias is above 0 if the laws are too low.
+/// @param fallback species of trees whose species and genus are not built in.
 Scatter scatterOf(const std::vector<Pair>& pairs, const Species& fallback) {
     Scatter scatter;
     double sum = 0.0, squares = 0.0;
@@ -45,10 +45,10 @@ Scatter scatterOf(const std::vector<Pair>& pairs, const Species& fallback) {
     return scatter;
 }
 
-/// Rows with both sizes of trees of 5 cm and more.
-/// @param names of the columns of species, height and diameter.
+/// Reads the trees of at least 5 cm with height and diameter.
+/// @param names columns of species, height and diameter. @param unit of the diameter, metres.
 std::vector<Pair> pairsOf(const std::string& path, const std::vector<std::string>& names, double unit,
-                          const std::function<bool(const CsvTable&, const CsvTable::Row&)>& take,
+                          const std::function<bool(const CsvTable&, const CsvTable::Row&)>& accepts,
                           bool openGrown) {
     std::ifstream file(path);
     const auto read = readCsvTable(file, path, ',');
@@ -62,13 +62,13 @@ std::vector<Pair> pairsOf(const std::string& path, const std::vector<std::string
             std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin()));
     for (const CsvTable::Row& row : table.rows) {
         const auto height = table.number(row, columns[1]), diameter = table.number(row, columns[2]);
-        if (height && diameter && diameter.value() * unit >= 0.05 && take(table, row))
+        if (height && diameter && diameter.value() * unit >= 0.05 && accepts(table, row))
             pairs.push_back({row.cells[columns[0]], height.value(), diameter.value() * unit, openGrown});
     }
     return pairs;
 }
 
-/// Prints what docs/validation.md says, and holds it.
+/// Prints the scatter and compares it with docs/validation.md.
 void expectScatter(const std::string& name, const std::vector<Pair>& pairs, double bias, double deviation,
                    const char* fallback = "broadleaf") {
     const Scatter found = scatterOf(pairs, *findSpecies(fallback));
@@ -78,35 +78,35 @@ void expectScatter(const std::string& name, const std::vector<Pair>& pairs, doub
     EXPECT_NEAR(found.deviation, deviation, 0.005) << name << ": docs/validation.md";
 }
 
-bool any(const CsvTable&, const CsvTable::Row&) {
+bool acceptAll(const CsvTable&, const CsvTable::Row&) {
     return true;
 }
 
 } // namespace
 
-TEST(MeasuredSizes, TreesOfACampusLieAboutTheLaws) {
+TEST(MeasuredSizes, CampusTreesMatchTheLaws) {
     REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
-    expectScatter("campus", pairsOf(path, {"AESciName", "H", "dbh"}, 1.0, any, true), 0.080, 0.154);
+    expectScatter("campus", pairsOf(path, {"AESciName", "H", "dbh"}, 1.0, acceptAll, true), 0.080, 0.154);
 }
 
-TEST(MeasuredSizes, TreesOfAForestLieAboutTheLaws) {
+TEST(MeasuredSizes, ForestTreesMatchTheLaws) {
     REQUIRE_REAL_DATA(path, "scbi/scbi_joined_xy_height_dbh.csv");
-    expectScatter("forest", pairsOf(path, {"species", "height.m", "dbh_cm"}, 0.01, any, false), -0.019,
+    expectScatter("forest", pairsOf(path, {"species", "height.m", "dbh_cm"}, 0.01, acceptAll, false), -0.019,
                   0.269);
 }
 
-TEST(MeasuredSizes, SwayingTreesLieAboutTheLaws) {
+TEST(MeasuredSizes, TreesWithMeasuredSwayMatchTheLaws) {
     REQUIRE_REAL_DATA(path, "sway/SwayFrequencies_odd.csv");
     for (const auto& [clade, environment, bias, deviation] : {std::tuple("Conifer", "Forest", -0.075, 0.198),
                                                               {"Broadleaf", "Forest", 0.051, 0.305},
                                                               {"Broadleaf", "Open", 0.158, 0.285}}) {
-        const auto take = [&, clade = clade, environment = environment](const CsvTable&,
-                                                                        const CsvTable::Row& row) {
+        const auto accepts = [&, clade = clade, environment = environment](const CsvTable&,
+                                                                           const CsvTable::Row& row) {
             return row.cells[0] == clade && row.cells[1] == environment;
         };
         const bool open = environment == std::string("Open");
         expectScatter(std::string("sway, ") + clade + ' ' + environment,
-                      pairsOf(path, {"species", "height_m", "dbh_cm"}, 0.01, take, open), bias, deviation,
+                      pairsOf(path, {"species", "height_m", "dbh_cm"}, 0.01, accepts, open), bias, deviation,
                       clade == std::string("Conifer") ? "conifer" : "broadleaf");
     }
 }

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -40,10 +40,10 @@ ForestDescription wood(float season, MotionLaw law = MotionLaw::Modal) {
     return forest;
 }
 
-/// How far apart the trees of two forests stand, radians and metres.
-float apart(const ForestSimulation& a, const ForestSimulation& b) {
+/// Largest difference between the poses and angles of two forests, metres and radians.
+float largestDifference(const ForestSimulation& a, const ForestSimulation& b) {
     float most = 0.0f;
-    for (std::size_t tree = 0; tree < SimulationParts::trees(a).size(); ++tree) {
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(a).size(); ++tree) {
         const TreeMotion ma = a.motion(tree), mb = b.motion(tree);
         for (std::size_t unit = 0; unit < ma.poses.size; ++unit)
             most = std::max(most, glm::length(ma.poses[unit].translation - mb.poses[unit].translation) +
@@ -52,7 +52,7 @@ float apart(const ForestSimulation& a, const ForestSimulation& b) {
     return most;
 }
 
-TEST(Season, WordsNumbersAndDatesAreOneScale) {
+TEST(Season, ParsesWordsNumbersAndDates) {
     EXPECT_EQ(parseSeason("winter"), midwinter);
     EXPECT_EQ(parseSeason("spring"), midspring);
     EXPECT_EQ(parseSeason("summer"), midsummer);
@@ -66,7 +66,7 @@ TEST(Season, WordsNumbersAndDatesAreOneScale) {
     EXPECT_TRUE(parseSeason("2024-02-29"));
 }
 
-TEST(Season, OtherTextIsNone) {
+TEST(Season, RefusesOtherTexts) {
     for (const char* text : {"", "Summer", "fall", "-1", "4.1", "nan", "2024-13-01", "2024-00-10",
                              "2023-02-29", "2024-04-31", "2024-4-1", "2024-05-05x", "05-05"})
         EXPECT_FALSE(parseSeason(text)) << text;
@@ -78,7 +78,8 @@ TEST(Season, BroadleavesAreBareInWinterAndFullInSummer) {
     EXPECT_EQ(leafShare(oak, *parseSeason("2024-01-15")), 0.0f);
     EXPECT_EQ(leafShare(oak, *parseSeason("2024-06-21")), 1.0f);
     EXPECT_EQ(leafShare(oak, midsummer), 1.0f);
-    EXPECT_NEAR(leafShare(oak, midautumn), 0.5, 0.15); // PEP725: half of them have fallen about 1 November
+    EXPECT_NEAR(leafShare(oak, midautumn), 0.5,
+                0.15); // PEP725: half of the leaves have fallen about 1 November
     EXPECT_GT(leafShare(oak, midspring), 0.4f);
     EXPECT_LT(leafShare(oak, midspring), 0.9f);
     EXPECT_EQ(leafColor(oak, midsummer), oak.leaves);
@@ -86,7 +87,7 @@ TEST(Season, BroadleavesAreBareInWinterAndFullInSummer) {
     EXPECT_EQ(leafColor(oak, midautumn), oak.autumnLeaves);
 }
 
-TEST(Season, EvergreensStay) {
+TEST(Season, EvergreensKeepTheirLeaves) {
     const Appearance spruce = looksOf("Norway spruce");
     for (float season = 0.0f; season < 4.0f; season += 0.25f) {
         EXPECT_EQ(leafShare(spruce, season), 1.0f);
@@ -100,18 +101,17 @@ TEST(Season, EvergreensStay) {
     EXPECT_EQ(leafShare(larch, midwinter), 0.0f);
 }
 
-TEST(Season, GoesRoundWithoutAJump) {
+TEST(Season, IsPeriodicAndContinuous) {
     const Appearance oak = looksOf("oak");
     for (float season = -8.0f; season < 8.0f; season += 0.01f) {
         EXPECT_NEAR(leafShare(oak, season), leafShare(oak, season + 0.01f), 0.06);
         EXPECT_LT(glm::length(leafColor(oak, season) - leafColor(oak, season + 0.01f)), 0.3f);
         EXPECT_NEAR(leafShare(oak, season), leafShare(oak, season + 4.0f), 1e-3);
     }
-    const float none = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(leafShare(oak, none), 1.0f);
+    EXPECT_EQ(leafShare(oak, std::numeric_limits<float>::quiet_NaN()), 1.0f);
 }
 
-TEST(Season, ABroadleafSwaysFasterAndLongerInWinterAndASpruceTheSame) {
+TEST(Season, BroadleavesSwayFasterAndLongerInWinter) {
     TreePlacement summer;
     summer.size.height = 20.0f;
     summer.size.trunkDiameter = 0.3f;
@@ -128,27 +128,27 @@ TEST(Season, ABroadleafSwaysFasterAndLongerInWinterAndASpruceTheSame) {
     EXPECT_EQ(leafShare(looksOf("spruce"), midwinter), leafShare(looksOf("spruce"), midsummer));
 }
 
-TEST(Season, AForestFollowsItAsIfMadeInIt) {
+TEST(Season, ChangedForestEqualsOneMadeInTheSeason) {
     for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Thesis}) {
         ForestSimulation changed(wood(midsummer, law)), made(wood(midwinter, law)),
             summer(wood(midsummer, law));
         changed.setSeason(midwinter);
         EXPECT_EQ(changed.season(), midwinter);
         for (std::size_t i = 0; i < 4; ++i)
-            EXPECT_EQ(SimulationParts::trees(changed)[i].leaves, SimulationParts::trees(made)[i].leaves);
+            EXPECT_EQ(SimulationAccess::trees(changed)[i].leaves, SimulationAccess::trees(made)[i].leaves);
         for (ForestSimulation* forest : {&changed, &made, &summer})
             for (int frame = 0; frame <= 90; ++frame)
                 forest->advance(frame / 30.0);
-        EXPECT_LT(apart(changed, made), 1e-6f);
-        if (law != MotionLaw::Thesis) { // which knows of no leaves
-            EXPECT_GT(apart(changed, summer), 1e-3f);
+        EXPECT_LT(largestDifference(changed, made), 1e-6f);
+        if (law != MotionLaw::Thesis) { // it ignores the leaves
+            EXPECT_GT(largestDifference(changed, summer), 1e-3f);
         }
         changed.setSeason(midsummer);
-        EXPECT_EQ(SimulationParts::trees(changed)[2].leaves, 0.8f);
+        EXPECT_EQ(SimulationAccess::trees(changed)[2].leaves, 0.8f);
     }
 }
 
-TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
+TEST(Season, LargeForestUpdatesInStepsToTheSameResult) {
     const auto large = [](float season) {
         ForestDescription forest = wood(season);
         const std::vector<TreePlacement> few = std::exchange(forest.trees, {});
@@ -160,11 +160,11 @@ TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
     };
     ForestSimulation changed(large(midsummer)), made(large(midwinter));
     changed.setSeason(midwinter);
-    EXPECT_EQ(SimulationParts::trees(changed)[996].leaves, 0.0f) << "at once";
-    const std::size_t archetypes = SimulationParts::modal(changed)->archetypeCount();
+    EXPECT_EQ(SimulationAccess::trees(changed)[996].leaves, 0.0f) << "at once";
+    const std::size_t archetypes = SimulationAccess::modal(changed)->archetypeCount();
     EXPECT_TRUE(changed.removeTree(TreeId(999)).empty());
     EXPECT_TRUE(made.removeTree(TreeId(999)).empty());
-    const std::shared_ptr<ForestSimulation> copy = changed.restarted();
+    const std::shared_ptr<ForestSimulation> copy = changed.cloneAtRest();
     for (ForestSimulation* forest : {&changed, copy.get(), &made}) {
         for (int frame = 0; frame <= 20; ++frame)
             forest->advance(frame / 30.0);
@@ -172,37 +172,37 @@ TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
         for (int frame = 0; frame <= 20; ++frame)
             forest->advance(frame / 30.0);
     }
-    EXPECT_GT(SimulationParts::modal(changed)->archetypeCount(), archetypes) << "made in steps";
+    EXPECT_GT(SimulationAccess::modal(changed)->archetypeCount(), archetypes) << "made in steps";
     for (std::size_t slot = 0; slot < 999; ++slot) {
-        ASSERT_EQ(SimulationParts::modal(changed)->lean(slot), SimulationParts::modal(made)->lean(slot))
+        ASSERT_EQ(SimulationAccess::modal(changed)->lean(slot), SimulationAccess::modal(made)->lean(slot))
             << slot;
-        ASSERT_EQ(SimulationParts::modal(*copy)->lean(slot), SimulationParts::modal(made)->lean(slot))
+        ASSERT_EQ(SimulationAccess::modal(*copy)->lean(slot), SimulationAccess::modal(made)->lean(slot))
             << slot;
     }
 }
 
-TEST(Season, TreesThatComeLaterAndCopiesAreInIt) {
+TEST(Season, AppliesToAddedTreesAndCopies) {
     ForestSimulation forest(wood(midwinter));
     TreePlacement tree;
     tree.leaves = 0.5f;
     const TreeId oak = forest.addTree(tree).value();
-    EXPECT_EQ(SimulationParts::trees(forest)[forest.slotOf(oak)].leaves, 0.0f);
+    EXPECT_EQ(SimulationAccess::trees(forest)[forest.slotOf(oak)].leaves, 0.0f);
     EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
     forest.setSeason(midsummer);
-    const auto copy = forest.restarted();
+    const auto copy = forest.cloneAtRest();
     EXPECT_EQ(copy->season(), midsummer);
-    EXPECT_EQ(SimulationParts::trees(*copy)[copy->slotOf(oak)].leaves, 0.5f);
+    EXPECT_EQ(SimulationAccess::trees(*copy)[copy->slotOf(oak)].leaves, 0.5f);
     copy->setSeason(midwinter);
     EXPECT_EQ(forest.season(), midsummer);
 }
 
-TEST(Season, ChangesInFullSway) {
+TEST(Season, ChangesWithoutAJumpOfSwayingTrees) {
     ForestSimulation forest(wood(midsummer));
     for (int frame = 0; frame <= 60; ++frame)
         forest.advance(frame / 30.0);
-    const glm::vec2 before = SimulationParts::modal(forest)->lean(0);
+    const glm::vec2 before = SimulationAccess::modal(forest)->lean(0);
     forest.setSeason(midautumn);
-    EXPECT_LT(glm::distance(SimulationParts::modal(forest)->lean(0), before), 0.1f * glm::length(before));
+    EXPECT_LT(glm::distance(SimulationAccess::modal(forest)->lean(0), before), 0.1f * glm::length(before));
     EXPECT_GT(glm::length(before), 0.01f);
 }
 

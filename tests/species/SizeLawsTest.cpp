@@ -12,6 +12,7 @@
 #include <functional>
 #include <iterator>
 #include <sstream>
+#include <string>
 
 using namespace osgTreeWind;
 
@@ -27,7 +28,7 @@ struct Spread {
     double mean = 0.0, deviation = 0.0, most = 0.0;
 };
 
-/// Of what `value` tells of the estimates of many trees that differ in their ids.
+/// Statistics of `value` over the estimates of many trees with different ids.
 Spread spreadOf(const TreeSize& given, const Species& species, bool openGrown,
                 const std::function<double(const TreeSize&)>& value) {
     double sum = 0.0, squares = 0.0;
@@ -43,8 +44,8 @@ Spread spreadOf(const TreeSize& given, const Species& species, bool openGrown,
     return spread;
 }
 
-/// That logarithms are off a law by 0 and `deviation`, within the error of sampling, and none by more than
-/// two.
+/// Expects logarithms with mean 0 and standard deviation `deviation`, within the sampling error, and at most
+/// two standard deviations from the law.
 void expectSpread(const Spread& found, double deviation) {
     EXPECT_NEAR(found.mean, 0.0, 4.0 * deviation / std::sqrt(many));
     EXPECT_NEAR(found.deviation, deviation, 0.02 * deviation);
@@ -52,9 +53,19 @@ void expectSpread(const Spread& found, double deviation) {
     EXPECT_GT(found.most, 1.95 * deviation);
 }
 
+/// A source as in the table of docs/species.md, which leaves out the names of the databases.
+std::string withoutDatabases(std::string source) {
+    for (const std::string database :
+         {"BAAD (Falster et al. 2015), ", "in the open Urban Tree Database (McPherson et al. 2016), ",
+          "Urban Tree Database (McPherson et al. 2016), "})
+        if (const std::size_t at = source.find(database); at != std::string::npos)
+            source.erase(at, database.size());
+    return source;
+}
+
 } // namespace
 
-TEST(SizeLaws, HeightsOfManyTreesHaveThePublishedMeanAndSpread) {
+TEST(SizeLaws, HeightsHaveThePublishedMeanAndSpread) {
     for (const char* name : {"oak", "Norway spruce"})
         for (const bool open : {false, true}) {
             SCOPED_TRACE(std::string(name) + (open ? " in the open" : " in a forest"));
@@ -68,7 +79,7 @@ TEST(SizeLaws, HeightsOfManyTreesHaveThePublishedMeanAndSpread) {
         }
 }
 
-TEST(SizeLaws, DiametersAreThoseAtWhichHeightsAreAsFarOffTheLaw) {
+TEST(SizeLaws, EstimatedDiametersHaveTheSpreadOfTheHeightLaw) {
     const Species oak = *findSpecies("oak");
     const auto off = [&](const TreeSize& size) {
         return std::log(15.0 / (oak.height.openScale * std::pow(size.trunkDiameter, oak.height.openPower)));
@@ -76,26 +87,26 @@ TEST(SizeLaws, DiametersAreThoseAtWhichHeightsAreAsFarOffTheLaw) {
     expectSpread(spreadOf(sizeOf(15.0f, 0.0f), oak, true, off), static_cast<double>(oak.height.openSpread));
 }
 
-TEST(SizeLaws, CrownsOfManyTreesHaveThePublishedSpread) {
+TEST(SizeLaws, CrownsHaveThePublishedSpread) {
     const Species oak = *findSpecies("oak");
     const auto off = [](const TreeSize& size) { return std::log(size.crownWidth / (0.95 + 21.9 * 0.4)); };
     expectSpread(spreadOf(sizeOf(12.0f, 0.4f), oak, true, off), 0.26);
 }
 
-TEST(SizeLaws, ATreeOfTheMeanHeightHasTheMeanDiameter) {
+TEST(SizeLaws, DiameterOfTheMeanHeightIsTheMeanDiameter) {
     Species oak = *findSpecies("oak");
     oak.height.spread = 0.0f;
     const float height = estimateSize(sizeOf(0.0f, 0.37f), oak, false, "a").size.height;
     EXPECT_NEAR(estimateSize(sizeOf(height, 0.0f), oak, false, "b").size.trunkDiameter, 0.37f, 1e-6f);
 }
 
-TEST(SizeLaws, AnIdDrawsTheSameForever) {
+TEST(SizeLaws, ResidualsOfAnIdNeverChange) {
     EXPECT_DOUBLE_EQ(residual("T 7", "height"), 0.4089821988301634);
     EXPECT_DOUBLE_EQ(residual("T 7", "crown_width"), 0.40668043177461799);
     EXPECT_DOUBLE_EQ(residual("", "height"), -1.009512978524719);
 }
 
-TEST(SizeLaws, AHeightTellsNothingOfTheCrownNorOfTheNextTree) {
+TEST(SizeLaws, ResidualsAreUncorrelated) {
     double ofCrown = 0.0, ofNext = 0.0;
     for (int i = 0; i < many; ++i) {
         const double height = residual(std::to_string(i), "height");
@@ -106,7 +117,7 @@ TEST(SizeLaws, AHeightTellsNothingOfTheCrownNorOfTheNextTree) {
     EXPECT_NEAR(ofNext, 0.0, 4.0 / std::sqrt(many));
 }
 
-TEST(SizeLaws, WhatIsGivenStays) {
+TEST(SizeLaws, GivenSizesStay) {
     const Species oak = *findSpecies("oak");
     const SizeEstimate tree = estimateSize(sizeOf(9.0f, 0.3f, 4.0f), oak, true, "a");
     EXPECT_EQ(tree.size.height, 9.0f);
@@ -114,11 +125,11 @@ TEST(SizeLaws, WhatIsGivenStays) {
     EXPECT_EQ(tree.size.crownWidth, 4.0f);
     EXPECT_FALSE(tree.estimated.height || tree.estimated.trunkDiameter || tree.estimated.crownWidth);
     const SizeEstimate tall = estimateSize(sizeOf(9.0f, 0.01f), oak, true, "a");
-    EXPECT_EQ(tall.size.height, 9.0f) << "even where no tree is so slender";
+    EXPECT_EQ(tall.size.height, 9.0f) << "even if no tree is so slender";
     EXPECT_EQ(tall.size.trunkDiameter, 0.01f);
 }
 
-TEST(SizeLaws, EstimatesAreSaid) {
+TEST(SizeLaws, FlagsEstimatedSizes) {
     const Species oak = *findSpecies("oak");
     const EstimatedSizes ofTrunk = estimateSize(sizeOf(0.0f, 0.3f), oak, true, "a").estimated;
     EXPECT_TRUE(ofTrunk.height && ofTrunk.crownWidth && !ofTrunk.trunkDiameter);
@@ -128,18 +139,18 @@ TEST(SizeLaws, EstimatesAreSaid) {
     EXPECT_TRUE(ofCrown.height && !ofCrown.crownWidth && ofCrown.trunkDiameter);
 }
 
-TEST(SizeLaws, ACrownAloneTellsTheDiameter) {
+TEST(SizeLaws, EstimatesTheDiameterFromTheCrownAlone) {
     Species oak = *findSpecies("oak");
     oak.crown.openSpread = 0.0f;
     const auto trunkUnder = [&](float crown) {
         return estimateSize(sizeOf(0.0f, 0.0f, crown), oak, true, "a").size.trunkDiameter;
     };
     EXPECT_NEAR(trunkUnder(0.95f + 21.9f * 0.4f), 0.4f, 1e-5f);
-    EXPECT_NEAR(trunkUnder(0.5f), 0.0122f, 1e-3f) << "narrower than the law begins";
+    EXPECT_NEAR(trunkUnder(0.5f), 0.0122f, 1e-3f) << "narrower than the law's constant";
     EXPECT_LT(trunkUnder(0.5f), trunkUnder(1.5f));
 }
 
-TEST(SizeLaws, WithNothingGivenTheTypicalTreeIsSpread) {
+TEST(SizeLaws, VariesTheTypicalTreeWithoutGivenSizes) {
     const Species oak = *findSpecies("oak");
     const SizeEstimate tree = estimateSize({}, oak, false, "a");
     EXPECT_TRUE(tree.estimated.height);
@@ -151,7 +162,7 @@ TEST(SizeLaws, WithNothingGivenTheTypicalTreeIsSpread) {
     expectSpread(spreadOf({}, oak, false, off), static_cast<double>(oak.height.spread));
 }
 
-TEST(SizeLaws, EstimatesAreNoPolesAndNoBarrels) {
+TEST(SizeLaws, LimitsTheSlendernessOfEstimates) {
     Species species = *findSpecies("oak");
     const auto slenderness = [&](const TreeSize& given) {
         const TreeSize size = estimateSize(given, species, false, "a").size;
@@ -165,9 +176,7 @@ TEST(SizeLaws, EstimatesAreNoPolesAndNoBarrels) {
     EXPECT_NEAR(slenderness(sizeOf(0.0f, 0.9f)), 15.0f, 0.01f);
 }
 
-/// Laws that were fitted to trees of 1 m at most do not go on for ever: an oak of 5 m is as high as one of 2
-/// m.
-TEST(SizeLaws, TreesThickerThanThoseMeasuredAreHardlyHigherOrWider) {
+TEST(SizeLaws, VeryThickTreesAreHardlyHigherOrWider) {
     for (const char* const name : {"oak", "Norway spruce", "London plane", "broadleaf"}) {
         const Species species = *findSpecies(name);
         const TreeSize large = estimateSize(sizeOf(0.0f, 1.0f), species, true, "a").size,
@@ -181,7 +190,7 @@ TEST(SizeLaws, TreesThickerThanThoseMeasuredAreHardlyHigherOrWider) {
     }
 }
 
-TEST(SizeLaws, WhatNoLawTellsIsNotGiven) {
+TEST(SizeLaws, SizesWithoutALawStayUnknown) {
     const SizeEstimate tree = estimateSize(sizeOf(0.0f, 0.3f), Species(), false, "a");
     EXPECT_EQ(tree.size.height, 0.0f);
     EXPECT_EQ(tree.size.crownWidth, 0.0f);
@@ -214,14 +223,14 @@ TEST(SizeLaws, EstimatesAreInRangeUnderAnyLaw) {
                     }
 }
 
-TEST(SizeLaws, EveryBuiltInSpeciesHasOneWithItsSource) {
+TEST(SizeLaws, EveryBuiltInSpeciesHasAHeightLawWithItsSource) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         SCOPED_TRACE(species.name);
         const HeightAllometry& law = species.height;
         EXPECT_NE(law.source.find("Urban Tree Database"), std::string::npos) << law.source;
         EXPECT_GT(law.spread, 0.0f);
         EXPECT_GT(law.openSpread, 0.0f);
-        for (const double diameter : {0.1, 0.3, 0.6}) { // of trees that were measured
+        for (const double diameter : {0.1, 0.3, 0.6}) { // within the range of measured trees
             const double open = law.openScale * std::pow(diameter, static_cast<double>(law.openPower));
             const double forest = law.scale * std::pow(diameter, static_cast<double>(law.power));
             EXPECT_GE(forest, open) << diameter;
@@ -231,7 +240,7 @@ TEST(SizeLaws, EveryBuiltInSpeciesHasOneWithItsSource) {
     }
 }
 
-TEST(SizeLaws, AreInTheDocuments) {
+TEST(SizeLaws, MatchTheTableInTheDocumentation) {
     std::ifstream file(OSGTREEWIND_SOURCE_DIR "/docs/species.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
@@ -239,7 +248,7 @@ TEST(SizeLaws, AreInTheDocuments) {
         std::ostringstream row;
         row << "| " << species.name << " | " << law.scale << "·d^" << law.power << " | " << law.spread
             << " | " << law.openScale << "·d^" << law.openPower << " | " << law.openSpread << " | "
-            << law.source << " |";
+            << withoutDatabases(law.source) << " |";
         EXPECT_NE(text.find(row.str()), std::string::npos) << row.str();
     }
 }

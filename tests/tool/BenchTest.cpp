@@ -26,7 +26,7 @@ std::vector<std::string> allStages() {
     return all;
 }
 
-/// One run of two pairs of small frames, for all these tests.
+/// All these tests share one run with two pairs of small frames.
 class BenchTest : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -60,7 +60,7 @@ std::unique_ptr<TemporaryFolder> BenchTest::folder;
 Outcome BenchTest::outcome;
 json BenchTest::report;
 
-TEST_F(BenchTest, SaysNothingOnStandardError) {
+TEST_F(BenchTest, PrintsNothingToStandardError) {
     EXPECT_EQ(outcome.err, "");
 }
 
@@ -79,7 +79,7 @@ TEST_F(BenchTest, MeasuresEveryStage) {
     EXPECT_EQ(measured, allStages());
 }
 
-TEST_F(BenchTest, SaysWhereAndHowItMeasured) {
+TEST_F(BenchTest, ReportsMachineAndSettings) {
     EXPECT_EQ(report["format"], "osgtreewind bench 1");
     EXPECT_EQ(report["version"], OSGTREEWIND_VERSION);
     EXPECT_NE(report["machine"], "");
@@ -105,32 +105,32 @@ TEST_F(BenchTest, CountsOneTreeAsTheThesisDoes) {
     }
 }
 
-TEST_F(BenchTest, MovesWhatTheStageSaysByTransforms) {
+TEST_F(BenchTest, UsesAsManyTransformsAsTheStageNeeds) {
     constexpr int tree = 1, branches = 122, leaves = 120 * 16;
     EXPECT_EQ(result("cpu")["counts"]["transforms"], tree + branches);
     EXPECT_EQ(result("gpu-skin")["counts"]["transforms"], tree + branches);
     EXPECT_EQ(result("gpu-leaves")["counts"]["transforms"], tree + branches + leaves);
     EXPECT_EQ(result("resident")["counts"]["transforms"], 0);
     EXPECT_EQ(result("osganimation-hw")["counts"]["transforms"],
-              2 * tree + branches); // its place, its skeleton
+              2 * tree + branches); // position and skeleton of the tree
     EXPECT_EQ(result("osganimation-sw")["counts"]["transforms"], 2 * tree + branches);
 }
 
-TEST_F(BenchTest, TakesAnglesFromWhereTheStageSays) {
+TEST_F(BenchTest, UsesTheAngleSourceOfTheStage) {
     for (const std::string& stage : stages)
         EXPECT_EQ(result(stage)["angles"], stage.substr(0, 3)) << stage;
     EXPECT_EQ(result("resident")["angles"], "gpu");
     EXPECT_EQ(result("osganimation-hw")["angles"], "recorded");
 }
 
-TEST_F(BenchTest, MovesTreesByTheLawThatTheStageIsOf) {
+TEST_F(BenchTest, UsesTheLawOfTheStage) {
     for (const std::string& stage : stages)
         EXPECT_EQ(result(stage)["law"], "thesis") << stage;
     for (const std::string& stage : laterStages)
         EXPECT_EQ(result(stage)["law"], "modal") << stage;
 }
 
-TEST_F(BenchTest, PutsTheThesisTablesBeside) {
+TEST_F(BenchTest, IncludesTheTablesOfTheThesis) {
     const std::map<std::string, std::pair<std::string, std::vector<int>>> tables = {
         {"cpu", {"6.1", {10, 5, 3, 2}}},
         {"cpu-vbo", {"6.2", {12, 5, 3, 2}}},
@@ -147,7 +147,7 @@ TEST_F(BenchTest, PutsTheThesisTablesBeside) {
     EXPECT_TRUE(result("resident")["thesisFps"].is_null());
 }
 
-TEST_F(BenchTest, GivesFramesOverSeconds) {
+TEST_F(BenchTest, DividesFramesBySeconds) {
     for (const json& result : report["results"])
         for (const char* variant : {"moving", "static"})
             EXPECT_NEAR(result[variant]["fps"].get<double>() * result[variant]["seconds"].get<double>(), 2.0,
@@ -174,7 +174,7 @@ TEST_F(BenchTest, PrintsARowForEachResult) {
         EXPECT_NE(outcome.out.find("| `" + stage + "` | 1 |"), std::string::npos) << stage;
 }
 
-/// Trees drawn by all tiers.
+/// Number of trees drawn, summed over all tiers.
 std::size_t drawnTrees(const json& view) {
     std::size_t trees = 0;
     for (const json& tier : view["tiers"])
@@ -182,13 +182,13 @@ std::size_t drawnTrees(const json& view) {
     return trees;
 }
 
-TEST_F(BenchTest, DrawsAWoodBesideOneTree) {
+TEST_F(BenchTest, DrawsAForestInTurnsWithOneTree) {
     ASSERT_EQ(report["scale"].size(), 1u);
     const json& wood = report["scale"][0];
     EXPECT_EQ(wood["trees"], 300);
     EXPECT_EQ(wood["shapes"], 15); // five species
     EXPECT_EQ(wood["view"], "over");
-    EXPECT_GE(drawnTrees(wood), 300u); // all in view; a change-over counts twice
+    EXPECT_GE(drawnTrees(wood), 300u); // all are in view; fading trees count twice
     if (wood["forestBytes"].is_null()) // under a sanitizer's allocator
         EXPECT_TRUE(wood["bytesPerTree"].is_null());
     else
@@ -200,7 +200,7 @@ TEST_F(BenchTest, DrawsAWoodBesideOneTree) {
     EXPECT_NE(outcome.out.find("\n| made trees | over | 300 | "), std::string::npos) << outcome.out;
 }
 
-TEST(BenchUsageTest, DrawsTheForestOfAFileAndNothingElse) {
+TEST(BenchUsageTest, AForestAloneMeasuresOnlyItsViews) {
     const TemporaryFolder folder;
     const Outcome outcome = runTool(
         {"bench", "--forest", example("forest.treewind"), "--frames", "2", "--size", "64x64", "-o", "r.json"},
@@ -219,7 +219,7 @@ TEST(BenchUsageTest, DrawsTheForestOfAFileAndNothingElse) {
     }
 }
 
-TEST(BenchUsageTest, AViewIsThatOfAFile) {
+TEST(BenchUsageTest, TheStageViewNeedsAForest) {
     const Outcome refused = runTool({"bench", "--stage", "view"});
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_EQ(refused.err, "--stage view: expected --forest FILE\n");
@@ -252,7 +252,7 @@ TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
     }
 }
 
-TEST(BenchUsageTest, RefusesWhatItCannotMeasure) {
+TEST(BenchUsageTest, RefusesInvalidOptions) {
     const std::vector<std::vector<std::string>> cases = {
         {"--trees", "0"},    {"--trees", "x"},         {"--frames", "0"},     {"--size", "0x9"},
         {"--stage", "fast"}, {"--chart", "chart.gif"}, {"--scale-trees", "0"}};

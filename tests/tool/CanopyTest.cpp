@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <tests/places/Places.h>
+#include <tests/places/GeoJson.h>
 #include <tests/tool/Tool.h>
 
 #include <netcdf.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What a NetCDF file holds, as the library reads it.
+/// Content of a NetCDF file, read by the NetCDF library.
 class NetCdf {
 public:
     explicit NetCdf(const std::string& path) { check(nc_open(path.c_str(), NC_NOWRITE, &_file), path); }
@@ -48,13 +48,13 @@ public:
         check(nc_get_var_double(_file, idOf(name), numbers.data()), name);
         return numbers;
     }
-    /// @param array empty: of the file.
+    /// Text attribute. @param array empty for attributes of the file.
     std::string text(const std::string& array, const std::string& name) const {
-        const int of = array.empty() ? NC_GLOBAL : idOf(array);
+        const int variable = array.empty() ? NC_GLOBAL : idOf(array);
         std::size_t length = 0;
-        check(nc_inq_attlen(_file, of, name.c_str(), &length), name);
+        check(nc_inq_attlen(_file, variable, name.c_str(), &length), name);
         std::string text(length, ' ');
-        check(nc_get_att_text(_file, of, name.c_str(), text.data()), name);
+        check(nc_get_att_text(_file, variable, name.c_str(), text.data()), name);
         return text;
     }
     double number(const std::string& array, const std::string& name) const {
@@ -69,8 +69,8 @@ public:
     }
 
 private:
-    static void check(int status, const std::string& of) {
-        EXPECT_EQ(status, NC_NOERR) << of << ": " << nc_strerror(status);
+    static void check(int status, const std::string& name) {
+        EXPECT_EQ(status, NC_NOERR) << name << ": " << nc_strerror(status);
     }
     int idOf(const std::string& name) const {
         int id = 0;
@@ -87,7 +87,7 @@ double sumOf(const std::vector<double>& densities, double volume) {
     return sum;
 }
 
-/// Both arrays of a .vti, taken apart by hand.
+/// Both arrays of a .vti file, by name.
 std::map<std::string, std::vector<double>> arraysOf(const std::string& vti) {
     std::map<std::string, std::vector<double>> arrays;
     std::size_t at = vti.find("\n_") + 2;
@@ -116,9 +116,9 @@ protected:
         words.insert(words.end(), {"-o", name, "--json"});
         const Outcome outcome = canopy(words);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-        const Json said = Json::parse(outcome.out, nullptr, false);
-        EXPECT_FALSE(said.is_discarded()) << outcome.out;
-        return said;
+        const Json summary = Json::parse(outcome.out, nullptr, false);
+        EXPECT_FALSE(summary.is_discarded()) << outcome.out;
+        return summary;
     }
     std::string at(const std::string& name) const { return folder.path() + '/' + name; }
     std::vector<std::string> files() const {
@@ -137,8 +137,8 @@ protected:
 
 } // namespace
 
-TEST_F(CanopyTool, WritesWhatPalmReads) {
-    const Json said = write("canopy.nc", {example("forest.treewind"), "--cell", "2,2,1"});
+TEST_F(CanopyTool, WritesAPalmStaticDriver) {
+    const Json summary = write("canopy.nc", {example("forest.treewind"), "--cell", "2,2,1"});
     const NetCdf file(at("canopy.nc"));
     EXPECT_EQ(file.dimensionsOf("lad"), (std::vector<std::string>{"zlad", "y", "x"}));
     EXPECT_EQ(file.typeOf("lad"), NC_FLOAT);
@@ -148,18 +148,19 @@ TEST_F(CanopyTool, WritesWhatPalmReads) {
     EXPECT_EQ(file.text("zlad", "positive"), "up");
     for (const char* needed :
          {"origin_x", "origin_y", "origin_z", "origin_lat", "origin_lon", "rotation_angle"})
-        EXPECT_EQ(file.number("", needed), needed[7] == 'x'   ? said["low"][0].get<double>()
-                                           : needed[7] == 'y' ? said["low"][1].get<double>()
+        EXPECT_EQ(file.number("", needed), needed[7] == 'x'   ? summary["low"][0].get<double>()
+                                           : needed[7] == 'y' ? summary["low"][1].get<double>()
                                                               : 0.0);
     EXPECT_EQ(file.text("", "origin_time"), "2001-08-06 12:00:00 +00");
 
     const std::vector<double> zlad = file.numbers("zlad"), x = file.numbers("x"), lad = file.numbers("lad");
     EXPECT_EQ(std::vector<double>(zlad.begin(), zlad.begin() + 3), (std::vector<double>{0.0, 0.5, 1.5}));
     EXPECT_EQ(std::vector<double>(x.begin(), x.begin() + 2), (std::vector<double>{1.0, 3.0}));
-    EXPECT_NEAR(sumOf(lad, 4.0), said["leafArea"], 1e-5 * said["leafArea"].get<double>());
-    EXPECT_NEAR(sumOf(file.numbers("cda"), 4.0), said["dragArea"], 1e-5 * said["dragArea"].get<double>());
+    EXPECT_NEAR(sumOf(lad, 4.0), summary["leafArea"], 1e-5 * summary["leafArea"].get<double>());
+    EXPECT_NEAR(sumOf(file.numbers("cda"), 4.0), summary["dragArea"],
+                1e-5 * summary["dragArea"].get<double>());
 
-    // A column is bare at all levels or at none, and its first level is the ground itself.
+    // A column has the fill value at all levels or at no level, and its first level is the ground.
     const std::size_t columns = lad.size() / zlad.size();
     std::size_t bare = 0;
     for (std::size_t column = 0; column < columns; ++column) {
@@ -174,22 +175,22 @@ TEST_F(CanopyTool, WritesWhatPalmReads) {
 
 TEST_F(CanopyTool, WritesTheSameFieldAsCfAndVtk) {
     const std::string forest = example("forest.treewind");
-    const Json said = write("canopy.vti", {forest, "--cell", "2"});
-    EXPECT_EQ(write("cf.nc", {forest, "--cell", "2", "--format", "cf"}), said);
+    const Json summary = write("canopy.vti", {forest, "--cell", "2"});
+    EXPECT_EQ(write("cf.nc", {forest, "--cell", "2", "--format", "cf"}), summary);
     const NetCdf cf(at("cf.nc"));
     EXPECT_EQ(cf.dimensionsOf("lad"), (std::vector<std::string>{"z", "y", "x"}));
     const std::string vti = contentOf(at("canopy.vti"));
     const auto arrays = arraysOf(vti);
     for (const char* name : {"lad", "cda"})
         EXPECT_EQ(arrays.at(name), cf.numbers(name)) << name;
-    EXPECT_NEAR(sumOf(arrays.at("lad"), 8.0), said["leafArea"], 1e-5 * said["leafArea"].get<double>());
-    EXPECT_EQ(cf.numbers("x").front(), said["low"][0].get<double>() + 1.0);
-    const auto low = [&](int axis) { return std::to_string(said["low"][axis].get<int>()); };
+    EXPECT_NEAR(sumOf(arrays.at("lad"), 8.0), summary["leafArea"], 1e-5 * summary["leafArea"].get<double>());
+    EXPECT_EQ(cf.numbers("x").front(), summary["low"][0].get<double>() + 1.0);
+    const auto low = [&](int axis) { return std::to_string(summary["low"][axis].get<int>()); };
     EXPECT_NE(vti.find("Origin=\"" + low(0) + ' ' + low(1) + " 0\" Spacing=\"2 2 2\""), std::string::npos);
 }
 
-/// On the central meridian, at the equator.
-TEST_F(CanopyTool, LiesOnTheMapOfTheForest) {
+/// The forest stands on the central meridian at the equator.
+TEST_F(CanopyTool, UsesTheMapOfTheForest) {
     const std::string forest = treeOnMap();
     write("palm.nc", {forest, "--cell", "1", "--bounds", "500000,0,500010,10"});
     const NetCdf palm(at("palm.nc"));
@@ -213,7 +214,7 @@ TEST_F(CanopyTool, LiesOnTheMapOfTheForest) {
     }
 }
 
-TEST_F(CanopyTool, HasNoLeavesOfOaksInWinter) {
+TEST_F(CanopyTool, OaksHaveNoLeafAreaInWinter) {
     const std::string forest = treeOnMap();
     const Json summer = write("summer.nc", {forest, "--cell", "1", "--season", "summer"}),
                winter = write("winter.nc", {forest, "--cell", "1", "--season", "winter"});
@@ -225,16 +226,16 @@ TEST_F(CanopyTool, HasNoLeavesOfOaksInWinter) {
     EXPECT_EQ(sumOf(NetCdf(at("winter.nc")).numbers("lad"), 1.0), 0.0);
 }
 
-TEST_F(CanopyTool, SaysWhatLiesBeyondTheBounds) {
+TEST_F(CanopyTool, NotesTheAreaOutsideTheBounds) {
     const std::string forest = treeOnMap();
     const Outcome outcome =
         canopy({forest, "-o", "half.nc", "--cell", "1", "--bounds", "500000,0,500005,10"});
     EXPECT_EQ(outcome.exitCode, 0);
-    EXPECT_NE(outcome.err.find("of the trees' drag area lies beyond --bounds"), std::string::npos)
+    EXPECT_NE(outcome.err.find("of the trees' drag area is outside --bounds"), std::string::npos)
         << outcome.err;
 }
 
-TEST_F(CanopyTool, RefusesWhatItCannotDo) {
+TEST_F(CanopyTool, RefusesInvalidOptions) {
     const std::string forest = treeOnMap();
     const std::vector<std::string> output = {forest, "-o", "canopy.nc"};
     for (const auto& [words, message] :
@@ -263,13 +264,14 @@ TEST_F(CanopyTool, RefusesWhatItCannotDo) {
     const Outcome huge = runTool({"canopy", forest, "-o", "canopy.nc", "--cell", "0.1"}, folder.path(),
                                  "OSGTREEWIND_MAX_MEMORY=1M ");
     EXPECT_EQ(huge.exitCode, 2);
-    EXPECT_NE(huge.err.find("MB of memory; the limit is 1 MB (OSGTREEWIND_MAX_MEMORY"), std::string::npos)
+    EXPECT_NE(huge.err.find("MB of memory; the limit is 1 MB (set another with OSGTREEWIND_MAX_MEMORY"),
+              std::string::npos)
         << huge.err;
     EXPECT_EQ(files(), std::vector<std::string>{"map.treewind"});
 }
 
-/// A disk that is full after 32 kB: one line, nothing half written, and what was there stays.
-TEST_F(CanopyTool, LeavesNoHalfAFile) {
+/// The disk is full after 32 kB: there is one line of error, and the old file stays.
+TEST_F(CanopyTool, AFullDiskLeavesTheOldFile) {
     for (const char* name : {"canopy.nc", "canopy.vti"}) {
         folder.write(name, "old");
         const Outcome outcome = runShell("trap '' XFSZ; ulimit -f 32; " OSGTREEWIND_TOOL " canopy " +
@@ -285,7 +287,7 @@ TEST_F(CanopyTool, LeavesNoHalfAFile) {
     EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: there is no folder absent\n");
 }
 
-TEST_F(CanopyTool, WritesWhereALinkLeadsAndOverNothingElse) {
+TEST_F(CanopyTool, FollowsALinkAndRefusesAFolder) {
     const std::string forest = treeOnMap();
     std::filesystem::create_directory(at("far"));
     folder.write("far/canopy.nc", "old");
@@ -297,5 +299,5 @@ TEST_F(CanopyTool, WritesWhereALinkLeadsAndOverNothingElse) {
     std::filesystem::create_directory(at("folder.nc"));
     const Outcome outcome = canopy({forest, "--cell", "1", "-o", "folder.nc"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_EQ(outcome.err, "--output: expected a file or nothing yet at folder.nc, found something else\n");
+    EXPECT_EQ(outcome.err, "--output: folder.nc exists and is not a regular file; choose another name\n");
 }

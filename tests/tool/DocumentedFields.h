@@ -19,7 +19,7 @@ inline std::string pageOf(const std::string& name) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What stands in backquotes.
+/// All text in backquotes.
 inline std::vector<std::string> quotedWords(const std::string& text) {
     std::vector<std::string> words;
     for (std::size_t at = text.find('`'); at != std::string::npos; at = text.find('`', at + 1)) {
@@ -32,11 +32,11 @@ inline std::vector<std::string> quotedWords(const std::string& text) {
     return words;
 }
 
-/// Fields of a table of a page, each with what its row quotes. A name behind a field of the same row is
-/// beside that: `a.b`, `c` are `a.b` and `a.c`.
+/// Fields in the first column of a table, each with the quoted words in the rest of its row. A name without a
+/// dot belongs to the object of the field before it in the same row: `a.b`, `c` means `a.b` and `a.c`.
 using DocumentedFields = std::map<std::string, std::set<std::string>>;
 
-/// Of the first table below a line that starts with `heading`.
+/// The fields of the first table at or below a line that starts with `heading`.
 inline DocumentedFields documentedFields(const std::string& page, const std::string& heading) {
     DocumentedFields fields;
     std::size_t at = page.find("\n" + heading);
@@ -60,7 +60,7 @@ inline DocumentedFields documentedFields(const std::string& page, const std::str
     return fields;
 }
 
-/// Every field of a document that holds no others, by its path as pages write it.
+/// Adds the path of every field that holds a value, in the notation of the pages.
 inline void addFields(const nlohmann::ordered_json& json, const std::string& path,
                       std::set<std::string>& fields) {
     if (json.is_object())
@@ -73,8 +73,8 @@ inline void addFields(const nlohmann::ordered_json& json, const std::string& pat
         fields.insert(path);
 }
 
-/// Whether a table tells of a field: by its path, or in the row of one that holds it, by its name or as a
-/// field of another one that the row names.
+/// Whether a table documents a field: by its path, or in the row of an object that holds it. That row may
+/// quote the name of the field, or another object with the same fields.
 inline bool isDocumented(const DocumentedFields& table, const std::string& path) {
     if (table.count(path) > 0)
         return true;

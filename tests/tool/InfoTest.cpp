@@ -94,7 +94,7 @@ TEST(Info, CampusHasEveryMeasuredTree) {
     EXPECT_EQ(infoOf(example("campus.treewind"))["trees"], trees);
 }
 
-TEST(Info, SaysWhatWasTakenOfScansAndWhatWasPruned) {
+TEST(Info, CountsUsedAndPrunedCylindersOfScans) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.treewind", "version = 1\nsearch = [\"" OSGTREEWIND_TEST_DATA
                                                         "/scan\"]\n[[species]]\nname = \"sapling\"\n"
@@ -119,7 +119,7 @@ TEST(Info, SaysWhatWasTakenOfScansAndWhatWasPruned) {
         << table.out;
 }
 
-TEST(Info, SaysWhichMapTheForestIsOnAndWhoChoseIt) {
+TEST(Info, PrintsTheMapAndWhetherItWasChosen) {
     const TemporaryFolder folder;
     folder.write("a.csv", "longitude,latitude\n9.0,0.0\n");
     const std::string inventory =
@@ -141,7 +141,7 @@ TEST(Info, SaysWhichMapTheForestIsOnAndWhoChoseIt) {
     EXPECT_EQ(line(example("thesis.treewind")), "crs     none: metres");
 }
 
-TEST(Info, ListsEveryTreeAsItStands) {
+TEST(Info, ListsEveryTreeWithItsSizes) {
     const TemporaryFolder folder;
     folder.write("f.treewind", R"(version = 1
 [[tree]]
@@ -199,7 +199,7 @@ TEST(Info, EstimatedSizesAreNotCalledGiven) {
     EXPECT_EQ(second.substr(second.rfind(',')), ",none") << second;
 }
 
-/// What is listed is an inventory of the same forest.
+/// The list works as an inventory of the same forest.
 TEST(Info, TreesListedAreReadBack) {
     const TemporaryFolder folder;
     ASSERT_EQ(runTool({"info", example("forest.treewind"), "--trees", "a.csv"}, folder.path()).exitCode, 0);
@@ -210,12 +210,12 @@ TEST(Info, TreesListedAreReadBack) {
     ASSERT_EQ(runTool({"info", "a.treewind", "--trees", "b.csv"}, folder.path()).exitCode, 0);
     std::istringstream a(contentOf(folder.path() + "/a.csv")), b(contentOf(folder.path() + "/b.csv"));
     std::string before, after;
-    // Without the name, which the file may call otherwise, and the company, which follows from the crowns.
+    // Without id and species, whose text may differ, and without `open`, which follows from the crowns.
     const auto numbers = [](const std::string& row) {
         const std::size_t from = row.find(',', row.find(',') + 1);
         const std::string cells = row.substr(from, row.rfind(',') - from);
-        const std::size_t leaves = cells.rfind(','), company = cells.rfind(',', leaves - 1);
-        return cells.substr(0, company) + cells.substr(leaves);
+        const std::size_t leaves = cells.rfind(','), open = cells.rfind(',', leaves - 1);
+        return cells.substr(0, open) + cells.substr(leaves);
     };
     int rows = -1;
     for (; std::getline(a, before) && std::getline(b, after); ++rows)

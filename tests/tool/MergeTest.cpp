@@ -9,8 +9,8 @@
 
 namespace {
 
-/// High spruces in the west, low birches in the east, farther than they shelter each other.
-const std::string unlike = R"(version = 1
+/// Tall spruces in the west and low birches in the east, too far apart to shelter each other.
+const std::string twoStands = R"(version = 1
 [wind]
 kind = "gusts"
 speed = 38.0
@@ -34,16 +34,16 @@ seed = 4
 class Merge : public testing::Test {
 protected:
     void SetUp() override {
-        ASSERT_EQ(
-            runTool({"tile", _folder.write("unlike.treewind", unlike), "-o", path("world"), "--size", "40"})
-                .exitCode,
-            0);
+        ASSERT_EQ(runTool({"tile", _folder.write("stands.treewind", twoStands), "-o", path("world"), "--size",
+                           "40"})
+                      .exitCode,
+                  0);
     }
     std::string path(const std::string& name) const { return _folder.path() + '/' + name; }
     std::string world() const { return path("world/world.treewind"); }
-    /// Of those columns, or of all; the file.
-    std::string made(std::vector<std::string> command, const std::string& name,
-                     const std::string& tiles = "") const {
+    /// Runs a command for some tiles, or for all. @return the path of the table that it writes.
+    std::string tableOf(std::vector<std::string> command, const std::string& name,
+                        const std::string& tiles = "") const {
         command.insert(command.begin() + 1, {world(), "-o", path(name)});
         if (!tiles.empty())
             command.insert(command.end(), {"--tiles", tiles});
@@ -57,17 +57,17 @@ private:
     TemporaryFolder _folder;
 };
 
-TEST_F(Merge, RiskOfPartsIsThatOfTheWholeToTheByte) {
+TEST_F(Merge, MergedRiskEqualsThatOfTheWholeWorld) {
     const std::vector<std::string> risk = {"risk", "--speed", "20"};
-    const std::string whole = made(risk, "whole.csv"), a = made(risk, "a.csv", "0,0,1,0"),
-                      b = made(risk, "b.csv", "2,0,6,0"), c = made(risk, "c.csv", "7,0,9,0");
+    const std::string whole = tableOf(risk, "whole.csv"), a = tableOf(risk, "a.csv", "0,0,1,0"),
+                      b = tableOf(risk, "b.csv", "2,0,6,0"), c = tableOf(risk, "c.csv", "7,0,9,0");
     const Outcome merged = runTool({"merge", a, b, c, "-o", path("all.csv"), "--world", world()});
     ASSERT_EQ(merged.exitCode, 0) << merged.err;
     EXPECT_EQ(merged.out, "80 rows in " + path("all.csv") + '\n');
     EXPECT_EQ(contentOf(path("all.csv")), contentOf(whole));
 }
 
-/// All but the numbers of trees, which each part counts anew.
+/// Rows without the column `tree`, which each part counts from 0.
 std::multimap<std::string, std::string> damages(const std::string& csv) {
     std::istringstream lines(csv);
     std::multimap<std::string, std::string> rows;
@@ -78,10 +78,10 @@ std::multimap<std::string, std::string> damages(const std::string& csv) {
     return rows;
 }
 
-TEST_F(Merge, DamageOfPartsIsThatOfTheWhole) {
+TEST_F(Merge, MergedDamageEqualsThatOfTheWholeWorld) {
     const std::vector<std::string> simulate = {"simulate", "--damage", "--duration", "60", "--fps", "10"};
-    const std::string whole = made(simulate, "whole.csv"), a = made(simulate, "a.csv", "0,0,3,0"),
-                      b = made(simulate, "b.csv", "4,0,9,0");
+    const std::string whole = tableOf(simulate, "whole.csv"), a = tableOf(simulate, "a.csv", "0,0,3,0"),
+                      b = tableOf(simulate, "b.csv", "4,0,9,0");
     ASSERT_EQ(runTool({"merge", a, b, "-o", path("all.csv")}).exitCode, 0);
     const auto found = damages(contentOf(path("all.csv")));
     EXPECT_GT(found.size(), 20u) << "too little falls to tell";
@@ -111,7 +111,9 @@ TEST_F(Merge, RefusesPartsThatDoNotBelongTogether) {
         EXPECT_FALSE(std::filesystem::exists(all));
         return outcome.err;
     };
-    EXPECT_EQ(refusal({a, twice}), twice + ":3: the tree 2,\"b is in another row already\n");
+    EXPECT_EQ(refusal({a, twice}),
+              twice +
+                  ":3: the tree 2,\"b already has a row; give each part once, without overlapping --tiles\n");
     EXPECT_EQ(refusal({a, other}),
               other + ":1: expected the columns of the first part, id,species,uproot_ms\n");
     EXPECT_EQ(refusal({none}), none +
@@ -120,10 +122,12 @@ TEST_F(Merge, RefusesPartsThatDoNotBelongTogether) {
     EXPECT_EQ(refusal({a, path("gone.csv")}), path("gone.csv") + ": no such file\n");
     EXPECT_EQ(refusal({a, empty, "--world", world()}),
               world() + ": expected a row for each of its 80 trees, found 2\n");
-    EXPECT_EQ(refusal({a, "--world", folder().path() + "/unlike.treewind"}),
-              folder().path() + "/unlike.treewind: expected a world, found a forest without tiles\n");
+    EXPECT_EQ(
+        refusal({a, "--world", folder().path() + "/stands.treewind"}),
+        folder().path() +
+            "/stands.treewind: expected a world (made by osgtreewind tile), found a forest without tiles\n");
     EXPECT_EQ(runTool({"merge", a, empty, "-o", all}).exitCode, 0);
-    EXPECT_EQ(contentOf(all), contentOf(a)) << "quotes and all";
+    EXPECT_EQ(contentOf(all), contentOf(a)) << "with the same quotes";
     EXPECT_EQ(runTool({"merge", a, "-o", folder().path()}).exitCode, 2);
 }
 

@@ -10,14 +10,14 @@
 #include <cstdlib>
 #include <string>
 
-/// A picture that a program wrote.
+/// Reads a picture in a folder.
 inline osg::ref_ptr<osg::Image> pictureIn(const TemporaryFolder& folder, const std::string& name) {
     osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.path() + '/' + name);
     EXPECT_TRUE(image) << name;
     return image ? image : osg::ref_ptr<osg::Image>(new osg::Image);
 }
 
-/// Of two pictures, in steps of 1/255.
+/// Mean difference between the bytes of two pictures.
 inline double meanDifference(const osg::Image& a, const osg::Image& b) {
     EXPECT_EQ(a.s(), b.s());
     EXPECT_EQ(a.t(), b.t());

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Mean brightness of a picture of the sheet, [0, 1]; rows from the top.
+/// Mean brightness of a picture on the sheet, [0, 1]. @param row counted from the top.
 double brightness(const osg::Image& sheet, int column, int row, int panel) {
     double sum = 0.0;
     for (int y = 0; y < panel; ++y)
@@ -42,7 +42,7 @@ TEST(Portrait, JsonHasTheNumbersAndNeedsNoGraphics) {
     EXPECT_EQ(outcome.out, runTool({"portrait", "silver birch", "--json"}).out);
 }
 
-TEST(Portrait, NamesTheCompanyOfTheTree) {
+TEST(Portrait, NamesWhereTheTreeGrew) {
     const TemporaryFolder folder;
     const std::string beech =
         folder.write("beech.treewind", "version = 1\n[[species]]\nname = \"beech\"\nlike = \"beech\"\n"
@@ -61,7 +61,7 @@ TEST(Portrait, NamesTheCompanyOfTheTree) {
               Json::parse(runTool({"portrait", "beech", "--json"}).out)["skyThroughCrown"]);
 }
 
-TEST(Portrait, EdgesAreThoseOfSingleLeavesOrNearly) {
+TEST(Portrait, EdgesAreNearlyAsFineAsThoseOfSingleLeaves) {
     const Outcome outcome = runTool({"portrait", "oak", "--edges"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const Json edges = Json::parse(outcome.out)["edges"];
@@ -74,7 +74,7 @@ TEST(Portrait, EdgesAreThoseOfSingleLeavesOrNearly) {
     EXPECT_LT(edges[0]["tier"], edges[3]["tier"]);
 }
 
-TEST(Portrait, MotionSaysHowRestlessThePictureIs) {
+TEST(Portrait, MotionMeasuresFlickerAndPops) {
     const Outcome outcome = runTool({"portrait", "palm", "--motion"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const Json motion = Json::parse(outcome.out)["motion"];
@@ -89,14 +89,14 @@ TEST(Portrait, MotionSaysHowRestlessThePictureIs) {
     }
 }
 
-TEST(Portrait, LinesSayTheSame) {
+TEST(Portrait, PrintsTheNumbersAsText) {
     const Outcome outcome = runTool({"portrait", "beech"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("beech\n"), 0u);
     EXPECT_NE(outcome.out.find("leafAreaMechanics, m2"), std::string::npos);
 }
 
-TEST(Portrait, EveryPictureSaysWhatItIs) {
+TEST(Portrait, EveryPictureHasALabel) {
     const TemporaryFolder folder;
     ASSERT_EQ(runTool({"portrait", "palm", "-o", "palm.png", "--panel", "128"}, folder.path()).exitCode, 0);
     const osg::ref_ptr<osg::Image> sheet = osgDB::readRefImageFile(folder.path() + "/palm.png");
@@ -126,7 +126,7 @@ TEST(Portrait, TheSheetHasAllItsPictures) {
     ASSERT_TRUE(sheet);
     EXPECT_EQ(sheet->s(), 5 * 48);
     EXPECT_EQ(sheet->t(), 3 * 48);
-    // Silhouettes: black on white, and more of it in summer.
+    // Outlines are black on white, with more black in summer.
     const double summer = brightness(*sheet, 4, 0, 48), winter = brightness(*sheet, 4, 1, 48);
     EXPECT_GT(summer, 0.5);
     EXPECT_LT(summer, winter);
@@ -136,7 +136,7 @@ TEST(Portrait, TheSheetHasAllItsPictures) {
         EXPECT_GT(brightness(*sheet, i % 5, i / 5, 48), 0.1) << i;
 }
 
-TEST(Portrait, SpeciesOfAFileAreToBeHadToo) {
+TEST(Portrait, TakesASpeciesOfAFile) {
     const Outcome outcome = runTool({"portrait", example("forest.treewind") + ":spruce", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(Json::parse(outcome.out)["species"], "spruce");

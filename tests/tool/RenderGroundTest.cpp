@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A slope of a half toward the east, 400 m wide, with one tree in its middle.
+/// Writes a forest on a slope that falls to the east by 50 %, 400 m wide, with one tree in its middle.
 void writeForest(const TemporaryFolder& folder, const std::string& more) {
     std::ostringstream grid;
     grid << "ncols 40\nnrows 40\nxllcorner -200\nyllcorner -200\ncellsize 10\n";
@@ -26,7 +26,7 @@ osg::ref_ptr<osg::Image> renderSlope(const TemporaryFolder& folder, const std::s
     return pictureIn(folder, output);
 }
 
-/// Of a column, how far up there is grass: greener than blue.
+/// Number of rows from the bottom of a column that show grass (greener than blue).
 int grassUpTo(const osg::Image& image, int column) {
     int row = 0;
     while (row < image.t() && image.data(column, row)[1] > image.data(column, row)[2])
@@ -39,7 +39,7 @@ int grassUpTo(const osg::Image& image, int column) {
 TEST(RenderGround, GrassLiesOnTheSlopeThatTheTreeStandsOn) {
     const TemporaryFolder folder;
     writeForest(folder, "[ground]\nfile = \"slope.asc\"\n");
-    // From the south, just above the foot, past the tree on either side: high in the west, low in the east.
+    // From the south, just above the foot of the tree: the ground is high in the west and low in the east.
     const std::vector<std::string> view = {"--eye", "0,-60,606", "--center", "0,0,604"};
     const auto image = renderSlope(folder, "a.png", view);
     EXPECT_GT(grassUpTo(*image, 10), grassUpTo(*image, 150) + 20);
@@ -47,7 +47,7 @@ TEST(RenderGround, GrassLiesOnTheSlopeThatTheTreeStandsOn) {
     EXPECT_EQ(contentOf(folder.path() + "/a.png"), contentOf(folder.path() + "/b.png"));
 }
 
-TEST(RenderGround, EveryViewIsAboveIt) {
+TEST(RenderGround, EveryViewIsAboveTheGround) {
     const TemporaryFolder folder;
     writeForest(folder, "[ground]\nfile = \"slope.asc\"\n");
     for (const char* view : {"eye", "above", "portrait"}) {
@@ -58,7 +58,7 @@ TEST(RenderGround, EveryViewIsAboveIt) {
     }
 }
 
-TEST(RenderGround, NoneIsTheLevelGroundOfAForestThatDoesNotSay) {
+TEST(RenderGround, GroundNoneIsTheSameAsNoGround) {
     const TemporaryFolder folder;
     writeForest(folder, "");
     renderSlope(folder, "a.png", {});
@@ -67,12 +67,12 @@ TEST(RenderGround, NoneIsTheLevelGroundOfAForestThatDoesNotSay) {
     EXPECT_EQ(contentOf(folder.path() + "/a.png"), contentOf(folder.path() + "/b.png"));
 }
 
-TEST(RenderGround, ATreeBesideItIsAnErrorOfTheFile) {
+TEST(RenderGround, ATreeOutsideTheGroundIsAnError) {
     const TemporaryFolder folder;
     writeForest(folder, "[[tree]]\nposition = [900, 0]\n[ground]\nfile = \"slope.asc\"\n");
     const Outcome outcome = runTool({"render", "a.treewind", "-o", "a.png"}, folder.path());
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(outcome.err,
               "a.treewind:8:8: ground.file: no ground below 1 of 2 trees, first tree[1] at (900, 0): "
-              "there is a hole, or it is beyond the edge\n");
+              "the ground has a hole there or does not extend that far\n");
 }

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// A picture of a forest that stands in a file's text.
+/// Renders a forest given as the text of a .treewind file.
 osg::ref_ptr<osg::Image> renderForest(const std::string& forest, const std::vector<std::string>& options) {
     const TemporaryFolder folder;
     folder.write("a.treewind", "version = 1\n" + forest);
@@ -17,7 +17,7 @@ osg::ref_ptr<osg::Image> renderForest(const std::string& forest, const std::vect
     return pictureIn(folder, "a.png");
 }
 
-/// Mean of a channel, 0 to 255.
+/// Mean of a channel of a picture, 0 to 255.
 double mean(const osg::Image& image, int channel) {
     double sum = 0.0;
     for (int y = 0; y < image.t(); ++y)
@@ -30,7 +30,7 @@ std::string tree(const std::string& place) {
     return "[[tree]]\nposition = " + place + "\nheight = 12\nspecies = \"oak\"\nseed = 3\n";
 }
 
-/// Ground only, where the shadow of a tree's crown falls while nobody moves the sun.
+/// View of the ground where the shadow of the crown falls with the default sun.
 std::vector<std::string> onItsShadow(const std::string& shadows, const std::string& start = "0") {
     return {"--eye", "-5,5.6,40", "--center", "-5,5.6,0", "--fov",
             "4",     "--shadows", shadows,    "--start",  start};
@@ -38,7 +38,7 @@ std::vector<std::string> onItsShadow(const std::string& shadows, const std::stri
 
 } // namespace
 
-TEST(RenderLight, SoftShadowsTakeTheSunOnceHoweverManyOverlap) {
+TEST(RenderLight, OverlappingSoftShadowsDoNotAddUp) {
     const double lit = mean(*renderForest(tree("[0, 0]"), onItsShadow("off")), 1),
                  one = mean(*renderForest(tree("[0, 0]"), onItsShadow("soft")), 1),
                  three = mean(*renderForest(tree("[0, 0]") + tree("[0.02, 0]") + tree("[0, 0.02]"),
@@ -68,26 +68,25 @@ TEST(RenderLight, ALowSunIsWarmAndDim) {
     EXPECT_LT(mean(*low, 1), 0.9 * mean(*usual, 1));
 }
 
-TEST(RenderLight, ATimeAndAPlaceSayWhereTheSunStands) {
-    // As tests/places/SolarPositionTest.cpp.
+TEST(RenderLight, ATimeAndAPlaceGiveThePositionOfTheSun) {
+    // The example of tests/tool/scene/SolarPositionTest.cpp.
     EXPECT_LT(meanDifference(
                   *renderForest(tree("[0, 0]"), {"--sun", "2003-10-17T12:30:30-07:00@39.742476,-105.1786"}),
                   *renderForest(tree("[0, 0]"), {"--sun", "194.34,39.89"})),
               0.3);
 }
 
-TEST(RenderLight, ASunThatIsNotSeenIsAnError) {
+TEST(RenderLight, ASunBelowTheHorizonIsAnError) {
     const auto problemOf = [](const std::string& sun) {
         const Outcome outcome = runTool({"render", example("thesis.treewind"), "--sun", sun});
         EXPECT_EQ(outcome.exitCode, 2);
         return outcome.err;
     };
     EXPECT_NE(problemOf("90,-1").find(
-                  "--sun: expected the sun above the horizon, found it at an elevation of -1 degrees"),
+                  "--sun: expected the sun above the horizon, found an elevation of -1 degrees"),
               std::string::npos);
-    EXPECT_NE(
-        problemOf("2026-07-01T23:00Z@52.5,13.4").find("above the horizon, found it at an elevation of -14"),
-        std::string::npos);
+    EXPECT_NE(problemOf("2026-07-01T23:00Z@52.5,13.4").find("above the horizon, found an elevation of -14"),
+              std::string::npos);
     for (const char* bad : {"", "90", "90,100", "noon@52,13", "2026-07-01T12:00Z@99,0", "2026-07-01T12:00Z"})
         EXPECT_NE(
             problemOf(bad).find("--sun: expected AZIMUTH,ELEVATION in degrees or TIME@LATITUDE,LONGITUDE"),
@@ -95,10 +94,10 @@ TEST(RenderLight, ASunThatIsNotSeenIsAnError) {
             << bad;
 }
 
-TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
+TEST(RenderLight, HazeHidesTheEdgeOfTheGround) {
     const auto image =
         renderForest(tree("[0, 0]"), {"--eye", "0,0,900", "--center", "0,6000,0", "--fov", "20"});
-    for (int y = image->t() / 2 - 4; y < image->t() / 2 + 4; ++y) // the rim is in the middle
+    for (int y = image->t() / 2 - 4; y < image->t() / 2 + 4; ++y) // the edge of the ground is in the middle
         for (int channel = 0; channel < 3; ++channel)
             EXPECT_NEAR(image->data(48, y)[channel], image->data(48, y - 1)[channel], 12) << y;
 }
@@ -106,7 +105,7 @@ TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
 TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
     const auto fair = renderForest(tree("[0, 0]"), {}),
                grey = renderForest(tree("[0, 0]"), {"--sky", "overcast"});
-    const auto blueOf = [](const osg::Image& image) { // of the sky, clouds and all
+    const auto blueOf = [](const osg::Image& image) { // mean over the top row, which shows sky
         int sum = 0;
         for (int x = 0; x < image.s(); ++x)
             sum += image.data(x, image.t() - 1)[2] - image.data(x, image.t() - 1)[0];
@@ -123,7 +122,7 @@ TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
               0.6);
 }
 
-TEST(RenderLight, ShadowMapsShadeTheGroundUnderTreesAndNoOther) {
+TEST(RenderLight, ShadowMapsShadeOnlyTheGroundUnderTrees) {
     const auto seen = [](const char* shadows, const char* centre) {
         return renderForest(tree("[0, 0]"), {"--shadows", shadows, "--eye", "0,-20,9", "--center", centre});
     };
@@ -144,10 +143,10 @@ TEST(RenderLight, LitterLiesWhereCrownsClose) {
     EXPECT_LT(green(wood), 0.9 * green(tree("[300, 0]")));
 }
 
-TEST(RenderLight, GrassStandsAboutTheEye) {
+TEST(RenderLight, TuftsOfGrassStandAroundTheEye) {
     const auto image =
         renderForest(tree("[0, 300]"), {"--eye", "0,0,0.12", "--center", "0,-10,0.12", "--fov", "5"});
-    int green = 0; // above the horizon
+    int green = 0; // number of green pixels above the horizon
     for (int y = image->t() / 2 + 1; y < image->t(); ++y)
         for (int x = 0; x < image->s(); ++x)
             green += image->data(x, y)[1] > image->data(x, y)[2];
@@ -155,7 +154,7 @@ TEST(RenderLight, GrassStandsAboutTheEye) {
     EXPECT_LT(green, 48 * 27);
 }
 
-TEST(RenderLight, WithoutAGroundItGoesThroughTheFeet) {
+TEST(RenderLight, AMissingGroundGoesThroughTheFeetOfTheTrees) {
     const auto low = renderForest(tree("[0, 0]"), {"--eye", "0,-20,1.7", "--center", "0,0,1.7"}),
                high = renderForest(tree("[0, 0, 30]"), {"--eye", "0,-20,31.7", "--center", "0,0,31.7"});
     EXPECT_LT(meanDifference(*low, *high), 3.0);

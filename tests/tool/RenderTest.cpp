@@ -6,7 +6,7 @@
 
 namespace {
 
-/// osgtreewind render of examples/thesis.treewind, small, into `output` of `folder`.
+/// Renders examples/thesis.treewind as a small picture.
 Outcome render(const TemporaryFolder& folder, const std::string& output,
                std::vector<std::string> options = {}) {
     options.insert(options.begin(), {"render", example("thesis.treewind"), "-o", output, "--size", "160x90"});
@@ -24,7 +24,7 @@ TEST(Render, TheSameArgumentsGiveTheSameBytes) {
     EXPECT_EQ(bytes, contentOf(folder.path() + "/b.png"));
 }
 
-TEST(Render, AFileAloneMakesForestPng) {
+TEST(Render, TheDefaultOutputIsForestPng) {
     const TemporaryFolder folder;
     const Outcome outcome = runTool({"render", example("thesis.treewind")}, folder.path());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -50,7 +50,7 @@ TEST(Render, ShowsSkyOverGreenOverGround) {
     EXPECT_GT(green, 300); // the crown
 }
 
-/// Share of the pixels of a row, from the bottom in parts of the height, that are greener than the sky.
+/// Share of green pixels in a row. @param part position of the row, 0 (bottom) to 1 (top).
 double greenInRow(const osg::Image& image, double part) {
     const auto y = static_cast<unsigned>(part * (image.t() - 1));
     int green = 0;
@@ -61,7 +61,7 @@ double greenInRow(const osg::Image& image, double part) {
     return static_cast<double>(green) / image.s();
 }
 
-TEST(Render, APersonStandsBeforeTheForestWithSkyAboveIt) {
+TEST(Render, TheDefaultViewIsAtEyeLevelWithSkyAboveTheForest) {
     for (const char* file : {"forest.treewind", "campus.treewind"}) {
         if (file == std::string("campus.treewind") && !std::getenv("OSGTREEWIND_DATA"))
             continue;
@@ -76,7 +76,7 @@ TEST(Render, APersonStandsBeforeTheForestWithSkyAboveIt) {
     }
 }
 
-TEST(Render, NamedViewsDifferAndAnEyeThatIsGivenWins) {
+TEST(Render, NamedViewsDifferAndEyeOverridesThem) {
     const TemporaryFolder folder;
     const auto view = [&](std::vector<std::string> options) {
         const std::string name = "a.png";
@@ -92,7 +92,7 @@ TEST(Render, NamedViewsDifferAndAnEyeThatIsGivenWins) {
     EXPECT_EQ(render(folder, "a.png", {"--view", "below"}).exitCode, 2);
 }
 
-TEST(Render, ASeasonOnTheCommandLineGoesBeforeThatOfTheFile) {
+TEST(Render, TheSeasonOptionOverridesTheFile) {
     const TemporaryFolder folder;
     folder.write("a.treewind",
                  "version = 1\nseason = \"winter\"\n[[tree]]\nposition = [0, 0]\nspecies = \"oak\"\n");
@@ -114,7 +114,7 @@ TEST(Render, APatternNumbersTheFramesFromZero) {
     EXPECT_GT(meanDifference(*pictureIn(folder, "f_000.png"), *pictureIn(folder, "f_002.png")), 0.1);
 }
 
-TEST(Render, StartIsThePictureThatFramesWouldHaveReached) {
+TEST(Render, StartGivesTheSamePictureAsDrawingFromZero) {
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "f_%d.png", {"--frames", "4", "--fps", "10"}).exitCode, 0);
     EXPECT_EQ(render(folder, "start.png", {"--start", "0.3", "--fps", "10"}).exitCode, 0);
@@ -155,11 +155,11 @@ TEST(Render, BothBackendsDrawTheSame) {
     EXPECT_EQ(render(folder, "osmesa.png", {"--start", "0.5", "--backend", "osmesa"}).exitCode, 0);
     const Outcome egl = render(folder, "egl.png", {"--start", "0.5", "--backend", "egl"});
     EXPECT_EQ(egl.exitCode, 0) << egl.err;
-    // Another renderer (a GPU, perhaps) may differ at edges.
+    // Another renderer, such as a GPU, may differ at edges.
     EXPECT_LT(meanDifference(*pictureIn(folder, "osmesa.png"), *pictureIn(folder, "egl.png")), 1.0);
 }
 
-TEST(Render, EveryWayToThePoseGivesThePicture) {
+TEST(Render, EveryPoseOptionGivesTheSamePicture) {
     const TemporaryFolder folder;
     const std::vector<std::string> moving = {"--frames", "6", "--fps", "30", "--start", "1"};
     EXPECT_EQ(render(folder, "rest.png").exitCode, 0);
@@ -171,7 +171,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
         options.insert(options.end(), {"--pose", pose});
         const Outcome outcome = render(folder, pose + "_%d.png", options);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-        // Branches are one frame late there; leaves below transforms are shaded without their crown.
+        // gpu is one frame late; with scenegraph, leaves lack the shading of the crown.
         EXPECT_LT(meanDifference(*pictureIn(folder, "cpu_5.png"), *pictureIn(folder, pose + "_5.png")),
                   pose == "gpu" ? 0.2 * moved : 3.5)
             << pose;

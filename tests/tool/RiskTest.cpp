@@ -32,7 +32,7 @@ std::vector<std::vector<std::string>> cellsOf(const std::string& csv) {
     return rows;
 }
 
-TEST(Risk, SaysInWhichWindsTreesFall) {
+TEST(Risk, WritesCriticalWindsAndRatios) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/risk.csv";
     const Outcome outcome =
@@ -46,7 +46,7 @@ TEST(Risk, SaysInWhichWindsTreesFall) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
         ASSERT_EQ(rows[i].size(), 13u);
         for (const std::size_t kind :
-             {0, 1, 2}) { // a storm faster than the critical one is more than it bears
+             {0, 1, 2}) { // the ratio is above 1 if the critical wind is below that of the storm
             const double ratio = std::atof(rows[i][10 + kind].c_str());
             const bool isBeyond = rows[i][6 + kind].empty();
             const double critical = isBeyond ? 80.0 : std::atof(rows[i][6 + kind].c_str());
@@ -59,7 +59,7 @@ TEST(Risk, SaysInWhichWindsTreesFall) {
     EXPECT_EQ(rows[2][2], "300.000");
 }
 
-TEST(Risk, RefusesWhatItCannotWrite) {
+TEST(Risk, RefusesInvalidOutputsAndOptions) {
     const TemporaryFolder folder;
     const std::string file = folder.write("three.treewind", three);
     const Outcome text = runTool({"risk", file, "-o", "risk.txt"});

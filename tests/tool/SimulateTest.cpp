@@ -8,14 +8,14 @@
 namespace {
 
 const std::string plainHeader = "time,tree,unit,level,wind_x,wind_y,wind_z,angle_a,angle_b";
-const std::size_t units = 122; // of the reference tree
+const std::size_t units = 122; // number of units of the reference tree
 enum Column { Time, Tree, Unit, Level, WindX, WindY, WindZ, AngleA, AngleB, TipX, TipY, TipZ };
 
 struct Motion {
     std::string header;
     std::vector<std::vector<double>> rows;
 
-    /// The rows of one frame, by unit, of a single reference tree.
+    /// Row of a frame and a unit, for a single reference tree.
     const std::vector<double>& at(std::size_t frame, std::size_t unit) const {
         return rows[frame * units + unit];
     }
@@ -45,7 +45,7 @@ Motion motionOf(const std::string& csv) {
     return motion;
 }
 
-/// The reference tree under a law, in the wind of these lines.
+/// Text of a file with the reference tree under a law. @param wind lines of [wind].
 std::string oneTree(const std::string& law, const std::string& wind, const std::string& branch = "") {
     return "version = 1\n[motion]\nlaw = '" + law + "'\n[wind]\n" + wind +
            "\n[[species]]\nname = 'tree'\nwood = { elastic_modulus = 1e8, damping_ratio = 0.3 }\n" + branch +
@@ -62,7 +62,7 @@ Motion simulate(const std::string& treewind, const std::vector<std::string>& opt
     return motionOf(outcome.out);
 }
 
-/// How far tips went along a column from the first frame to the last, on average.
+/// Mean displacement of the tips in a column from the first to the last frame.
 double meanShift(const Motion& motion, Column tip) {
     double sum = 0.0;
     for (std::size_t unit = 0; unit < units; ++unit)
@@ -74,7 +74,7 @@ class SimulateLaw : public testing::TestWithParam<const char*> {};
 
 } // namespace
 
-TEST(Simulate, ColumnsAreThoseOfTheManual) {
+TEST(Simulate, WritesTheDocumentedColumns) {
     const std::vector<std::string> words = {"simulate", example("thesis.treewind"), "--duration", "0"};
     EXPECT_EQ(motionOf(runTool(words).out).header, plainHeader);
 }
@@ -103,7 +103,7 @@ TEST(Simulate, OneRowAFrameAndUnitFromTimeZeroToTheEnd) {
     EXPECT_NEAR(motion.at(1, 0)[WindX], 4.0, 1e-5);
 }
 
-TEST(Simulate, AFileHoldsWhatStandardOutputShows) {
+TEST(Simulate, AFileHasTheSameContentAsStandardOutput) {
     const TemporaryFolder folder;
     const std::string file = folder.path() + "/motion.csv";
     const std::vector<std::string> words = {"simulate", example("thesis.treewind"), "--duration", "0.1",
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(, SimulateLaw, testing::Values("thesis", "thesis-smooth
 
 namespace {
 
-/// One second of wind, then none.
+/// One second of wind, then calm.
 const std::string gust =
     "kind = 'series'\ntimes = [0, 1, 1.001]\nvelocities = [[3, 2, 0], [3, 2, 0], [0, 0, 0]]";
 
@@ -163,7 +163,7 @@ TEST(Simulate, CalmAfterWindFreezesTheThesisLaw) {
         EXPECT_NEAR(after[AngleB], before[AngleB], 0.01) << unit;
         moved += after[AngleA] != before[AngleA] || after[AngleB] != before[AngleB];
     }
-    // As published, noise within 1e-5 of zero gives a load of 0.01 even then; that is rare.
+    // As published, noise within 1e-5 of zero gives a load of 0.01 even in a calm; this is rare.
     EXPECT_LE(moved, 6);
 }
 
@@ -179,7 +179,7 @@ TEST(Simulate, TheSameFileGivesTheSameText) {
 }
 
 TEST(Simulate, ThreadsAndInstructionsChangeNoNumber) {
-    const TemporaryFolder folder; // 256 trees are stepped by several threads, unless told otherwise
+    const TemporaryFolder folder; // from 256 trees on, several threads share the steps
     const std::vector<std::string> words = {"simulate",
                                             folder.write("t.treewind", "version = 1\n"
                                                                        "motion = { law = 'modal' }\n"
@@ -224,7 +224,7 @@ TEST(Simulate, NumbersDoNotFollowTheLocale) {
     EXPECT_EQ(outcome.out, runTool(words).out);
 }
 
-TEST(Simulate, DamageSaysWhichTreesTheWindBringsDown) {
+TEST(Simulate, DamageListsTheTreesThatFall) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() + "/storm.treewind")
         << "version = 1\n[wind]\nkind = \"uniform\"\nvelocity = [40.0, 0.0, 0.0]\n"
@@ -241,7 +241,7 @@ TEST(Simulate, DamageSaysWhichTreesTheWindBringsDown) {
     EXPECT_NE(storm.out.find(",1,b,\"spruce, old\","), std::string::npos) << storm.out;
 }
 
-TEST(Simulate, DamageIsRefusedUnderALawOfABranch) {
+TEST(Simulate, DamageIsRefusedUnderTheThesisLaw) {
     const Outcome refused = runTool({"simulate", example("thesis.treewind"), "--damage"});
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_NE(refused.err.find("--damage expects"), std::string::npos) << refused.err;

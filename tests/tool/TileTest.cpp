@@ -30,7 +30,7 @@ species = ["birch", "Norway spruce"]
 height = [5, 20]
 )";
 
-TEST(Tile, CutsWhatTheOtherCommandsRead) {
+TEST(Tile, MakesAWorldThatTheOtherCommandsRead) {
     const TemporaryFolder folder;
     const std::string file = folder.write("wood.treewind", wood), world = folder.path() + "/world";
     const Outcome cut = runTool({"tile", file, "-o", world, "--size", "250", "--json"});
@@ -51,11 +51,11 @@ TEST(Tile, CutsWhatTheOtherCommandsRead) {
     EXPECT_EQ(contentOf(whole).find("\n2_0/"), std::string::npos);
     const Outcome again = runTool({"tile", start, "-o", folder.path() + "/other"});
     EXPECT_EQ(again.exitCode, 2);
-    EXPECT_EQ(again.err, start + ": its trees are in tiles already\n");
+    EXPECT_EQ(again.err, start + ": the forest is already in tiles\n");
     EXPECT_FALSE(fs::exists(folder.path() + "/other"));
 }
 
-/// By id, cells by column.
+/// Rows by id, with cells by column.
 std::map<std::string, std::map<std::string, std::string>> rowsById(const std::string& csv) {
     std::istringstream lines(csv);
     std::string line, cell;
@@ -75,9 +75,8 @@ std::map<std::string, std::map<std::string, std::string>> rowsById(const std::st
     return rows;
 }
 
-/// Trees on one side of a border shelter those on the other, in whichever part of the world they are asked
-/// for.
-TEST(Tile, PartsSayWhatTheWholeWorldDoes) {
+/// Trees on one side of a border shelter those on the other side, in every part of the world.
+TEST(Tile, RiskOfPartsMatchesThatOfTheWholeWorld) {
     const TemporaryFolder folder;
     std::string stand = wood;
     stand.replace(stand.find("area ="), std::string("area = [0, 0, 1000, 1000]").size(),
@@ -105,17 +104,16 @@ TEST(Tile, PartsSayWhatTheWholeWorldDoes) {
     }
 }
 
-TEST(Tile, RefusesTilesThatAreNone) {
+TEST(Tile, RefusesInvalidTiles) {
     const TemporaryFolder folder;
     const std::string file = folder.write("wood.treewind", wood);
     for (const char* tiles : {"1", "1,2,3", "3,0,1,0", "a,b", "1,2,3,4,5"})
         EXPECT_EQ(runTool({"risk", file, "--tiles", tiles, "-o", "risk.csv"}).exitCode, 2) << tiles;
-    EXPECT_EQ(runTool({"tile", file, "-o", file}).exitCode, 1) << "a file where the folder is to be";
+    EXPECT_EQ(runTool({"tile", file, "-o", file}).exitCode, 1) << "the output folder is a file";
     EXPECT_EQ(runTool({"tile", file, "-o", folder.path() + "/w", "--size", "0"}).exitCode, 2);
 }
 
-/// Killed at any moment it leaves the world of before or a new one, and the next run makes one.
-TEST(Tile, IsDoneWhollyOrNotAtAll) {
+TEST(Tile, AKilledRunLeavesTheOldWorldOrTheNewOne) {
     const TemporaryFolder folder;
     const std::string file = folder.write("wood.treewind", wood), world = folder.path() + "/world",
                       start = world + "/world.treewind";
@@ -141,7 +139,7 @@ TEST(Tile, IsDoneWhollyOrNotAtAll) {
         unfinished += WIFSIGNALED(status);
         EXPECT_EQ(runTool({"validate", start}).exitCode, 0);
     }
-    EXPECT_GT(unfinished, 0) << "none was killed in time";
+    EXPECT_GT(unfinished, 0) << "no run was killed in time";
     ASSERT_EQ(runTool({"tile", file, "-o", world, "--size", "20"}).exitCode, 0);
     EXPECT_EQ(runTool({"validate", start}).exitCode, 0);
 }

@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <vector>
 
-/// What a program left behind.
+/// Result of a program.
 struct Outcome {
-    int exitCode = -1; ///< 128 + signal number when it was killed.
+    int exitCode = -1; ///< 128 + signal number if it was killed by a signal.
     std::string out, err;
 };
 
@@ -37,7 +37,8 @@ inline Outcome runShell(const std::string& command, const std::string& folder = 
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
 }
 
-/// Runs osgtreewind with these words in a folder. @param environment put before it, "A=1 B=2 ".
+/// Runs osgtreewind with these arguments in a folder. @param environment variables to set, such as "A=1 B=2
+/// ".
 inline Outcome runTool(const std::vector<std::string>& words, const std::string& folder = ".",
                        const std::string& environment = "") {
     std::string command = environment + OSGTREEWIND_TOOL;
@@ -46,7 +47,7 @@ inline Outcome runTool(const std::vector<std::string>& words, const std::string&
     return runShell(command, folder);
 }
 
-/// A file of examples/.
+/// Path of a file in examples/.
 inline std::string example(const std::string& name) {
     return OSGTREEWIND_SOURCE_DIR "/examples/" + name;
 }

@@ -8,7 +8,7 @@ const std::string thesis = example("thesis.treewind");
 struct Refused {
     const char* name;
     std::vector<std::string> words;
-    const char* message; ///< Somewhere on standard error.
+    const char* message; ///< Part of standard error.
 };
 
 class UsageRefuses : public testing::TestWithParam<Refused> {};
@@ -85,7 +85,7 @@ TEST(Usage, VersionIsTheProjects) {
     EXPECT_EQ(outcome.out, "osgtreewind " OSGTREEWIND_VERSION "\n");
 }
 
-TEST(Usage, WhatCannotBeWrittenIsExitCode1) {
+TEST(Usage, AnUnwritableOutputIsExitCode1) {
     const TemporaryFolder folder;
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"render", thesis, "--size", "32x32", "-o", "absent/a.png"},

@@ -25,7 +25,7 @@ height = -2
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 4);
 }
 
-TEST(Validate, OtherCommandsSayTheSame) {
+TEST(Validate, OtherCommandsPrintTheSameProblems) {
     const TemporaryFolder folder;
     folder.write("bad.treewind", "version = 1\nsead = 3\nsaed = 4\n[[tree]]\nposition = [0, 0]\n");
     for (const std::string command : {"validate", "info", "render", "simulate"}) {
@@ -37,7 +37,7 @@ TEST(Validate, OtherCommandsSayTheSame) {
     }
 }
 
-TEST(Validate, AnIncompleteFileIsPlacedToo) {
+TEST(Validate, AnIncompleteFileHasALine) {
     const TemporaryFolder folder;
     folder.write("cut.treewind", "version = 1\n[wind\n");
     const Outcome outcome = runTool({"validate", "cut.treewind"}, folder.path());

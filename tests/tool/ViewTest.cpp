@@ -5,11 +5,12 @@
 
 namespace {
 
-TEST(View, WithoutADisplaySaysWhatDrawsWithoutOne) {
+TEST(View, WithoutADisplayPointsToRender) {
     const Outcome outcome = runTool({"view", example("forest.treewind"), "--frames", "1"}, ".", "DISPLAY= ");
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_NE(outcome.err.find("view: no window opens here; osgtreewind render draws pictures without one\n"),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.err.find("view: cannot open a window; osgtreewind render draws pictures without a display\n"),
+        std::string::npos)
         << outcome.err;
 }
 

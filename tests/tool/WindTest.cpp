@@ -11,7 +11,7 @@ namespace {
 
 const std::string head = "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
 
-/// Two hours of WindNinja's kind: 4, then 8 m/s from west.
+/// Two hours of wind in WindNinja's format: 4 m/s, then 8 m/s from the west.
 class WindTool : public testing::Test {
 protected:
     const TemporaryFolder folder;
@@ -33,7 +33,7 @@ protected:
 
 } // namespace
 
-TEST_F(WindTool, ShowsWhatAFileSays) {
+TEST_F(WindTool, PrintsTheSummaryOfAFile) {
     const Outcome outcome = wind({"1_vel.asc"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_EQ(outcome.err, "");
@@ -52,7 +52,7 @@ TEST_F(WindTool, JoinsSeveralFilesAtTheirTimes) {
     EXPECT_EQ(summary["speed"]["fastest"], 8.0);
 }
 
-TEST_F(WindTool, TellsTheWindAtAPlaceAndTime) {
+TEST_F(WindTool, PrintsTheWindAtAPlaceAndTime) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"1_vel.asc", "2_vel.asc", "--times", "0,3600", "--at", "5,5,10", "--time",
                                    "900"},
@@ -60,14 +60,14 @@ TEST_F(WindTool, TellsTheWindAtAPlaceAndTime) {
         const Outcome outcome = wind(words);
         EXPECT_EQ(outcome.exitCode, 0);
         EXPECT_EQ(outcome.out.rfind("5, ", 0), 0u) << outcome.out;
-        EXPECT_EQ(outcome.err, "1_vel.asc: note: the file names no unit of speed; taken as m/s\n");
+        EXPECT_EQ(outcome.err, "1_vel.asc: note: the file gives no unit of speed; m/s is assumed\n");
     }
 }
 
-TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
+TEST_F(WindTool, RefusesInvalidCombinations) {
     for (const auto& [words, message] :
-         {std::pair<std::vector<std::string>, const char*>{{"1_vel.asc", "2_vel.asc"},
-                                                           "times: expected times, one for each file: "},
+         {std::pair<std::vector<std::string>, const char*>{
+              {"1_vel.asc", "2_vel.asc"}, "times: expected one time for each file, because 1_vel.asc"},
           {{"1_vel.asc", "2_vel.asc", "--times", "0"},
            "times: expected 2 numbers, one for each file, found 1"},
           {{"1_vel.asc", "2_vel.asc", "--times", "7,7"}, "times: expected increasing seconds"},
@@ -88,7 +88,7 @@ TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
     }
 }
 
-/// The speed and direction in the file, and a note that a forest turns them.
+/// Prints speed and direction as in the file, with a note that a forest turns them.
 TEST_F(WindTool, PrintsVelocitiesAsTheFileHasThem) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     for (const auto& [place, speed, degrees] : {std::tuple{"-1640665.53,2052449.95,10", 4.4375, 154.0},
@@ -96,8 +96,7 @@ TEST_F(WindTool, PrintsVelocitiesAsTheFileHasThem) {
         const Outcome outcome = wind({path, "--at", place}), json = wind({path, "--at", place, "--json"});
         if (outcome.err.find("NetCDF needs GDAL") != std::string::npos)
             GTEST_SKIP() << "built without GDAL";
-        EXPECT_NE(outcome.err.find("in a forest its velocities are turned to the grid's y axis"),
-                  std::string::npos);
+        EXPECT_NE(outcome.err.find("in a forest they are turned to the grid's y axis"), std::string::npos);
         const auto said = nlohmann::json::parse(json.out, nullptr, false);
         ASSERT_FALSE(said.is_discarded()) << json.out;
         const double angle = degrees * 3.14159265358979323846 / 180.0;

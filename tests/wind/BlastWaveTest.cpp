@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/BlastWave.h>
 
@@ -19,8 +19,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// What drag takes from the air over a while, per drag area and density, of samples at even times.
-double pushFelt(const BlastWave& blast, double distance, double step, double phase) {
+/// Drag impulse per drag area and density of a wind sampled every `step` seconds.
+double sampledImpulse(const BlastWave& blast, double distance, double step, double phase) {
     double sum = 0.0;
     for (double time = phase * step; time < 6.0; time += step) {
         const double wind = blast.wind(distance, time);
@@ -29,8 +29,8 @@ double pushFelt(const BlastWave& blast, double distance, double step, double pha
     return sum;
 }
 
-/// The same of the blast itself, in steps of a thousandth of its duration.
-double pushOf(const BlastWave& blast, double distance) {
+/// The same of the Friedlander wave itself.
+double blastImpulse(const BlastWave& blast, double distance) {
     const BlastWave::Front front = blast.front(distance);
     double sum = 0.0;
     for (double s = 0.0005; s < 12.0; s += 0.001) {
@@ -48,8 +48,8 @@ WindSource tonneAtTwoSeconds() {
     return source;
 }
 
-/// The farthest that a birch leans, 40 m from a tonne.
-float farthestLean(double step, double phase, ModalLevel level) {
+/// Maximum lean of a birch 40 m from a tonne of TNT.
+float maxLean(double step, double phase, ModalLevel level) {
     ForestDescription forest;
     forest.species = {*findSpecies("silver birch")};
     forest.trees.resize(1);
@@ -62,7 +62,7 @@ float farthestLean(double step, double phase, ModalLevel level) {
     float farthest = 0.0f;
     for (double time = phase * step; time < 6.0; time += step) {
         simulation.advance(time);
-        farthest = std::max(farthest, glm::length(SimulationParts::modal(simulation)->lean(0)));
+        farthest = std::max(farthest, glm::length(SimulationAccess::modal(simulation)->lean(0)));
     }
     return farthest;
 }
@@ -70,7 +70,7 @@ float farthestLean(double step, double phase, ModalLevel level) {
 } // namespace
 
 /// Glasstone and Dolan 1977, table 3.07: peak overpressures and winds behind them.
-TEST(BlastWave, AirBehindAFrontIsAsFastAsTabulated) {
+TEST(BlastWave, WindBehindTheFrontMatchesTables) {
     const BlastWave blast(1000.0);
     constexpr double psi = 6894.76, milesAnHour = 0.44704;
     const double table[][2] = {{50, 934}, {20, 502}, {10, 294}, {5, 163}, {2, 70}};
@@ -82,8 +82,8 @@ TEST(BlastWave, AirBehindAFrontIsAsFastAsTabulated) {
     }
 }
 
-/// NATO AASTP-1: overpressures of charges on the ground, by metres over the cube root of kilograms.
-TEST(BlastWave, PressuresAreThoseThatSafetyDistancesAreMadeOf) {
+/// NATO AASTP-1: overpressures of charges on the ground by scaled distance, m/kg^(1/3).
+TEST(BlastWave, OverpressuresMatchSafetyDistances) {
     const double table[][2] = {{22.2, 5e3}, {14.8, 9e3}, {8.0, 21e3}, {3.6, 70e3}};
     for (const auto& [distance, pressure] : table)
         for (const double charge : {1.0, 1000.0, 1e6}) {
@@ -92,7 +92,7 @@ TEST(BlastWave, PressuresAreThoseThatSafetyDistancesAreMadeOf) {
         }
 }
 
-TEST(BlastWave, TheFrontIsFasterThanSoundAndBecomesSound) {
+TEST(BlastWave, FrontSlowsDownToTheSpeedOfSound) {
     const BlastWave blast(100.0);
     const double near = blast.front(11.0).arrival - blast.front(10.0).arrival,
                  far = blast.front(20001.0).arrival - blast.front(20000.0).arrival;
@@ -105,20 +105,20 @@ TEST(BlastWave, TheFrontIsFasterThanSoundAndBecomesSound) {
     }
 }
 
-TEST(BlastWave, WhenItIsAskedForDoesNotMatterToThePush) {
-    for (const double charge : {1.0, 100.0, 1e4, 1e6}) { // over in 4 to 400 ms
+TEST(BlastWave, ImpulseDoesNotDependOnTheSamplingTimes) {
+    for (const double charge : {1.0, 100.0, 1e4, 1e6}) { // durations of 4 to 400 ms
         const BlastWave blast(charge);
-        const double distance = 8.0 * std::cbrt(charge), whole = pushOf(blast, distance);
+        const double distance = 8.0 * std::cbrt(charge), whole = blastImpulse(blast, distance);
         ASSERT_GT(whole, 0.0);
         for (const double step : {0.001, 1.0 / 60.0, 0.1, 0.2})
             for (const double phase : {0.0, 0.3, 0.77})
-                EXPECT_NEAR(pushFelt(blast, distance, step, phase), whole, 0.02 * whole)
+                EXPECT_NEAR(sampledImpulse(blast, distance, step, phase), whole, 0.02 * whole)
                     << charge << " kg, every " << step << " s";
     }
 }
 
-TEST(BlastWave, ALongOneIsAsItIs) {
-    const BlastWave blast(1e9); // a megatonne: seconds
+TEST(BlastWave, LongBlastIsNotAveraged) {
+    const BlastWave blast(1e9); // a megatonne lasts for seconds
     const BlastWave::Front front = blast.front(8000.0);
     ASSERT_GT(front.duration, 2.0);
     for (const double s : {0.2, 0.5, 1.5, 2.5})
@@ -126,7 +126,7 @@ TEST(BlastWave, ALongOneIsAsItIs) {
                     front.wind * (1.0 - s) * std::exp(-s), 0.02 * front.wind);
 }
 
-TEST(BlastWave, ComesAfterItGoesOffGoesOutAndBackAndEnds) {
+TEST(BlastWave, ArrivesReversesAndEnds) {
     const WindSource source = tonneAtTwoSeconds();
     const WindSampler wind = withSources(nullptr, {source});
     const auto at = [&](const glm::vec3& place, double time) {
@@ -136,13 +136,13 @@ TEST(BlastWave, ComesAfterItGoesOffGoesOutAndBackAndEnds) {
     EXPECT_EQ(glm::length(at({30.0f, 40.0f, 0.0f}, arrival - 1e-3)), 0.0f);
     const glm::vec3 out = at({30.0f, 40.0f, 0.0f}, arrival + 0.15);
     EXPECT_GT(out.x, 1.0f);
-    EXPECT_NEAR(out.y / out.x, 4.0f / 3.0f, 1e-4f) << "away from it";
+    EXPECT_NEAR(out.y / out.x, 4.0f / 3.0f, 1e-4f) << "away from the explosion";
     EXPECT_NEAR(glm::length(at({-50.0f, 0.0f, 0.0f}, arrival + 0.15)), glm::length(out), 1e-3f);
-    EXPECT_LT(at({30.0f, 40.0f, 0.0f}, arrival + 0.23).x, 0.0f) << "and back";
+    EXPECT_LT(at({30.0f, 40.0f, 0.0f}, arrival + 0.23).x, 0.0f) << "reversed";
     EXPECT_LT(glm::length(at({30.0f, 40.0f, 0.0f}, arrival + 2.0)), 1e-3f);
 }
 
-TEST(BlastWave, IsFiniteAndWithinBoundsForAnything) {
+TEST(BlastWave, IsFiniteAndBounded) {
     constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
     for (const double charge : {1e-300, 1.0, 1e9, inf, nan}) {
         WindSource source = tonneAtTwoSeconds();
@@ -156,13 +156,13 @@ TEST(BlastWave, IsFiniteAndWithinBoundsForAnything) {
     }
 }
 
-TEST(BlastWave, PushesATreeAlikeWhateverTheFrameRateAndPhase) {
-    const float usual = farthestLean(1.0 / 60.0, 0.0, ModalLevel::Near);
+TEST(BlastWave, LeanOfATreeDoesNotDependOnTheFrameRate) {
+    const float usual = maxLean(1.0 / 60.0, 0.0, ModalLevel::Near);
     EXPECT_GT(usual, 0.0f);
     for (const double phase : {0.0, 0.5})
         for (const double step : {1.0 / 1000.0, 1.0 / 144.0, 1.0 / 30.0})
-            EXPECT_NEAR(farthestLean(step, phase, ModalLevel::Near), usual, 0.08f * usual) << step;
-    EXPECT_NEAR(farthestLean(1.0 / 60.0, 0.0, ModalLevel::Far), usual, 0.25f * usual);
+            EXPECT_NEAR(maxLean(step, phase, ModalLevel::Near), usual, 0.08f * usual) << step;
+    EXPECT_NEAR(maxLean(1.0 / 60.0, 0.0, ModalLevel::Far), usual, 0.25f * usual);
 }
 
 } // namespace osgTreeWind

@@ -17,9 +17,9 @@ constexpr float height = 20.0f, shelter = 0.5f;
 std::shared_ptr<const CanopyMap> stand(float frontalArea = 2.0f) {
     auto map = std::make_shared<CanopyMap>();
     map->usual.closure = closureOf(frontalArea);
-    map->usual.profile = CanopyProfile::over(height, frontalArea);
+    map->usual.profile = CanopyProfile::ofStand(height, frontalArea);
     map->usual.shelter.fill(shelter);
-    map->everywhere = true;
+    map->isUniform = true;
     return map;
 }
 
@@ -27,7 +27,7 @@ WindSampler windOf(float speed, std::uint32_t seed = 1) {
     return inStand(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
 }
 
-/// Of hours at one height, at places far apart.
+/// Statistics of the wind at one height over an hour at 200 distant places.
 struct Statistics {
     double count = 0.0, mean = 0.0, along = 0.0, across = 0.0, up = 0.0, third = 0.0, stress = 0.0,
            thirdUp = 0.0;
@@ -55,23 +55,25 @@ struct Statistics {
     double skewness() const { return third / std::pow(along, 1.5); }
 };
 
-TEST(CanopyFlow, TreesHaveTheCompanyOfTheirStand) {
+TEST(CanopyFlow, NeighbourEffectIsThatOfTheStand) {
     auto map = std::make_shared<CanopyMap>(*stand());
-    map->usual.crowns = 0.8f;
+    map->usual.crownCover = 0.8f;
     const auto open = std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f));
-    const TreeCompany among = inStand(open, *map, height, 1).canopy()->companyAt(glm::vec2(40.0f, -3.0f));
-    EXPECT_EQ(among.crowns, 0.8f);
+    const NeighbourEffect among =
+        inStand(open, *map, height, 1).canopy()->neighbourEffectAt(glm::vec2(40.0f, -3.0f));
+    EXPECT_EQ(among.crownCover, 0.8f);
     EXPECT_EQ(among.shelter, shelter);
     map->usual.closure = 0.5f; // half a stand shelters half as much
-    EXPECT_EQ(inStand(open, *map, height, 1).canopy()->companyAt(glm::vec2(0.0f)).shelter, 0.75f);
-    const TreeCompany alone = inStand(open, CanopyMap(), height, 1).canopy()->companyAt(glm::vec2(0.0f));
-    EXPECT_EQ(alone.crowns, 0.0f);
+    EXPECT_EQ(inStand(open, *map, height, 1).canopy()->neighbourEffectAt(glm::vec2(0.0f)).shelter, 0.75f);
+    const NeighbourEffect alone =
+        inStand(open, CanopyMap(), height, 1).canopy()->neighbourEffectAt(glm::vec2(0.0f));
+    EXPECT_EQ(alone.crownCover, 0.0f);
     EXPECT_EQ(alone.shelter, 1.0f);
 }
 
 TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     const WindSampler wind = windOf(10.0f);
-    const CanopyProfile profile = CanopyProfile::over(height, 2.0f);
+    const CanopyProfile profile = CanopyProfile::ofStand(height, 2.0f);
     for (const float z : {20.0f, 15.0f, 10.0f, 30.0f}) {
         const Statistics found(wind, z);
         const WindSpread spread = profile.spread(z);
@@ -83,13 +85,13 @@ TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     }
 }
 
-TEST(CanopyFlow, ItsSweepsComeFromAbove) {
+TEST(CanopyFlow, SweepsComeFromAbove) {
     const Statistics found(windOf(10.0f), height);
-    EXPECT_NEAR(found.stress / -9.0, 1.0, 0.15) << "-u*^2, u* three tenths of 10 m/s";
+    EXPECT_NEAR(found.stress / -9.0, 1.0, 0.15) << "-u*^2, with u* 0.3 of 10 m/s";
     EXPECT_LT(found.thirdUp, 0.0);
 }
 
-/// Correlation of the wind along at two places.
+/// Correlation of the wind component along the mean between two places and times.
 double correlation(const WindField& wind, const glm::vec3& apart, double later) {
     double product = 0.0, squares = 0.0, sum = 0.0;
     constexpr int count = 40000;
@@ -111,7 +113,7 @@ TEST(CanopyFlow, GustsTravelAtNearlyTwiceTheWindAtTheTop) {
     EXPECT_LT(correlation(wind, {36.0f, 0.0f, 0.0f}, 0.0), 0.5);
 }
 
-TEST(CanopyFlow, AGustLastsAsLongAsTheAirTakesPastATreesHeight) {
+TEST(CanopyFlow, TimeScaleIsTreeHeightOverSpeedAtTheTop) {
     const WindSampler wind = windOf(10.0f);
     double scale = 0.0;
     for (double lag = 0.0; lag < 12.0; lag += 0.25)
@@ -119,13 +121,13 @@ TEST(CanopyFlow, AGustLastsAsLongAsTheAirTakesPastATreesHeight) {
     EXPECT_NEAR(scale - 0.125, 2.0, 0.4) << "h / U(h), 20 m by 10 m/s";
 }
 
-TEST(CanopyFlow, ALineOfTreesDoesNotMoveAsOne) {
+TEST(CanopyFlow, GustsAreUncorrelatedAcrossTheWind) {
     const WindSampler wind = windOf(10.0f);
     EXPECT_LT(correlation(wind, {0.0f, 20.0f, 0.0f}, 0.0), 0.4);
     EXPECT_LT(std::abs(correlation(wind, {0.0f, 60.0f, 0.0f}, 0.0)), 0.1);
 }
 
-TEST(CanopyFlow, LeavesShelterTheAirBetweenThemAndNoneAbove) {
+TEST(CanopyFlow, CrownsShelterOnlyPlacesAmongLeaves) {
     const WindSampler wind = windOf(10.0f);
     WindPlace among(0.0f, 0.0f, 15.0f), over(0.0f, 0.0f, 30.0f);
     const glm::vec3 free = wind.velocity(among, 3.0), high = wind.velocity(over, 3.0);
@@ -134,7 +136,7 @@ TEST(CanopyFlow, LeavesShelterTheAirBetweenThemAndNoneAbove) {
     EXPECT_EQ(wind.velocity(over, 3.0), high);
 }
 
-TEST(CanopyFlow, IsAFunctionOfPlaceTimeAndSeed) {
+TEST(CanopyFlow, DependsOnlyOnPlaceTimeAndSeed) {
     const WindSampler a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
     const WindPlace place(3.0f, 4.0f, 12.0f);
     EXPECT_EQ(a.velocity(place, 5.0), b.velocity(place, 5.0));
@@ -146,14 +148,14 @@ TEST(CanopyFlow, IsAFunctionOfPlaceTimeAndSeed) {
         EXPECT_EQ(v, a.velocity(place, 5.0));
 }
 
-TEST(CanopyFlow, ACalmAboveIsACalmBelow) {
+TEST(CanopyFlow, IsCalmBelowACalm) {
     EXPECT_EQ(windOf(0.0f).velocity(WindPlace(1.0f, 2.0f, 3.0f), 4.0), glm::vec3(0.0f));
 }
 
-/// Stands to the west of x = 0, none east of it.
+/// Trees west of x = 0, open country east of it.
 std::shared_ptr<const CanopyMap> edge() {
     auto map = std::make_shared<CanopyMap>(*stand());
-    map->everywhere = false;
+    map->isUniform = false;
     map->first = {-50, -50};
     map->cell = 10.0f;
     map->width = map->length = 100;
@@ -165,7 +167,7 @@ std::shared_ptr<const CanopyMap> edge() {
     return map;
 }
 
-TEST(CanopyFlow, AWindThatIsNoNumberOrTooFastIsACalm) {
+TEST(CanopyFlow, InvalidOrExcessiveWindIsCalm) {
     class Nonsense : public WindField {
     public:
         explicit Nonsense(float speed) : _speed(speed) {}
@@ -180,9 +182,9 @@ TEST(CanopyFlow, AWindThatIsNoNumberOrTooFastIsACalm) {
     }
 }
 
-TEST(CanopyFlow, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithoutAStep) {
+TEST(CanopyFlow, BlendsSmoothlyFromOpenCountryIntoTheStand) {
     GustWind::Parameters gusts;
-    gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east: the edge lies open to it
+    gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east, toward the edge
     gusts.profile = LogProfile{10.0, 0.05};
     const WindFieldPtr open = GustWind::create(gusts).value();
     const WindSampler wind = inStand(open, *edge(), 60.0f, 1);

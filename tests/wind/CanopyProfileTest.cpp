@@ -10,8 +10,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Raupach 1994: d/h, z0/h and u*/U(h). The sign of 0.193 is that by which U(h) is more than the logarithmic
-/// law has there, as an even slope through the sublayer gives.
+/// Raupach 1994: d/h, z0/h and u*/U(h). The sign of 0.193 makes U(h) exceed the logarithmic law, as follows
+/// from the constant slope in the sublayer.
 struct Raupach {
     double displacement, roughness, friction;
     explicit Raupach(double area) {
@@ -22,9 +22,9 @@ struct Raupach {
     }
 };
 
-TEST(CanopyProfile, AboveTheSublayerItIsTheLogarithmicLawOfRaupach) {
+TEST(CanopyProfile, IsRaupachsLogarithmicLawAboveTheSublayer) {
     for (const double area : {0.05, 0.2, 1.0, 2.5}) {
-        const CanopyProfile profile = CanopyProfile::over(20.0f, static_cast<float>(area));
+        const CanopyProfile profile = CanopyProfile::ofStand(20.0f, static_cast<float>(area));
         const Raupach raupach(area);
         EXPECT_NEAR(static_cast<double>(profile.displacement()), raupach.displacement, 1e-4);
         EXPECT_NEAR(static_cast<double>(profile.friction), raupach.friction, 1e-4);
@@ -37,24 +37,24 @@ TEST(CanopyProfile, AboveTheSublayerItIsTheLogarithmicLawOfRaupach) {
     }
 }
 
-TEST(CanopyProfile, BelowTheTopItFallsAsCioncoHasIt) {
-    const CanopyProfile profile = CanopyProfile::over(20.0f, 2.0f);
+TEST(CanopyProfile, IsCioncosExponentialProfileInTheCanopy) {
+    const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
     EXPECT_GT(profile.attenuation, 2.0f);
-    EXPECT_LT(profile.attenuation, 3.0f); // of full forests
+    EXPECT_LT(profile.attenuation, 3.0f); // dense forests
     for (const float z : {20.0f, 15.0f, 10.0f, 2.0f})
         EXPECT_NEAR(profile.mean(z) / std::exp(-profile.attenuation * (1.0f - z / 20.0f)), 1.0f, 1e-4f) << z;
 }
 
-TEST(CanopyProfile, HasNoStepAndNoKinkAtTheTop) {
-    const CanopyProfile profile = CanopyProfile::over(20.0f, 2.0f);
+TEST(CanopyProfile, IsSmoothAtTheTop) {
+    const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
     const float below = profile.mean(20.0f) - profile.mean(19.99f),
                 above = profile.mean(20.01f) - profile.mean(20.0f);
     EXPECT_NEAR(above / below, 1.0f, 0.02f);
     EXPECT_NEAR(profile.spread(20.001f).along, profile.spread(19.999f).along, 1e-3f);
 }
 
-TEST(CanopyProfile, SpreadIsThatOfCanopiesAndAboveThatOfTheSurfaceLayer) {
-    const CanopyProfile profile = CanopyProfile::over(10.0f, 2.0f);
+TEST(CanopyProfile, SpreadMatchesCanopyAndSurfaceLayer) {
+    const CanopyProfile profile = CanopyProfile::ofStand(10.0f, 2.0f);
     const WindSpread top = profile.spread(10.0f);
     EXPECT_NEAR(top.along / profile.friction, 1.8f, 1e-4f);
     EXPECT_NEAR(top.up / profile.friction, 1.1f, 1e-4f);
@@ -65,21 +65,21 @@ TEST(CanopyProfile, SpreadIsThatOfCanopiesAndAboveThatOfTheSurfaceLayer) {
     EXPECT_EQ(profile.skewness(20.0f), 0.0f);
 }
 
-TEST(CanopyProfile, AThinStandIsNearlyOpenCountry) {
+TEST(CanopyProfile, SparseStandIsNearlyOpenCountry) {
     EXPECT_EQ(closureOf(0.0f), 0.0f);
     EXPECT_EQ(closureOf(0.5f), 1.0f);
-    EXPECT_GT(CanopyProfile::over(20.0f, 0.001f).mean(2.0f), 0.85f);
+    EXPECT_GT(CanopyProfile::ofStand(20.0f, 0.001f).mean(2.0f), 0.85f);
 }
 
 TEST(CanopyProfile, IsFiniteAtAnyHeight) {
-    const CanopyProfile profile = CanopyProfile::over(20.0f, 2.0f);
+    const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
     for (const float z : {-1e30f, -1.0f, 0.0f, 1e30f, INFINITY, -INFINITY, NAN}) {
         EXPECT_TRUE(std::isfinite(profile.mean(z))) << z;
         EXPECT_TRUE(std::isfinite(profile.spread(z).along)) << z;
     }
 }
 
-TEST(SwingingWind, HasTheMomentsAskedFor) {
+TEST(SwingingWind, HasTheRequestedMoments) {
     const WindSpread spread{0.6f, 0.48f, 0.33f};
     const SwingingWind wind(1.0f, spread, 1.0f);
     // Sums over a gamma distributed speed and a Gaussian angle.
@@ -106,7 +106,7 @@ TEST(SwingingWind, HasTheMomentsAskedFor) {
     EXPECT_NEAR(std::sqrt(variance), 0.6, 0.005);
     EXPECT_NEAR((u[3] - 3.0 * u[1] * variance - u[1] * u[1] * u[1]) / std::pow(variance, 1.5), 1.0, 0.02);
     EXPECT_NEAR(std::sqrt(speeds[2] / norm - u[2]), 0.48, 0.005);
-    EXPECT_NEAR(static_cast<double>(wind.push()), speeds[2] / norm * cosines[1] / angles, 0.01);
+    EXPECT_NEAR(static_cast<double>(wind.meanPressure()), speeds[2] / norm * cosines[1] / angles, 0.01);
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-/// Asks a wind for absurd places and times, and expects finite answers, the same from velocity and sample.
+/// Expects finite velocities at extreme places and times, the same from velocity() and sample().
 inline void expectFiniteEverywhere(const osgTreeWind::WindField& wind) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> odd = {0.0f, -0.0f, 0.5f, -1.0f, 1e-40f, 1e30f, -1e30f, 3.4e38f, inf, -inf, nan};

@@ -10,8 +10,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// 4 x 3 cells whose component at index i is i.
-WindFieldPtr counted(const glm::dvec3& origin = glm::dvec3(0.0)) {
+/// An array of 4 x 3 cells with value i at index i.
+WindFieldPtr countingWind(const glm::dvec3& origin = glm::dvec3(0.0)) {
     std::vector<float> values(4 * 3 * 3);
     std::iota(values.begin(), values.end(), 0.0f);
     auto wind = GridWind::fromForestWind(4, 3, std::move(values), origin);
@@ -22,34 +22,35 @@ WindFieldPtr counted(const glm::dvec3& origin = glm::dvec3(0.0)) {
 } // namespace
 
 // Thesis §4.2: windIndex = (x1 + z1 * width) * 3. Thesis (x, y, z) is OSG (x, -z, y).
-TEST(ForestWind, IndexesAsTheThesisDoes) {
-    // Thesis place (2.7, 5, 1.2): index (2 + 1 * 4) * 3 = 18, thesis wind (18, 19, 20).
-    EXPECT_EQ(counted()->velocity({2.7f, -1.2f, 5.0f}, 0), glm::vec3(18, -20, 19));
-    EXPECT_EQ(counted()->velocity({0, 0, 0}, 0), glm::vec3(0, -2, 1));
-    EXPECT_EQ(counted()->velocity({3, -2, 0}, 0), glm::vec3(33, -35, 34));
+TEST(ForestWind, IndexesLikeTheThesis) {
+    // Thesis position (2.7, 5, 1.2): index (2 + 1 * 4) * 3 = 18, thesis wind (18, 19, 20).
+    EXPECT_EQ(countingWind()->velocity({2.7f, -1.2f, 5.0f}, 0), glm::vec3(18, -20, 19));
+    EXPECT_EQ(countingWind()->velocity({0, 0, 0}, 0), glm::vec3(0, -2, 1));
+    EXPECT_EQ(countingWind()->velocity({3, -2, 0}, 0), glm::vec3(33, -35, 34));
 }
 
-TEST(ForestWind, FloorsWithoutInterpolating) {
-    EXPECT_EQ(counted()->velocity({1.999f, 0, 0}, 0).x, 3.0f);
-    EXPECT_EQ(counted()->velocity({2.0f, 0, 0}, 0).x, 6.0f);
-    EXPECT_EQ(counted()->velocity({0, -0.999f, 0}, 0).x, 0.0f);
-    EXPECT_EQ(counted()->velocity({0, -1.0f, 0}, 0).x, 12.0f);
+TEST(ForestWind, DoesNotInterpolate) {
+    EXPECT_EQ(countingWind()->velocity({1.999f, 0, 0}, 0).x, 3.0f);
+    EXPECT_EQ(countingWind()->velocity({2.0f, 0, 0}, 0).x, 6.0f);
+    EXPECT_EQ(countingWind()->velocity({0, -0.999f, 0}, 0).x, 0.0f);
+    EXPECT_EQ(countingWind()->velocity({0, -1.0f, 0}, 0).x, 12.0f);
 }
 
-TEST(ForestWind, TheEdgeHoldsOutside) {
-    EXPECT_EQ(counted()->velocity({-50, 50, 0}, 0).x, 0.0f);
-    EXPECT_EQ(counted()->velocity({4.0f, 0, 0}, 0).x, 9.0f);
-    EXPECT_EQ(counted()->velocity({1e30f, -1e30f, 0}, 0).x, 33.0f);
-    EXPECT_EQ(counted()->velocity({-1e30f, -3.0f, 0}, 0).x, 24.0f);
-    expectFiniteEverywhere(*counted());
+TEST(ForestWind, ClampsToTheEdgeOutside) {
+    EXPECT_EQ(countingWind()->velocity({-50, 50, 0}, 0).x, 0.0f);
+    EXPECT_EQ(countingWind()->velocity({4.0f, 0, 0}, 0).x, 9.0f);
+    EXPECT_EQ(countingWind()->velocity({1e30f, -1e30f, 0}, 0).x, 33.0f);
+    EXPECT_EQ(countingWind()->velocity({-1e30f, -3.0f, 0}, 0).x, 24.0f);
+    expectFiniteEverywhere(*countingWind());
 }
 
-TEST(ForestWind, HeightAndTimeDoNotMatter) {
-    EXPECT_EQ(counted()->velocity({2.7f, -1.2f, -5}, 0), counted()->velocity({2.7f, -1.2f, 80}, 1e6));
+TEST(ForestWind, IgnoresHeightAndTime) {
+    EXPECT_EQ(countingWind()->velocity({2.7f, -1.2f, -5}, 0),
+              countingWind()->velocity({2.7f, -1.2f, 80}, 1e6));
 }
 
-TEST(ForestWind, StandsAtItsOrigin) {
-    EXPECT_EQ(counted({10, 20, 0})->velocity({12.7f, 18.8f, 0}, 0), glm::vec3(18, -20, 19));
+TEST(ForestWind, IsPlacedAtItsOrigin) {
+    EXPECT_EQ(countingWind({10, 20, 0})->velocity({12.7f, 18.8f, 0}, 0), glm::vec3(18, -20, 19));
 }
 
 TEST(ForestWind, RefusesBadArrays) {

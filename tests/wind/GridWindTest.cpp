@@ -29,7 +29,7 @@ GridWind::Grid filled(glm::ivec3 points, const std::vector<double>& times,
     return grid;
 }
 
-/// Linear in every coordinate, so that interpolation must give it back: closed form.
+/// Linear in every coordinate, so that interpolation is exact.
 glm::vec3 linear(glm::dvec3 p, double t) {
     return {1 + 0.02 * p.x - 0.01 * p.y, 0.1 * p.z + 0.0001 * p.x * p.y, -2 + 0.5 * t};
 }
@@ -59,7 +59,7 @@ TEST(GridWind, IsLinearInSpaceAndTime) {
             expectNear(wind->velocity(glm::vec3(p), t), linear(p, t));
 }
 
-TEST(GridWind, TheEdgeHoldsOutside) {
+TEST(GridWind, ClampsToTheEdgeOutside) {
     const auto wind = made(filled({4, 3, 2}, times, linear));
     expectNear(wind->velocity({0, -190, 12}, 6), linear({100, -190, 12}, 6));
     expectNear(wind->velocity({1e6f, -190, 12}, 6), linear({130, -190, 12}, 6));
@@ -69,13 +69,13 @@ TEST(GridWind, TheEdgeHoldsOutside) {
     expectNear(wind->velocity({115, -190, 99}, 6), linear({115, -190, 15}, 6));
 }
 
-TEST(GridWind, FirstAndLastTimeHold) {
+TEST(GridWind, ClampsToTheFirstAndLastTime) {
     const auto wind = made(filled({2, 2, 2}, times, linear));
     EXPECT_EQ(wind->velocity({100, -200, 10}, -1e9).z, 0.5f);
     EXPECT_EQ(wind->velocity({100, -200, 10}, 1e9).z, 3.0f);
 }
 
-TEST(GridWind, OneLayerServesAllHeights) {
+TEST(GridWind, SingleLayerAppliesToAllHeights) {
     const auto wind = made(filled({4, 3, 1}, {}, linear));
     expectNear(wind->velocity({115, -190, -50}, 0), linear({115, -190, 10}, 0));
     expectNear(wind->velocity({115, -190, 500}, 77), linear({115, -190, 10}, 0));
@@ -103,7 +103,7 @@ TEST(GridWind, LayersMayBeUneven) {
     expectFiniteEverywhere(*wind);
 }
 
-TEST(GridWind, HeightsMayCountFromTheGroundOfEachPlace) {
+TEST(GridWind, HeightsMayBeAboveTheGround) {
     GridWind::Grid grid;
     grid.points = {1, 1, 2};
     grid.heights = {10, 100};
@@ -136,7 +136,7 @@ TEST(GridWind, FollowsTheLogarithmicProfileBelowItsLayers) {
     EXPECT_FLOAT_EQ(GridWind::create(grid).value()->velocity({0, 0, 100}, 0).x, 15.0f);
 }
 
-TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
+TEST(GridWind, LayersMayFollowTerrainAndChangeWithTime) {
     GridWind::Grid grid;
     grid.points = {2, 1, 2};
     grid.cell = {10, 1, 1};
@@ -144,7 +144,7 @@ TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
     grid.heights = {0, 100, 10, 110, 20, 120, 40, 140};
     for (float height : grid.heights)
         grid.values.insert(grid.values.end(), {height, 0, 0});
-    const auto wind = made(grid); // u is the height itself, held below and above
+    const auto wind = made(grid); // u equals the height, clamped below and above
     EXPECT_NEAR(wind->velocity({0, 0, 5}, 0).x, 5, 1e-5);
     EXPECT_NEAR(wind->velocity({10, 0, 105}, 0).x, 105, 1e-5);
     EXPECT_NEAR(wind->velocity({5, 0, 52}, 0).x, 52, 1e-5);
@@ -154,7 +154,7 @@ TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
     expectFiniteEverywhere(*wind);
 }
 
-TEST(GridWind, AbsurdPlacesAndTimesGiveFiniteWind) {
+TEST(GridWind, IsFiniteForExtremePlacesAndTimes) {
     expectFiniteEverywhere(*made(filled({4, 3, 2}, times, linear)));
     expectFiniteEverywhere(*made(filled({1, 1, 1}, {}, linear)));
 }
@@ -227,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "heights: expected finite metres, increasing upward, found 1 at index 1"},
         BadGrid{"RoughnessWithoutGround", [](Grid& g) { g.roughness = 0.1; },
-                "roughness: expected heights above the ground beside it"},
+                "roughness: expected heights above the ground, which it needs"},
         BadGrid{"RoughnessTooLarge",
                 [](Grid& g) {
                     g.heights = {1, 2};

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 namespace {
 
-GustWind::Parameters usual() {
+GustWind::Parameters defaultGusts() {
     GustWind::Parameters parameters;
     parameters.mean = {6, 8, 0};
     parameters.intensity = 0.2;
@@ -28,7 +28,7 @@ std::shared_ptr<const GustWind> made(const GustWind::Parameters& parameters) {
     return wind.value();
 }
 
-/// Along the mean (6, 8, 0) of 10 m/s.
+/// Component along the mean (6, 8, 0) of 10 m/s.
 double along(const glm::vec3& velocity) {
     return 0.6 * velocity.x + 0.8 * velocity.y;
 }
@@ -50,7 +50,7 @@ struct Moments {
     double deviation() const { return std::sqrt(squares / count - mean() * mean()); }
 };
 
-/// The record of the wind along the mean at one place.
+/// Time series of the component along the mean at one place.
 std::vector<double> record(const GustWind& wind, const glm::vec3& position, int count, double step) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i)
@@ -58,13 +58,13 @@ std::vector<double> record(const GustWind& wind, const glm::vec3& position, int 
     return values;
 }
 
-/// Slope of the spectral density over frequency within [low, high] Hz, over places and seeds.
-double gustSlope(double low, double high) {
+/// Log-log slope of the spectral density between `low` and `high` Hz, averaged over seeds.
+double spectralSlopeOfGusts(double low, double high) {
     constexpr int count = 8192;
     constexpr double step = 0.05;
     std::vector<double> power(count / 2, 0.0);
     for (std::uint32_t seed = 1; seed <= 24; ++seed) {
-        GustWind::Parameters parameters = usual();
+        GustWind::Parameters parameters = defaultGusts();
         parameters.seed = seed;
         std::vector<double> values = record(*made(parameters), {13, -7, 5}, count, step);
         for (double& value : values)
@@ -78,10 +78,10 @@ double gustSlope(double low, double high) {
 
 } // namespace
 
-TEST(GustWind, MeanAndDeviationsAreAsAsked) {
+TEST(GustWind, HasTheRequestedMeanAndDeviations) {
     Moments u, v, w;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        GustWind::Parameters parameters = usual();
+        GustWind::Parameters parameters = defaultGusts();
         parameters.seed = seed;
         const auto wind = made(parameters);
         for (int i = 0; i < 8000; ++i) {
@@ -101,14 +101,14 @@ TEST(GustWind, MeanAndDeviationsAreAsAsked) {
 
 /// f L / U from 0.5 to 8: above the energetic scales, below the smallest octave.
 TEST(GustWind, SpectrumFallsWithTheFiveThirdsPower) {
-    EXPECT_NEAR(gustSlope(0.125, 2.0), -5.0 / 3.0, 0.1);
+    EXPECT_NEAR(spectralSlopeOfGusts(0.125, 2.0), -5.0 / 3.0, 0.1);
 }
 
 TEST(GustWind, LengthScaleIsTheIntegralOfTheCorrelation) {
     std::vector<double> correlation(120, 0.0); // every 2 m along the wind
     double variance = 0.0;
     for (std::uint32_t seed = 1; seed <= 30; ++seed) {
-        GustWind::Parameters parameters = usual();
+        GustWind::Parameters parameters = defaultGusts();
         parameters.seed = seed;
         const std::vector<double> u = record(*made(parameters), {}, 6000, 0.2);
         for (std::size_t i = 0; i + correlation.size() < u.size(); ++i) {
@@ -124,7 +124,7 @@ TEST(GustWind, LengthScaleIsTheIntegralOfTheCorrelation) {
 }
 
 TEST(GustWind, TurbulenceTravelsWithTheMeanWind) {
-    const auto wind = made(usual());
+    const auto wind = made(defaultGusts());
     for (double dt : {0.1, 1.0, 17.0, 300.0})
         for (const glm::vec3 at : {glm::vec3(0), glm::vec3(31, -12, 7), glm::vec3(-200, 90, 2)}) {
             const glm::vec3 here = wind->velocity(at, 5.0);
@@ -135,8 +135,8 @@ TEST(GustWind, TurbulenceTravelsWithTheMeanWind) {
         }
 }
 
-TEST(GustWind, NoPeriodShowsInAnHour) {
-    const std::vector<double> u = record(*made(usual()), {}, 18000, 0.2);
+TEST(GustWind, DoesNotRepeatWithinAnHour) {
+    const std::vector<double> u = record(*made(defaultGusts()), {}, 18000, 0.2);
     Moments moments;
     for (double value : u)
         moments.add(value);
@@ -151,10 +151,10 @@ TEST(GustWind, NoPeriodShowsInAnHour) {
     }
 }
 
-TEST(GustWind, OneSeedIsOneWindAndAnotherIsAnother) {
-    GustWind::Parameters other = usual();
+TEST(GustWind, DependsOnTheSeedOnly) {
+    GustWind::Parameters other = defaultGusts();
     other.seed = 2;
-    const auto a = made(usual()), b = made(usual()), c = made(other);
+    const auto a = made(defaultGusts()), b = made(defaultGusts()), c = made(other);
     int different = 0;
     for (int i = 0; i < 100; ++i) {
         const glm::vec3 at(3 * i, 5 * i, i);
@@ -165,7 +165,7 @@ TEST(GustWind, OneSeedIsOneWindAndAnotherIsAnother) {
 }
 
 TEST(GustWind, IsContinuous) {
-    const auto wind = made(usual());
+    const auto wind = made(defaultGusts());
     glm::vec3 before = wind->velocity({}, 0);
     for (int i = 1; i < 20000; ++i) {
         const glm::vec3 now = wind->velocity({}, i * 0.001);
@@ -175,7 +175,7 @@ TEST(GustWind, IsContinuous) {
 }
 
 TEST(GustWind, ProfileScalesMeanAndTurbulence) {
-    GustWind::Parameters parameters = usual();
+    GustWind::Parameters parameters = defaultGusts();
     const auto even = made(parameters);
     parameters.profile = LogProfile{10.0, 0.1};
     const auto wind = made(parameters);
@@ -185,8 +185,8 @@ TEST(GustWind, ProfileScalesMeanAndTurbulence) {
         EXPECT_NEAR(wind->velocity({3, 4, 20}, 7)[i], even->velocity({3, 4, 20}, 7)[i] * factor, 1e-4f);
 }
 
-TEST(GustWind, FollowsTheGround) {
-    GustWind::Parameters parameters = usual();
+TEST(GustWind, FollowsTheTerrain) {
+    GustWind::Parameters parameters = defaultGusts();
     parameters.profile = LogProfile{10.0, 0.1};
     const auto wind = made(parameters);
     for (float height : {0.05f, 2.0f, 20.0f})
@@ -197,26 +197,26 @@ TEST(GustWind, FollowsTheGround) {
         }
 }
 
-TEST(GustWind, NoIntensityIsTheMeanAndNoMeanIsCalm) {
-    GustWind::Parameters parameters = usual();
+TEST(GustWind, ZeroIntensityIsTheMeanAndZeroMeanIsCalm) {
+    GustWind::Parameters parameters = defaultGusts();
     parameters.intensity = 0.0;
     EXPECT_EQ(made(parameters)->velocity({1, 2, 3}, 4), glm::vec3(6, 8, 0));
-    parameters = usual();
+    parameters = defaultGusts();
     parameters.mean = glm::vec3(0.0f);
     EXPECT_EQ(made(parameters)->velocity({1, 2, 3}, 4), glm::vec3(0.0f));
 }
 
-TEST(GustWind, AbsurdPlacesAndTimesGiveFiniteWind) {
-    GustWind::Parameters parameters = usual();
+TEST(GustWind, IsFiniteForExtremePlacesAndTimes) {
+    GustWind::Parameters parameters = defaultGusts();
     expectFiniteEverywhere(*made(parameters));
     parameters.lengthScale = 1.0;
     parameters.profile = LogProfile{10.0, 0.1};
     expectFiniteEverywhere(*made(parameters));
 }
 
-TEST(GustWind, ImpossibleParametersAreRefused) {
+TEST(GustWind, RefusesInvalidParameters) {
     const auto problemOf = [](auto spoil) {
-        GustWind::Parameters parameters = usual();
+        GustWind::Parameters parameters = defaultGusts();
         spoil(parameters);
         return firstProblem(GustWind::create(parameters));
     };

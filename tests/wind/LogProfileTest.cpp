@@ -8,7 +8,7 @@
 
 using namespace osgTreeWind;
 
-TEST(LogProfile, IsOneAtTheMeasuringHeight) {
+TEST(LogProfile, IsOneAtTheHeightOfMeasurement) {
     EXPECT_DOUBLE_EQ((LogProfile{42.0, 0.1}.factor(42.0)), 1.0);
 }
 
@@ -37,7 +37,7 @@ TEST(LogProfile, IsFiniteAtAnyHeight) {
     }
 }
 
-TEST(LogProfile, NeedsAHeightAboveTheRoughness) {
+TEST(LogProfile, RequiresAHeightAboveTheRoughness) {
     EXPECT_TRUE((LogProfile{10.0, 0.1}.valid()));
     for (const LogProfile& bad :
          {LogProfile{10.0, 0.0}, LogProfile{10.0, -1.0}, LogProfile{0.1, 0.1}, LogProfile{0.05, 0.1},

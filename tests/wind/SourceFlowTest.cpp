@@ -30,14 +30,14 @@ WindSource rotor(double hub) {
     return source;
 }
 
-double inducedBy(const WindSource& source) {
+double inducedSpeed(const WindSource& source) {
     return std::sqrt(source.thrust / (2.0 * airDensity * pi * source.radius * source.radius));
 }
 
-TEST(SourceFlow, ARotorsColumnIsThatOfMomentumTheory) {
+TEST(SourceFlow, RotorColumnFollowsMomentumTheory) {
     const WindSource source = rotor(200.0);
-    const double induced = inducedBy(source);
-    EXPECT_NEAR(-at(source, {0.0f, 0.0f, 200.0f}).z, induced, 0.02 * induced) << "through the disk";
+    const double induced = inducedSpeed(source);
+    EXPECT_NEAR(-at(source, {0.0f, 0.0f, 200.0f}).z, induced, 0.02 * induced) << "at the disk";
     EXPECT_NEAR(-at(source, {0.0f, 0.0f, 160.0f}).z, 2.0 * induced, 0.05 * induced) << "five radii below";
     EXPECT_LT(-at(source, {0.0f, 0.0f, 224.0f}).z, 0.06 * induced) << "three radii above";
     double momentum = 0.0;
@@ -50,7 +50,7 @@ TEST(SourceFlow, ARotorsColumnIsThatOfMomentumTheory) {
     EXPECT_NEAR(momentum, 0.5 * wake * source.thrust, 0.02 * source.thrust);
 }
 
-TEST(SourceFlow, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
+TEST(SourceFlow, RotorOutwashIsTheMeasuredRadialWallJet) {
     const WindSource source = rotor(20.0);
     for (const double r : {30.0, 60.0}) {
         double fastest = 0.0, momentum = 0.0, half = 0.0;
@@ -67,13 +67,13 @@ TEST(SourceFlow, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
         EXPECT_NEAR(fastest, expected, 0.02 * expected) << r;
         EXPECT_NEAR(half, 0.098 * 20.0 * std::pow(r / 20.0, 0.9), 0.05 * half) << r;
         EXPECT_LT(momentum, source.thrust) << r;
-        EXPECT_GT(momentum, 0.5 * source.thrust) << "most of it goes on along the ground";
+        EXPECT_GT(momentum, 0.5 * source.thrust) << "most momentum continues along the ground";
     }
-    EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 0.0f})), 0.0) << "where it meets the ground";
+    EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 0.0f})), 0.0) << "stagnation point";
 }
 
-/// It brings down as much momentum from any height: what tells them apart is (r/H)^-1.1 / H.
-TEST(SourceFlow, FarOffAHigherRotorIsFeltAlikeAndBelowItLess) {
+/// The momentum does not depend on the height H of the rotor; the outwash is proportional to (r/H)^-1.1 / H.
+TEST(SourceFlow, HigherRotorIsWeakerBelowAndSimilarFarAway) {
     const auto fastest = [](double hub, float r) {
         double most = 0.0;
         for (float z = 0.05f; z < 20.0f; z += 0.05f)
@@ -96,10 +96,10 @@ WindSource fan() {
     return source;
 }
 
-TEST(SourceFlow, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
+TEST(SourceFlow, JetDecaysAndSpreadsLikeARoundJet) {
     const WindSource source = fan();
-    EXPECT_NEAR(at(source, {6.0f, 0.0f, 3.0f}).x, 20.0, 0.1) << "its core";
-    EXPECT_NEAR(at(source, {25.0f, 0.0f, 3.0f}).x, 20.0 * 5.8 / 16.0, 0.01) << "20 diameters on";
+    EXPECT_NEAR(at(source, {6.0f, 0.0f, 3.0f}).x, 20.0, 0.1) << "core";
+    EXPECT_NEAR(at(source, {25.0f, 0.0f, 3.0f}).x, 20.0 * 5.8 / 16.0, 0.01) << "20 diameters downstream";
     EXPECT_NEAR(at(source, {25.0f, static_cast<float>(0.094 * 16.0), 3.0f}).x, 10.0 * 5.8 / 16.0, 0.01);
     EXPECT_EQ(glm::length(at(source, {4.0f, 0.0f, 3.0f})), 0.0) << "behind it";
     for (const float x : {6.0f, 20.0f, 60.0f}) {
@@ -113,7 +113,7 @@ TEST(SourceFlow, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
     }
 }
 
-TEST(SourceFlow, AJetBlowsWhereItIsTurned) {
+TEST(SourceFlow, JetFollowsItsDirectionAndElevation) {
     WindSource source = fan();
     source.toward = 180.0;
     source.elevation = 30.0;
@@ -122,7 +122,7 @@ TEST(SourceFlow, AJetBlowsWhereItIsTurned) {
     EXPECT_LT(glm::length(wind - 20.0 * along), 0.1);
 }
 
-TEST(SourceFlow, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
+TEST(SourceFlow, VortexPeaksAtItsRadiusAndDecaysInversely) {
     WindSource source;
     source.kind = WindSource::Kind::Vortex;
     source.radius = 4.0;
@@ -139,7 +139,7 @@ TEST(SourceFlow, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
     EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 10.0f})), 0.0) << "its eye";
 }
 
-TEST(SourceFlow, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
+TEST(SourceFlow, ShelterReducesOnlyTheWind) {
     WindSource shelter;
     shelter.kind = WindSource::Kind::Shelter;
     shelter.radius = 10.0;
@@ -151,11 +151,12 @@ TEST(SourceFlow, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 2.0f}, 0.0), glm::vec3(0.0f, 2.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 30.0f, 2.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 20.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
-    EXPECT_NEAR(both.velocity({6.0f, 0.0f, 3.0f}, 0.0).x, 20.0f, 0.1f) << "a fan in it blows as ever";
+    EXPECT_NEAR(both.velocity({6.0f, 0.0f, 3.0f}, 0.0).x, 20.0f, 0.1f)
+        << "a fan in the shelter is not reduced";
     float last = 2.0f;
     for (float y = 9.0f; y < 13.0f; y += 0.01f) {
         const float now = both.velocity({0.0f, y, 2.0f}, 0.0).y;
-        EXPECT_LT(std::abs(now - last), 0.06f) << "no wall at " << y;
+        EXPECT_LT(std::abs(now - last), 0.06f) << "no step at " << y;
         last = now;
     }
 }
@@ -170,8 +171,8 @@ WindSource lorry() {
     return source;
 }
 
-/// Eskridge and Thompson (1982) measured both powers from 10 to 80 heights behind.
-TEST(SourceFlow, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
+/// Eskridge and Thompson (1982) measured both exponents from 10 to 80 heights behind the vehicle.
+TEST(SourceFlow, VehicleWakeConservesItsMomentAndDecaysAsMeasured) {
     WindSource without = lorry(); // a wake
     without.dragArea = 0.0;
     double nearSpeed = 0.0, nearHeight = 0.0;
@@ -189,7 +190,7 @@ TEST(SourceFlow, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
                     highest = z;
                 }
             }
-        const double expected = 0.5 * 6.0 * 25.0 * 2.0; // half of Cd A U, at half of its height
+        const double expected = 0.5 * 6.0 * 25.0 * 2.0; // half of Cd A U at half the height
         EXPECT_NEAR(moment, expected, 0.03 * expected) << behind;
         if (behind > 100.0) {
             EXPECT_NEAR(std::log(fastest / nearSpeed) / std::log(8.0), -0.75, 0.03);
@@ -198,15 +199,14 @@ TEST(SourceFlow, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
         nearSpeed = fastest;
         nearHeight = highest;
     }
-    EXPECT_GT(nearSpeed, 0.5) << "a breeze, 320 m behind";
-    EXPECT_LT(glm::length(at(lorry(), {0.0f, -320.0f, 0.0f})), 0.01) << "none at the ground";
+    EXPECT_GT(nearSpeed, 0.5) << "320 m behind";
+    EXPECT_LT(glm::length(at(lorry(), {0.0f, -320.0f, 0.0f})), 0.01) << "no wind at the ground";
 }
 
-/// Through a tilted column the same thrust is borne by less of an induced velocity, and what sinks is carried
-/// off.
-TEST(SourceFlow, WindBendsARotorsColumn) {
+/// A crosswind reduces the induced velocity for the same thrust and carries the column away.
+TEST(SourceFlow, WindDeflectsARotorColumn) {
     const WindSource source = rotor(200.0);
-    const double calm = inducedBy(source), air = 9.0;
+    const double calm = inducedSpeed(source), air = 9.0;
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(static_cast<float>(air), 0.0f, 0.0f));
     const auto down = [&](double x, double z) {
         const WindPlace place(static_cast<float>(x), 0.0f, static_cast<float>(z));
@@ -214,7 +214,7 @@ TEST(SourceFlow, WindBendsARotorsColumn) {
     };
     const double induced = down(0.0, 200.0);
     EXPECT_NEAR(induced * std::hypot(air, induced), calm * calm, 0.03 * calm * calm) << "Glauert";
-    // A particle that sinks with the column's air goes along its axis.
+    // A particle that sinks with the column stays on its axis.
     double x = 0.0, z = 200.0;
     const double step = 0.01; // seconds
     while (z > 150.0) {
@@ -225,10 +225,10 @@ TEST(SourceFlow, WindBendsARotorsColumn) {
     EXPECT_GT(axis, 1.8 * induced);
     EXPECT_NEAR(down(x - 5.0, z), down(x + 5.0, z), 0.02 * axis);
     EXPECT_LT(down(x - 20.0, z), 0.01 * axis);
-    EXPECT_LT(down(0.0, z), 0.01 * axis) << "below the rotor it is still";
+    EXPECT_LT(down(0.0, z), 0.01 * axis) << "calm below the rotor";
 }
 
-TEST(SourceFlow, ARotorThatDriftsWithTheWindIsAsInACalm) {
+TEST(SourceFlow, RotorDriftingWithTheWindIsAsInACalm) {
     WindSource source = rotor(30.0);
     source.velocity = {6.0, 2.0, 0.0};
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(6.0f, 2.0f, 0.0f));
@@ -237,7 +237,7 @@ TEST(SourceFlow, ARotorThatDriftsWithTheWindIsAsInACalm) {
     EXPECT_LT(glm::length(glm::dvec3(drifting) - glm::dvec3(6.0, 2.0, 0.0) - calm), 1e-4);
 }
 
-TEST(SourceFlow, AVehiclesWakeLiesAlongTheAirThatItMeets) {
+TEST(SourceFlow, VehicleWakePointsAlongTheRelativeWind) {
     WindSource without = lorry(); // drives to the north at 25 m/s
     without.dragArea = 0.0;
     const auto wakeIn = [&](const glm::vec3& air, float x, float y) {
@@ -247,14 +247,15 @@ TEST(SourceFlow, AVehiclesWakeLiesAlongTheAirThatItMeets) {
                withSources(wind, {without}).velocity(place, 0.0);
     };
     const glm::vec3 across(5.0f, 0.0f, 0.0f);
-    EXPECT_GT(glm::length(wakeIn(across, 20.0f, -100.0f)), 0.5f) << "100 m behind it has gone 20 m downwind";
+    EXPECT_GT(glm::length(wakeIn(across, 20.0f, -100.0f)), 0.5f) << "drifted 20 m downwind at 100 m behind";
     EXPECT_LT(glm::length(wakeIn(across, 0.0f, -100.0f)), 0.01f);
-    EXPECT_EQ(glm::length(wakeIn({0.0f, 25.0f, 0.0f}, 0.0f, -100.0f)), 0.0f) << "it drives with the wind";
-    EXPECT_GT(wakeIn({0.0f, -10.0f, 0.0f}, 0.0f, -100.0f).y, wakeIn({}, 0.0f, -100.0f).y) << "against it";
+    EXPECT_EQ(glm::length(wakeIn({0.0f, 25.0f, 0.0f}, 0.0f, -100.0f)), 0.0f) << "driving with the wind";
+    EXPECT_GT(wakeIn({0.0f, -10.0f, 0.0f}, 0.0f, -100.0f).y, wakeIn({}, 0.0f, -100.0f).y)
+        << "driving against the wind";
 }
 
-/// What its section sweeps goes out at the front and comes in at the rear.
-TEST(SourceFlow, ALorryPushesTheAirAside) {
+/// The volume swept by the body flows out at the front and in at the rear.
+TEST(SourceFlow, VehicleDisplacesTheAir) {
     WindSource source = lorry();
     source.dragArea = 0.0; // no wake
     const auto outThrough = [&](float y0, float y1) {
@@ -272,22 +273,22 @@ TEST(SourceFlow, ALorryPushesTheAirAside) {
         return out * step * step;
     };
     const double swept = 25.0 * 2.5 * 4.0;
-    EXPECT_NEAR(outThrough(8.0f, 24.0f), swept, 0.05 * swept) << "about the front, at y = 16";
-    EXPECT_NEAR(outThrough(-8.0f, 8.0f), -swept, 0.05 * swept) << "about the rear";
-    EXPECT_EQ(at(source, {3.0f, 20.0f, 0.0f}).z, 0.0) << "not through the ground";
-    EXPECT_GT(at(source, {0.0f, 24.0f, 2.0f}).y, 0.3) << "ahead it is pushed on";
+    EXPECT_NEAR(outThrough(8.0f, 24.0f), swept, 0.05 * swept) << "around the front at y = 16";
+    EXPECT_NEAR(outThrough(-8.0f, 8.0f), -swept, 0.05 * swept) << "around the rear";
+    EXPECT_EQ(at(source, {3.0f, 20.0f, 0.0f}).z, 0.0) << "no flow through the ground";
+    EXPECT_GT(at(source, {0.0f, 24.0f, 2.0f}).y, 0.3) << "pushed forward ahead";
     source.velocity = glm::dvec3(0.0);
     EXPECT_EQ(glm::length(at(source, {3.0f, 16.0f, 2.0f})), 0.0) << "parked";
 }
 
-TEST(SourceFlow, ASourceGoesWhereItDrives) {
+TEST(SourceFlow, SourceMovesWithItsVelocity) {
     WindSource source = fan();
     source.velocity = {0.0, 12.0, 0.0};
     EXPECT_LT(glm::length(at(source, {6.0f, 24.0f, 3.0f}, 2.0) - glm::dvec3(20.0, 0.0, 0.0)), 0.1);
-    EXPECT_LT(glm::length(at(source, {6.0f, 0.0f, 3.0f}, 2.0)), 0.1) << "where it was";
+    EXPECT_LT(glm::length(at(source, {6.0f, 0.0f, 3.0f}, 2.0)), 0.1) << "at its former place";
 }
 
-TEST(SourceFlow, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
+TEST(SourceFlow, TurbulenceHasItsIntensityAndTravels) {
     WindSource source = fan();
     const glm::vec3 place(25.0f, 0.0f, 3.0f);
     const glm::dvec3 steady = at(source, place);
@@ -303,7 +304,7 @@ TEST(SourceFlow, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(std::sqrt(squares[axis] / count), 0.25 * glm::length(steady), 0.02 * glm::length(steady));
     EXPECT_LT(glm::length(at(source, place, 3.0) - at(source, place, 3.0001)), 0.05) << "no jumps";
-    EXPECT_EQ(at(source, place, 3.0), at(source, place, 3.0)) << "the same for everybody";
+    EXPECT_EQ(at(source, place, 3.0), at(source, place, 3.0)) << "reproducible";
 }
 
 TEST(SourceFlow, IsFiniteForAnySourceAndPlace) {

@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Sources of all kinds over a square of 4 km, half of which move.
+/// Sources of all kinds in a square of 4 km; half of them move.
 std::vector<WindSource> manySources(std::size_t count) {
     Random random(5);
     std::vector<WindSource> sources(count);
@@ -38,7 +38,7 @@ std::vector<WindSource> manySources(std::size_t count) {
     return sources;
 }
 
-/// Each source asked at each place, in turn.
+/// Reference: evaluates all sources at a place.
 glm::vec3 bySources(const std::vector<WindSource>& sources, const WindFieldPtr& wind, const WindPlace& place,
                     double time) {
     float share = 1.0f;
@@ -47,12 +47,12 @@ glm::vec3 bySources(const std::vector<WindSource>& sources, const WindFieldPtr& 
         const SourceFlow flow(source);
         const float ground = place.position.z - place.height;
         share *= flow.shareOfWind(place, time);
-        added += flow.velocity(place, time, wind->velocity(flow.airPlace(ground, time), time));
+        added += flow.velocity(place, time, wind->velocity(flow.ambientWindPlace(ground, time), time));
     }
     return share * wind->velocity(place, time) + added;
 }
 
-TEST(SourceGrid, APlaceMeetsEachSourceThatReachesIt) {
+TEST(SourceGrid, FindsEachSourceThatReachesAPlace) {
     const std::vector<WindSource> sources = manySources(300);
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(3.0f, -2.0f, 0.0f));
     const WindSampler many = withSources(wind, sources);
@@ -61,7 +61,7 @@ TEST(SourceGrid, APlaceMeetsEachSourceThatReachesIt) {
         for (int i = 0; i < 60; ++i) {
             glm::vec3 at(2200.0f * random.symmetric(), 2200.0f * random.symmetric(),
                          20.0f * random.uniform());
-            if (i % 3 == 0) // beside one
+            if (i % 3 == 0) // beside a source
                 at = glm::vec3(sources[static_cast<std::size_t>(i)].position +
                                time * sources[static_cast<std::size_t>(i)].velocity) +
                      glm::vec3(3.0f, 2.0f, 1.0f);
@@ -70,18 +70,18 @@ TEST(SourceGrid, APlaceMeetsEachSourceThatReachesIt) {
         }
 }
 
-TEST(SourceGrid, APlaceIsSparedWhatIsFarAway) {
+TEST(SourceGrid, SkipsDistantSources) {
     const SourceGrid grid(manySources(2000));
     std::size_t asked = 0;
     for (float x = -1900.0f; x < 1900.0f; x += 190.0f)
         for (float y = -1900.0f; y < 1900.0f; y += 190.0f)
             asked += grid.at(0.0)->near({x, y, 0.0f}).size;
-    EXPECT_LT(asked, 400u * 400u) << "a fifth of them";
+    EXPECT_LT(asked, 400u * 400u) << "less than 20 % of the sources";
     EXPECT_EQ(grid.at(0.0)->near({1e9f, 0.0f, 0.0f}).size, 0u);
     grid.at(0.0)->near(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
 }
 
-TEST(SourceGrid, NothingJumpsWhereASourceReachesNoFurther) {
+TEST(SourceGrid, SourcesFadeOutAtTheirReach) {
     for (int kind = 0; kind < 6; ++kind) {
         WindSource source;
         source.kind = static_cast<WindSource::Kind>(kind);
@@ -101,7 +101,7 @@ TEST(SourceGrid, NothingJumpsWhereASourceReachesNoFurther) {
     }
 }
 
-TEST(SourceGrid, WhatASourceLosesAtItsReachIsACalm) {
+TEST(SourceGrid, FadeAtTheReachAffectsOnlyWeakWind) {
     WindSource lorry;
     lorry.kind = WindSource::Kind::Vehicle;
     lorry.velocity = {-25.0, 0.0, 0.0};

@@ -28,14 +28,14 @@ std::shared_ptr<StreamedWind> made(float u) {
 
 } // namespace
 
-TEST(StreamedWind, UpdateIsTheWindFromThenOn) {
+TEST(StreamedWind, UpdateReplacesTheWind) {
     const auto wind = made(1.0f);
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(1.0f));
     EXPECT_TRUE(wind->update({gridOf(2.0f).values}).empty());
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(2.0f));
 }
 
-TEST(StreamedWind, BadUpdatesAreRefusedAndChangeNothing) {
+TEST(StreamedWind, RefusedUpdatesChangeNothing) {
     const auto wind = made(1.0f);
     const Diagnostics few = wind->update({std::vector<float>{1, 2, 3}});
     ASSERT_FALSE(few.empty());
@@ -43,19 +43,19 @@ TEST(StreamedWind, BadUpdatesAreRefusedAndChangeNothing) {
     std::vector<float> values = gridOf(2.0f).values;
     values.back() = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(wind->update({values}).empty());
-    EXPECT_EQ(linesOf(wind->update({Span<float>(nullptr, 384)})),
+    EXPECT_EQ(toString(wind->update({Span<float>(nullptr, 384)})),
               "velocities: expected numbers, found a null pointer");
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(1.0f));
 }
 
-TEST(StreamedWind, SeveralTimesAreRefused) {
+TEST(StreamedWind, RefusesSeveralTimes) {
     GridWind::Grid grid = gridOf(1.0f);
     grid.times = {0, 1};
     EXPECT_EQ(firstProblem(StreamedWind::create(grid)), "times: expected one time at most, found 2");
 }
 
-/// u = x, so that a velocity says where it was asked for.
-TEST(StreamedWind, TheGridMovesWithItsUpdates) {
+/// u = x, so that a velocity tells where the grid was sampled.
+TEST(StreamedWind, UpdatesMoveTheGrid) {
     GridWind::Grid grid;
     grid.points = {2, 1, 2};
     grid.heights = {5.0f, 9.0f};
@@ -66,16 +66,17 @@ TEST(StreamedWind, TheGridMovesWithItsUpdates) {
     EXPECT_EQ(wind->velocity({10.5f, 0, 105}, 0), glm::vec3(0.5f, 0, 0));
     EXPECT_EQ(wind->velocity({10.25f, 0, 107}, 0), glm::vec3(0.25f, 0, 2));
     EXPECT_TRUE(wind->update({grid.values}).empty());
-    EXPECT_EQ(wind->velocity({10.5f, 0, 105}, 0), glm::vec3(0.5f, 0, 0)) << "it stays where it was put";
+    EXPECT_EQ(wind->velocity({10.5f, 0, 105}, 0), glm::vec3(0.5f, 0, 0))
+        << "the grid stays at its last position";
     const glm::dvec3 nowhere(std::numeric_limits<double>::quiet_NaN());
     EXPECT_EQ(wind->update({grid.values, nowhere, {}}).front().text(), "origin: expected finite metres");
 }
 
-TEST(StreamedWind, BetweenTheLastTwoTimesItIsLinear) {
+TEST(StreamedWind, IsLinearBetweenTheLastTwoTimes) {
     GridWind::Grid grid = gridOf(1.0f);
     grid.times = {10.0};
     const auto wind = StreamedWind::create(grid).value();
-    EXPECT_EQ(wind->velocity({}, 99), glm::vec3(1.0f)) << "the only one holds at all times";
+    EXPECT_EQ(wind->velocity({}, 99), glm::vec3(1.0f)) << "a single update holds at all times";
     EXPECT_TRUE(wind->update({gridOf(3.0f).values, {}, 12.0}).empty());
     EXPECT_TRUE(wind->update({gridOf(7.0f).values, {}, 13.0}).empty());
     const std::vector<WindPlace> places(100);
@@ -87,18 +88,18 @@ TEST(StreamedWind, BetweenTheLastTwoTimesItIsLinear) {
         EXPECT_EQ(wind->velocity({}, time), glm::vec3(u)) << time;
     }
     EXPECT_TRUE(wind->update({gridOf(5.0f).values}).empty());
-    EXPECT_EQ(wind->velocity({}, 12.25), glm::vec3(5.0f)) << "without a time it holds at once";
+    EXPECT_EQ(wind->velocity({}, 12.25), glm::vec3(5.0f)) << "an update without a time applies immediately";
 }
 
-/// Between two places of the grid each place has the mean of what both say of it.
-TEST(StreamedWind, AMovingGridIsLinearInTimeAtEachPlace) {
+/// Between two positions of the grid the wind at each place is interpolated between both updates.
+TEST(StreamedWind, MovingGridIsLinearInTimeAtEachPlace) {
     GridWind::Grid grid;
     grid.points = {2, 1, 1};
     grid.values = {0, 0, 0, 8, 0, 0};
     grid.times = {0.0};
     const auto wind = StreamedWind::create(grid).value();
     EXPECT_TRUE(wind->update({grid.values, glm::dvec3(0.5, 0, 0), 1.0}).empty());
-    EXPECT_EQ(wind->velocity({0.5f, 0, 0}, 0.5).x, 2.0f) << "4 before, 0 after";
+    EXPECT_EQ(wind->velocity({0.5f, 0, 0}, 0.5).x, 2.0f) << "mean of 4 and 0";
 }
 
 TEST(StreamedWind, TimesMustIncrease) {
@@ -111,8 +112,8 @@ TEST(StreamedWind, TimesMustIncrease) {
               "time: expected seconds after 5 and within 1e15, found 4");
 }
 
-/// Two simulations and two forests: each sample is one of the updates, whole.
-TEST(StreamedWind, AnyNumberOfThreadsUpdateAndSample) {
+/// Two threads update while two sample.
+TEST(StreamedWind, ThreadsUpdateAndSampleConcurrently) {
     const auto wind = made(0.0f);
     std::atomic<int> writing{2};
     std::vector<std::thread> threads;
@@ -137,7 +138,7 @@ TEST(StreamedWind, AnyNumberOfThreadsUpdateAndSample) {
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(300.0f));
 }
 
-TEST(StreamedWind, EverySampleSeesOneUpdateWhole) {
+TEST(StreamedWind, UpdatesAreAtomic) {
     const auto wind = made(0.0f);
     std::atomic<bool> done{false};
     std::thread writer([&] {
@@ -160,7 +161,7 @@ TEST(StreamedWind, EverySampleSeesOneUpdateWhole) {
     }
     writer.join();
     EXPECT_TRUE(whole) << "a sample saw parts of two updates";
-    EXPECT_TRUE(ordered) << "an older wind came back";
+    EXPECT_TRUE(ordered) << "a sample saw an older update";
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(2000.0f));
 }
 

@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-WindSeries three() {
+WindSeries threeRecords() {
     WindSeries series;
     series.times = {10, 20, 50};
     series.velocities = {{1, 0, 0}, {3, 4, 0}, {0, -2, 6}};
@@ -27,27 +27,27 @@ std::shared_ptr<const TimeSeriesWind> made(WindSeries series) {
 
 } // namespace
 
-TEST(TimeSeriesWind, RecordsAreExactAndLinearBetween) {
-    const auto wind = made(three());
+TEST(TimeSeriesWind, IsExactAtRecordsAndLinearBetween) {
+    const auto wind = made(threeRecords());
     EXPECT_EQ(wind->velocity({5, 5, 5}, 10), glm::vec3(1, 0, 0));
     EXPECT_EQ(wind->velocity({5, 5, 5}, 20), glm::vec3(3, 4, 0));
     expectNear(wind->velocity({}, 15), {2, 2, 0});
     expectNear(wind->velocity({}, 30), {2, 2, 2});
 }
 
-TEST(TimeSeriesWind, HoldsBeforeAndAfter) {
-    const auto wind = made(three());
+TEST(TimeSeriesWind, ClampsBeforeAndAfter) {
+    const auto wind = made(threeRecords());
     EXPECT_EQ(wind->velocity({}, -100), glm::vec3(1, 0, 0));
     EXPECT_EQ(wind->velocity({}, 1e9), glm::vec3(0, -2, 6));
 }
 
 TEST(TimeSeriesWind, RepeatsWithThePeriodOfTheRecord) {
-    WindSeries series = three();
+    WindSeries series = threeRecords();
     series.repeat = true;
     const auto wind = made(series);
     for (int turn : {-3, -1, 1, 2, 1000})
         for (double t : {10.0, 15.0, 30.0, 49.0})
-            expectNear(wind->velocity({}, t + 40.0 * turn), made(three())->velocity({}, t));
+            expectNear(wind->velocity({}, t + 40.0 * turn), made(threeRecords())->velocity({}, t));
 }
 
 TEST(TimeSeriesWind, ARepeatedSingleRecordIsConstant) {
@@ -60,7 +60,7 @@ TEST(TimeSeriesWind, ARepeatedSingleRecordIsConstant) {
     EXPECT_EQ(wind->velocity({}, 100), glm::vec3(1, 2, 3));
 }
 
-// Halfway between 350 and 10 degrees lies north; interpolated directions would give south.
+// Halfway between 350 and 10 degrees is north; interpolating the numbers would give south.
 TEST(TimeSeriesWind, InterpolatesComponentsNotDirections) {
     WindSeries series;
     series.times = {0, 1};
@@ -72,7 +72,7 @@ TEST(TimeSeriesWind, InterpolatesComponentsNotDirections) {
 }
 
 TEST(TimeSeriesWind, FollowsTheLogarithmicProfile) {
-    WindSeries series = three();
+    WindSeries series = threeRecords();
     series.profile = LogProfile{10.0, 0.1};
     const auto wind = made(series);
     expectNear(wind->velocity({0, 0, 10}, 20), {3, 4, 0});
@@ -81,8 +81,8 @@ TEST(TimeSeriesWind, FollowsTheLogarithmicProfile) {
     EXPECT_EQ(wind->velocity({0, 0, -2}, 20), glm::vec3(0));
 }
 
-TEST(TimeSeriesWind, TheProfileBeginsAtTheGroundOfThePlace) {
-    WindSeries series = three();
+TEST(TimeSeriesWind, ProfileStartsAtTheGround) {
+    WindSeries series = threeRecords();
     series.profile = LogProfile{10.0, 0.1};
     const auto wind = made(series);
     for (float ground : {0.0f, 200.0f, -50.0f}) {
@@ -95,9 +95,9 @@ TEST(TimeSeriesWind, TheProfileBeginsAtTheGroundOfThePlace) {
     }
 }
 
-TEST(TimeSeriesWind, AbsurdPlacesAndTimesGiveFiniteWind) {
+TEST(TimeSeriesWind, IsFiniteForExtremePlacesAndTimes) {
     const float max = std::numeric_limits<float>::max();
-    WindSeries series = three();
+    WindSeries series = threeRecords();
     expectFiniteEverywhere(*made(series));
     series.repeat = true;
     series.profile = LogProfile{10.0, 0.1};
@@ -122,7 +122,7 @@ void PrintTo(const BadSeries& bad, std::ostream* out) {
 class TimeSeriesWindRefuses : public testing::TestWithParam<BadSeries> {};
 
 TEST_P(TimeSeriesWindRefuses, WithKeyAndReason) {
-    WindSeries series = three();
+    WindSeries series = threeRecords();
     GetParam().spoil(series);
     EXPECT_EQ(firstProblem(TimeSeriesWind::create(series)), GetParam().problem);
 }

@@ -18,24 +18,24 @@ WindFieldPtr toward(const glm::vec3& velocity) {
     return std::make_shared<FunctionWind>([velocity](const glm::vec3&, double) { return velocity; });
 }
 
-TEST(WindAdjustment, ANortherlyTurnedAQuarterIsAnEasterly) {
+TEST(WindAdjustment, TurnsANortherlyIntoAnEasterly) {
     const WindSampler wind =
-        adjusted(toward({0.0f, -4.0f, 1.0f}), {1.5, 90.0}); // clockwise from above, as a compass
+        withAdjustment(toward({0.0f, -4.0f, 1.0f}), {1.5, 90.0}); // clockwise from above, as a compass
     expectNear(wind.velocity({}, 0.0), {-6.0f, 0.0f, 1.5f});
 }
 
-TEST(WindAdjustment, TurnsPlacesNowhere) {
-    const WindSampler wind = adjusted(std::make_shared<FunctionWind>([](const glm::vec3& p, double t) {
-                                          return glm::vec3(p.x, 0.0f, static_cast<float>(t));
-                                      }),
-                                      {1.0, 180.0});
+TEST(WindAdjustment, DoesNotMovePlaces) {
+    const WindSampler wind = withAdjustment(std::make_shared<FunctionWind>([](const glm::vec3& p, double t) {
+                                                return glm::vec3(p.x, 0.0f, static_cast<float>(t));
+                                            }),
+                                            {1.0, 180.0});
     expectNear(wind.velocity({7.0f, 5.0f, 0.0f}, 2.0), {-7.0f, 0.0f, 2.0f});
 }
 
-TEST(WindAdjustment, StaysFiniteAndHoldsWhatIsOutOfRange) {
+TEST(WindAdjustment, ClampsValuesAndStaysFinite) {
     GustWind::Parameters gusts;
-    expectFiniteEverywhere(adjusted(GustWind::create(gusts).value(), {10.0, -360.0}));
-    expectFiniteEverywhere(adjusted(nullptr, {1e300, std::numeric_limits<double>::quiet_NaN()}));
+    expectFiniteEverywhere(withAdjustment(GustWind::create(gusts).value(), {10.0, -360.0}));
+    expectFiniteEverywhere(withAdjustment(nullptr, {1e300, std::numeric_limits<double>::quiet_NaN()}));
     EXPECT_EQ(WindAdjustment({-1.0, 0.0}).matrix(), glm::mat3(0.0f));
 }
 

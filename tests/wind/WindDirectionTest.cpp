@@ -33,7 +33,7 @@ void expectHorizontal(const glm::vec3& actual, const glm::vec3& expected) {
 
 } // namespace
 
-TEST(WindDirection, FromBlowsAwayFromTheBearing) {
+TEST(WindDirection, FromIsWhereTheWindComesFrom) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
         expectHorizontal(windVelocity({10.0, c.from}, DirectionSense::From), c.velocity);
@@ -47,7 +47,7 @@ TEST(WindDirection, TowardIsTheOppositeOfFrom) {
     }
 }
 
-TEST(WindDirection, ReadingsComeBackWithinOneTurn) {
+TEST(WindDirection, ReadingsLieWithinOneTurn) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
         const WindReading from = windReading(c.velocity, DirectionSense::From);
@@ -58,7 +58,7 @@ TEST(WindDirection, ReadingsComeBackWithinOneTurn) {
     }
 }
 
-TEST(WindDirection, CalmHasNoDirection) {
+TEST(WindDirection, DirectionOfACalmIsZero) {
     const WindReading calm = windReading({0, 0, 3}, DirectionSense::From);
     EXPECT_EQ(calm.speed, 0.0);
     EXPECT_EQ(calm.direction, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds for every wind, place and time.
+// Properties of every wind at every place and time.
 #include <tests/wind/Winds.h>
 
 #include <osgTreeWind/wind/GridWind.h>
@@ -22,7 +22,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// In thousandths, so that what fails is short.
+/// Multiples of 0.001, so that counterexamples are short.
 rc::Gen<double> number(double low, double high) {
     return rc::gen::map(rc::gen::inRange(static_cast<int>(1000 * low), static_cast<int>(1000 * high) + 1),
                         [](int thousandths) { return thousandths / 1000.0; });
@@ -33,7 +33,7 @@ rc::Gen<glm::dvec3> within(double reach, double low, double high) {
                           number(-reach, reach), number(-reach, reach), number(low, high));
 }
 
-/// Of any kind but a shelter, which takes from the wind, and those that the wind bends.
+/// A jet or vortex: kinds that add to the wind and are not deflected by it.
 WindSource anySource() {
     WindSource source;
     source.kind = *rc::gen::element(WindSource::Kind::Jet, WindSource::Kind::Vortex);
@@ -70,7 +70,7 @@ RC_GTEST_PROP(WindProperty, SourcesAddUp, ()) {
                    wind->velocity(place, time) + alone(one) + alone(other), 1e-5f));
 }
 
-RC_GTEST_PROP(WindProperty, ASourceThatIsMovedTakesItsFlowAlong, ()) {
+RC_GTEST_PROP(WindProperty, MovedSourceMovesItsFlow, ()) {
     WindSource source = anySource();
     WindPlace place = anyPlace();
     const double time = *number(0.0, 100.0);
@@ -81,7 +81,7 @@ RC_GTEST_PROP(WindProperty, ASourceThatIsMovedTakesItsFlowAlong, ()) {
     RC_ASSERT(near(withSources(nullptr, {source}).velocity(place, time), before, 2e-2f));
 }
 
-RC_GTEST_PROP(WindProperty, ASourceThatIsTurnedTurnsItsFlow, ()) {
+RC_GTEST_PROP(WindProperty, TurnedSourceTurnsItsFlow, ()) {
     WindSource source = anySource();
     source.turbulence = 0.0; // eddies stand as they are
     const WindPlace place = anyPlace();
@@ -98,7 +98,7 @@ RC_GTEST_PROP(WindProperty, ASourceThatIsTurnedTurnsItsFlow, ()) {
     RC_ASSERT(near(withSources(nullptr, {source}).velocity(there, time), glm::vec3(turned(before)), 2e-2f));
 }
 
-RC_GTEST_PROP(WindProperty, AGridIsNeverFasterThanItsPoints, ()) {
+RC_GTEST_PROP(WindProperty, GridStaysWithinTheRangeOfItsPoints, ()) {
     GridWind::Grid grid;
     grid.points = {*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5), *rc::gen::inRange(1, 4)};
     grid.origin = *within(20.0, -5.0, 5.0);
@@ -119,17 +119,19 @@ RC_GTEST_PROP(WindProperty, AGridIsNeverFasterThanItsPoints, ()) {
     }
 }
 
-RC_GTEST_PROP(WindProperty, TwoTurnsAreTheirSumAndTwoFactorsTheirProduct, ()) {
+RC_GTEST_PROP(WindProperty, AdjustmentsCombine, ()) {
     const auto wind = std::make_shared<UniformWind>(glm::vec3(*within(30.0, -5.0, 5.0)));
     const WindAdjustment first{*number(0.0, 3.0), *number(-180.0, 180.0)},
         second{*number(0.0, 3.0), *number(-180.0, 180.0)};
     const WindPlace place = anyPlace();
-    const WindSampler both = adjusted(wind, {first.strength * second.strength, first.turn + second.turn}),
-                      nested = adjusted(std::make_shared<WindSampler>(adjusted(wind, first)), second);
+    const WindSampler both =
+                          withAdjustment(wind, {first.strength * second.strength, first.turn + second.turn}),
+                      nested =
+                          withAdjustment(std::make_shared<WindSampler>(withAdjustment(wind, first)), second);
     RC_ASSERT(near(nested.velocity(place, 0.0), both.velocity(place, 0.0), 1e-5f));
 }
 
-RC_GTEST_PROP(WindProperty, AVelocityIsThatOfItsReading, ()) {
+RC_GTEST_PROP(WindProperty, ReadingConvertsBackToItsVelocity, ()) {
     const glm::vec3 velocity(*within(60.0, 0.0, 0.0));
     for (const DirectionSense sense : {DirectionSense::From, DirectionSense::Toward})
         RC_ASSERT(near(windVelocity(windReading(velocity, sense), sense), velocity, 1e-5f));

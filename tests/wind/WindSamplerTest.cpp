@@ -3,11 +3,11 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindParts.h>
+#include <osgTreeWind/wind/WindInternals.h>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double quarter = 1.5707963267948966;
 
-/// Says where it was asked: east and north of the place, and its height above the ground.
-class WhereWind : public WindField {
+/// Returns the place as velocity: x, y and the height above the ground.
+class PlaceWind : public WindField {
 public:
     glm::vec3 velocity(const WindPlace& place, double) const override {
         return {place.position.x, place.position.y, place.height};
@@ -41,7 +41,7 @@ WindFieldPtr gusts() {
     return GustWind::create(parameters).value();
 }
 
-TEST(WindSampler, WithoutAMoveItIsTheSameToTheBit) {
+TEST(WindSampler, IdentityTransformChangesNothing) {
     const WindFieldPtr world = gusts();
     const WindSampler same = sampler(world, glm::dmat4(1.0));
     for (int i = 1; i < 50; ++i) {
@@ -51,16 +51,16 @@ TEST(WindSampler, WithoutAMoveItIsTheSameToTheBit) {
     }
 }
 
-TEST(WindSampler, AsksWhereTheFrameReallyStands) {
-    const WindSampler wind = sampler(std::make_shared<WhereWind>(), moved({100, 20, 5}) * turned(quarter));
-    // 3 m along the frame's x is 3 m north of where it stands; what is met blows to the frame's own axes.
+TEST(WindSampler, SamplesAtTheTransformedPlace) {
+    const WindSampler wind = sampler(std::make_shared<PlaceWind>(), moved({100, 20, 5}) * turned(quarter));
+    // 3 m along the frame's x axis is 3 m north; the velocity is returned in the frame's axes.
     const glm::vec3 v = wind.velocity({{3, 0, 9}, 2}, 0.0);
-    EXPECT_NEAR(v.x, 23.0f, 1e-4f) << "the world's north is the frame's x";
-    EXPECT_NEAR(v.y, -100.0f, 1e-4f) << "and its east the frame's -y";
-    EXPECT_NEAR(v.z, 7.0f, 1e-5f) << "heights above the ground stay";
+    EXPECT_NEAR(v.x, 23.0f, 1e-4f) << "the frame's x is north";
+    EXPECT_NEAR(v.y, -100.0f, 1e-4f) << "the frame's -y is east";
+    EXPECT_NEAR(v.z, 7.0f, 1e-5f) << "the height above the ground is unchanged";
 }
 
-TEST(WindSampler, VelocitiesAreTurnedAndNotScaled) {
+TEST(WindSampler, TurnsVelocitiesWithoutScaling) {
     const WindFieldPtr world = std::make_shared<UniformWind>(glm::vec3(6, 0, 0));
     const WindSampler wind =
         sampler(world, moved({5, 5, 5}) * turned(quarter) * glm::scale(glm::dmat4(1.0), {2.0, 2.0, 4.0}));
@@ -69,13 +69,13 @@ TEST(WindSampler, VelocitiesAreTurnedAndNotScaled) {
     EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
 }
 
-TEST(WindSampler, ScaledPlacesAreScaledHeightsToo) {
+TEST(WindSampler, ScalesHeightsWithPlaces) {
     const WindSampler wind =
-        sampler(std::make_shared<WhereWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
+        sampler(std::make_shared<PlaceWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
     EXPECT_EQ(wind.velocity({{3, 4, 9}, 2}, 0.0), glm::vec3(6, 8, 14));
 }
 
-TEST(WindSampler, ManyPlacesAreThoseOfEach) {
+TEST(WindSampler, SampleEqualsVelocity) {
     const WindSampler wind = sampler(gusts(), moved({300, -50, 12}) * turned(0.7));
     std::vector<WindPlace> places;
     for (int i = 0; i < 150; ++i)
@@ -86,33 +86,33 @@ TEST(WindSampler, ManyPlacesAreThoseOfEach) {
         EXPECT_EQ(out[i], wind.velocity(places[i], 4.5)) << i;
 }
 
-TEST(WindSampler, FarAwayItKeepsWhatPlacesCanSay) {
-    const WindSampler wind = sampler(std::make_shared<WhereWind>(), moved({1.0e6, -1.0e6, 0}));
+TEST(WindSampler, KeepsFloatPrecisionFarFromTheOrigin) {
+    const WindSampler wind = sampler(std::make_shared<PlaceWind>(), moved({1.0e6, -1.0e6, 0}));
     const glm::vec3 v = wind.velocity({{12.3f, 4.5f, 30.25f}, 0.0f}, 0.0);
-    EXPECT_NEAR(v.x, 1.0e6f + 12.3f, 0.04f) << "floats are 0.06 m apart there";
+    EXPECT_NEAR(v.x, 1.0e6f + 12.3f, 0.04f) << "floats have a spacing of 0.06 m there";
     EXPECT_NEAR(v.y, -1.0e6f + 4.5f, 0.04f);
     EXPECT_EQ(v.z, 30.25f);
 }
 
-TEST(WindSampler, AMatrixOfNothingTurnsNothing) {
+TEST(WindSampler, DegenerateMatrixDoesNotTurn) {
     const WindSampler wind = sampler(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
     EXPECT_EQ(wind.velocity({4, 5, 6}, 0.0), glm::vec3(1, 2, 3));
     EXPECT_EQ(sampler(nullptr).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
 }
 
-TEST(WindSampler, AFieldThatReplacesOneFromFilesHasNeitherTheirMapNorThem) {
+TEST(WindSampler, ReplacingTheFieldDropsFilesAndMap) {
     Wind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)));
     WindFiles files;
     files.files = {"a.asc"};
-    WindParts::setFiles(wind, files);
-    EXPECT_TRUE(WindParts::files(wind));
-    EXPECT_TRUE(WindParts::files(Wind(wind))) << "a copy";
+    WindInternals::setFiles(wind, files);
+    EXPECT_TRUE(WindInternals::files(wind));
+    EXPECT_TRUE(WindInternals::files(Wind(wind))) << "a copy";
     wind.field = std::make_shared<UniformWind>(glm::vec3(4, 5, 6));
-    EXPECT_FALSE(WindParts::files(wind));
-    EXPECT_FALSE(WindParts::map(wind));
+    EXPECT_FALSE(WindInternals::files(wind));
+    EXPECT_FALSE(WindInternals::map(wind));
 }
 
-TEST(WindSampler, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
+TEST(WindSampler, TurnedForestLeansLikeTurnedTrees) {
     const glm::dmat4 frame = moved({40, 70, 3}) * turned(quarter);
     ForestDescription upright;
     upright.species = {defaultSpecies()};
@@ -131,8 +131,8 @@ TEST(WindSampler, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
         for (ForestSimulation* simulation : {&inFrame, &inWorld})
             simulation->advance(i / 60.0);
     for (std::size_t tree = 0; tree < 3; ++tree) {
-        const glm::vec2 a = SimulationParts::modal(inFrame)->lean(tree),
-                        b = SimulationParts::modal(inWorld)->lean(tree);
+        const glm::vec2 a = SimulationAccess::modal(inFrame)->lean(tree),
+                        b = SimulationAccess::modal(inWorld)->lean(tree);
         EXPECT_LT(glm::distance(glm::vec2(-a.y, a.x), b), 1e-3f * glm::length(b)) << tree;
     }
 }

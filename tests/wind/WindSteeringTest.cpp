@@ -14,7 +14,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-TEST(WindSteering, OfGustsKeepsWhatNobodySteers) {
+TEST(WindSteering, KeepsUnsteeredParametersOfGusts) {
     GustWind::Parameters gusts;
     gusts.mean = {0.0f, -6.0f, 0.0f}; // from the north
     gusts.intensity = 0.3;
@@ -39,7 +39,7 @@ TEST(WindSteering, OfGustsKeepsWhatNobodySteers) {
     EXPECT_EQ(now.seed, 9u);
 }
 
-TEST(WindSteering, ACalmBeginsToBlowAndAWindDiesDown) {
+TEST(WindSteering, StartsAndStopsAWind) {
     WindSteering steering = steeringOf(nullptr);
     EXPECT_TRUE(steered(nullptr, steering).isCalm());
     steering.strengthen(3.0);
@@ -51,7 +51,7 @@ TEST(WindSteering, ACalmBeginsToBlowAndAWindDiesDown) {
     EXPECT_TRUE(steered(nullptr, steering).isCalm());
 }
 
-TEST(WindSteering, AUniformWindStaysOneUntilItIsGusty) {
+TEST(WindSteering, UniformWindStaysUniformUntilGustsAreAdded) {
     const auto given = std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f));
     WindSteering steering = steeringOf(given);
     steering.strengthen(1.0);
@@ -60,22 +60,22 @@ TEST(WindSteering, AUniformWindStaysOneUntilItIsGusty) {
     EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(steered(given, steering).field));
 }
 
-TEST(WindSteering, AnotherWindIsMadeStrongerAndTurned) {
+TEST(WindSteering, ScalesAndTurnsOtherWinds) {
     const auto given =
         std::make_shared<FunctionWind>([](const glm::vec3& p, double) { return glm::vec3(p.x, 0.0f, 0.0f); });
     WindSteering steering = steeringOf(given);
-    EXPECT_FALSE(steering.isMadeUp);
+    EXPECT_FALSE(steering.isSynthetic);
     for (int i = 0; i < 3; ++i)
         steering.strengthen(1.0);
     steering.turnClockwise(90.0);
     const Wind wind = steered(given, steering);
     EXPECT_LT(glm::length(sampler(wind).velocity({10.0f, 0.0f, 0.0f}, 0.0) - glm::vec3(0.0f, -13.0f, 0.0f)),
               1e-4f);
-    EXPECT_EQ(steeringOf(wind).strength, 1.3) << "not a hair more";
+    EXPECT_EQ(steeringOf(wind).strength, 1.3) << "without rounding errors";
     steering.strengthen(1.0);
     const Wind again = steered(wind, steering);
     EXPECT_EQ(again.field, given);
-    EXPECT_DOUBLE_EQ(again.adjustment.strength, 1.4) << "once, not twice";
+    EXPECT_DOUBLE_EQ(again.adjustment.strength, 1.4) << "not applied twice";
 }
 
 } // namespace

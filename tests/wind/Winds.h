@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-/// A field with one thing done to it, as a forest meets it.
+/// Samplers of a field with a single modification.
 namespace osgTreeWind {
 
 inline WindSampler sampler(Wind wind, const glm::dmat4& place = glm::dmat4(1.0),
@@ -15,23 +15,23 @@ inline WindSampler sampler(Wind wind, const glm::dmat4& place = glm::dmat4(1.0),
     return WindSampler(std::make_shared<const Wind>(std::move(wind)), place, std::move(canopy));
 }
 
-inline Wind sourcedWind(WindFieldPtr field, std::vector<WindSource> sources) {
+inline Wind windWithSources(WindFieldPtr field, std::vector<WindSource> sources) {
     Wind wind(std::move(field));
     wind.sources = std::move(sources);
     return wind;
 }
 
 inline WindSampler withSources(WindFieldPtr field, std::vector<WindSource> sources) {
-    return sampler(sourcedWind(std::move(field), std::move(sources)));
+    return sampler(windWithSources(std::move(field), std::move(sources)));
 }
 
-inline WindSampler retimed(WindFieldPtr field, const WindClock& clock) {
+inline WindSampler withClock(WindFieldPtr field, const WindClock& clock) {
     Wind wind(std::move(field));
     wind.clock = clock;
     return sampler(std::move(wind));
 }
 
-inline WindSampler adjusted(WindFieldPtr field, const WindAdjustment& adjustment) {
+inline WindSampler withAdjustment(WindFieldPtr field, const WindAdjustment& adjustment) {
     Wind wind(std::move(field));
     wind.adjustment = adjustment;
     return sampler(std::move(wind));
@@ -39,7 +39,7 @@ inline WindSampler adjusted(WindFieldPtr field, const WindAdjustment& adjustment
 
 inline WindSampler inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
     auto map = std::make_shared<CanopyMap>(stand);
-    map->refer(reference);
+    map->setReference(reference);
     Wind wind(std::move(field));
     wind.canopy.emplace().seed = seed;
     return sampler(std::move(wind), glm::dmat4(1.0), map);

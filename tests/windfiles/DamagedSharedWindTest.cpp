@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real files of every format, cut and changed: a reason or a sound wind.
+// Real files of every format, truncated and changed: read as a valid wind or refused with a reason.
 #include <tests/FullTests.h>
 #include <tests/windfiles/NetCdfReading.h>
 
@@ -23,7 +23,7 @@ void PrintTo(const RealFile& file, std::ostream* out) {
     *out << file.path;
 }
 
-void expectReasonOrSoundWind(const std::string& path, const std::string& what) {
+void expectReasonOrValidWind(const std::string& path, const std::string& what) {
     const Result<WindFile> file = readWindFile(path);
     if (!file) {
         ASSERT_FALSE(file.problems().empty()) << what;
@@ -38,14 +38,14 @@ void expectReasonOrSoundWind(const std::string& path, const std::string& what) {
     for (const glm::vec3& place : {low, 0.5f * (low + high), high, glm::vec3(0.0f)})
         for (const double time : {0.0, 0.5 * last, last}) {
             const glm::vec3 wind = asField(file.value().wind)->velocity(place, time);
-            // A logarithmic profile whose roughness was changed may go beyond what is measured.
+            // A logarithmic profile with a changed roughness may exceed the limit of measured winds.
             EXPECT_LT(std::abs(wind.x) + std::abs(wind.y) + std::abs(wind.z), 1e6f) << what;
         }
 }
 
 class DamagedSharedWind : public testing::TestWithParam<RealFile> {
 protected:
-    /// Writes the file as the damage left it, with its partner beside it.
+    /// Writes the damaged file, with the other file of its pair beside it.
     std::string write(const std::string& bytes) const {
         const std::string name = GetParam().path;
         return _folder.write(name.substr(name.rfind('/') + 1), bytes);
@@ -62,19 +62,19 @@ private:
 
 } // namespace
 
-TEST_P(DamagedSharedWind, CutAnywhere) {
+TEST_P(DamagedSharedWind, TruncatedFiles) {
     REQUIRE_REAL_DATA(path, GetParam().path);
     writePartner();
     const std::string whole = fileBytes(path);
     std::mt19937 random(11);
     for (const double part : {0.0, 0.001, 0.1, 0.5, 0.9, 0.999}) {
         const auto length = static_cast<std::size_t>(part * static_cast<double>(whole.size())) + random() % 7;
-        expectReasonOrSoundWind(write(whole.substr(0, length)), "cut at " + std::to_string(length));
+        expectReasonOrValidWind(write(whole.substr(0, length)), "cut at " + std::to_string(length));
     }
 }
 
 /// Half of the changes fall into the first 2000 bytes, where headers are.
-TEST_P(DamagedSharedWind, BytesChanged) {
+TEST_P(DamagedSharedWind, ChangedBytes) {
     REQUIRE_REAL_DATA(path, GetParam().path);
     writePartner();
     const std::string whole = fileBytes(path);
@@ -86,7 +86,7 @@ TEST_P(DamagedSharedWind, BytesChanged) {
             bytes[random() % range] =
                 static_cast<char>(random() % 2 ? random() : "0123456789-.eE <>\"\n"[random() % 19]);
         }
-        expectReasonOrSoundWind(write(bytes), "round " + std::to_string(round));
+        expectReasonOrValidWind(write(bytes), "round " + std::to_string(round));
     }
 }
 

@@ -14,8 +14,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A grid has as many numbers as it has points, whatever was read.
-void expectWhole(const Result<WindContent>& content, const std::string& what) {
+/// Expects a problem or a grid with as many numbers as points.
+void expectConsistent(const Result<WindContent>& content, const std::string& what) {
     if (!content) {
         ASSERT_FALSE(content.problems().empty()) << what;
         for (const Diagnostic& problem : content.problems()) {
@@ -46,22 +46,23 @@ void PrintTo(const FormatCase& format, std::ostream* out) {
     *out << format.file;
 }
 
-TEST_P(DamagedWindFile, CutAnywhereIsReadWholeOrNotAtAll) {
+TEST_P(DamagedWindFile, TruncatedFileIsReadCompletelyOrRefused) {
     const std::string whole = bytesOf(GetParam());
     ASSERT_TRUE(GetParam().read(whole, "damaged"));
     for (std::size_t length = 0; length < whole.size(); ++length)
-        expectWhole(GetParam().read(whole.substr(0, length), "damaged"), "cut at " + std::to_string(length));
+        expectConsistent(GetParam().read(whole.substr(0, length), "damaged"),
+                         "cut at " + std::to_string(length));
 }
 
-TEST_P(DamagedWindFile, CutInHalfIsAProblem) {
+TEST_P(DamagedWindFile, HalfAFileIsAProblem) {
     const std::string whole = bytesOf(GetParam());
     const auto content = GetParam().read(whole.substr(0, whole.size() / 2), "damaged");
     ASSERT_FALSE(content);
     EXPECT_FALSE(content.problems().front().line == 0 && content.problems().front().key.empty())
-        << "no place in: " << firstProblem(content);
+        << "no line or byte in: " << firstProblem(content);
 }
 
-TEST_P(DamagedWindFile, AnyBytesChangedAreReadOrRefused) {
+TEST_P(DamagedWindFile, ChangedBytesAreReadOrRefused) {
     const std::string whole = bytesOf(GetParam());
     std::mt19937 random(7);
     for (int round = 0; round < 3000; ++round) {
@@ -69,7 +70,7 @@ TEST_P(DamagedWindFile, AnyBytesChangedAreReadOrRefused) {
         for (unsigned changes = random() % 4 + 1; changes > 0; --changes)
             bytes[random() % bytes.size()] =
                 static_cast<char>(random() % 3 ? random() : "0123456789-.eE <>\"\n"[random() % 19]);
-        expectWhole(GetParam().read(bytes, "damaged"), "round " + std::to_string(round));
+        expectConsistent(GetParam().read(bytes, "damaged"), "round " + std::to_string(round));
     }
 }
 
@@ -81,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Small, DamagedWindFile, testing::ValuesIn(formatCases()
 
 namespace {
 
-/// A change to a small file, and what must be said of it.
+/// A change to a small file and the expected problem.
 struct Damage {
     const char* name;
     const char* file;
@@ -167,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
                "f:2: Uz: no such column for w; the header has TIMESTAMP, RECORD, Ux, Uy, w"}),
     [](const auto& info) { return info.param.name; });
 
-TEST(DamagedWindFile, TurbSimThatClaimsAMillionTimes) {
+TEST(DamagedWindFile, RefusesTurbSimThatClaimsAMillionTimes) {
     std::string bytes = bytesOf(caseOf("small.bts"));
     bytes[16] = 0x10;
     EXPECT_EQ(
@@ -175,14 +176,14 @@ TEST(DamagedWindFile, TurbSimThatClaimsAMillionTimes) {
         "f: byte 243: expected 44040435 bytes for 3 x 2 points, 1 tower points and 1048580 times, found 243");
 }
 
-TEST(DamagedWindFile, TurbSimOfAnotherKind) {
+TEST(DamagedWindFile, RefusesOtherTurbSimIdentifiers) {
     std::string bytes = bytesOf(caseOf("small.bts"));
     bytes[0] = 9;
     EXPECT_EQ(firstProblem(readTurbSim(bytes, "f")),
-              "f: byte 0: expected 7 or 8, the mark of a TurbSim file");
+              "f: byte 0: expected 7 or 8, the identifier of a TurbSim file");
 }
 
-TEST(DamagedWindFile, MismatchedPairIsRefused) {
+TEST(DamagedWindFile, RefusesAMismatchedPair) {
     const TemporaryFolder folder;
     folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
     folder.write("a_ang.asc", replaced(bytesOf(caseOf("pair_ang.asc")), "XLLCENTER 105", "XLLCENTER 115"));
@@ -190,23 +191,23 @@ TEST(DamagedWindFile, MismatchedPairIsRefused) {
               folder.path() + "/a_vel.asc: expected the same cells in both files of the pair");
 }
 
-TEST(DamagedWindFile, LonelyHalfOfAPairNamesTheOther) {
+TEST(DamagedWindFile, NamesTheMissingFileOfAPair) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
     EXPECT_EQ(firstProblem(readWindFile(file)), folder.path() + "/a_ang.asc: no such file");
 }
 
-TEST(DamagedWindFile, AbsurdSpeedIsRefused) {
+TEST(DamagedWindFile, RefusesExcessiveSpeed) {
     const TemporaryFolder folder;
     const std::string file =
         folder.write("a.vtk", replaced(bytesOf(caseOf("vectors.vtk")), "3 0 0", "300 0 0"));
     EXPECT_EQ(firstProblem(readWindFile(file)),
-              file + ": expected winds of at most 200 m/s; number 3 of 12 is none");
+              file + ": expected winds of at most 200 m/s; number 3 of 12 is faster");
 }
 
-TEST(DamagedWindFile, UnknownFormatsEmptyFilesAndFoldersAreRefused) {
+TEST(DamagedWindFile, RefusesUnknownFormatsEmptyFilesAndFolders) {
     const TemporaryFolder folder;
-    EXPECT_NE(firstProblem(readWindFile(folder.write("a.txt", "hello"))).find("no known format"),
+    EXPECT_NE(firstProblem(readWindFile(folder.write("a.txt", "hello"))).find("unknown format"),
               std::string::npos);
     EXPECT_NE(firstProblem(readWindFile(folder.write("b.vtk", ""))).find("empty"), std::string::npos);
     EXPECT_NE(firstProblem(readWindFile(folder.path())).find("not a regular file"), std::string::npos);

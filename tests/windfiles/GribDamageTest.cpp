@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Damaged and contradictory GRIB: one clear reason each, and this process lives on.
+// Damaged and inconsistent GRIB files: refused with a clear reason, without a crash.
 #include <tests/FullTests.h>
-#include <tests/WithoutReader.h>
+#include <tests/MissingReader.h>
 #include <tests/windfiles/GribReading.h>
 
 #include <random>
@@ -26,7 +26,7 @@ grib::Field edition1() {
     return field;
 }
 
-/// Where each section of a message begins.
+/// Offset of each section of a message.
 std::vector<std::size_t> sectionsOf(const std::string& message, int edition) {
     const auto number = [&](std::size_t at, std::size_t count) {
         std::size_t value = 0;
@@ -56,7 +56,7 @@ bool has(const std::string& text, const std::string& part) {
 
 } // namespace
 
-TEST(GribDamage, CutAtAndWithinEverySection) {
+TEST(GribDamage, RefusesTruncationInEverySection) {
     for (const int edition : {1, 2}) {
         grib::Field field = edition == 1 ? edition1() : grib::Field();
         const std::string u = messageOf(field), whole = u + messageOf(northwardOf(field));
@@ -71,27 +71,27 @@ TEST(GribDamage, CutAtAndWithinEverySection) {
     }
 }
 
-TEST(GribDamage, SectionsThatContradictTheirMessage) {
+TEST(GribDamage, RefusesInconsistentSections) {
     const std::string u = messageOf({}), v = messageOf(northwardOf({}));
     const std::vector<std::size_t> sections = sectionsOf(u, 2);
     for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
         std::string bytes = u + v;
         bytes[sections[i] + 1] = '\x7f'; // its length
-        EXPECT_TRUE(has(problemOfGrib(bytes), "is longer than what is left of the message")) << i;
+        EXPECT_TRUE(has(problemOfGrib(bytes), "is longer than the rest of the message")) << i;
         bytes = u + v;
         bytes[sections[i] + 4] = '\x09'; // its number
         EXPECT_TRUE(has(problemOfGrib(bytes), "expected a section 1 to 7, found 9")) << i;
     }
     std::string bytes = u + v;
     bytes[u.size() - 1] = '8';
-    EXPECT_EQ(problemOfGrib(bytes), "message 1, at byte 0: it does not end where it says, after " +
-                                        std::to_string(u.size()) + " bytes");
+    EXPECT_EQ(problemOfGrib(bytes),
+              "message 1, at byte 0: expected its end after " + std::to_string(u.size()) + " bytes");
     bytes = u + v;
     bytes[sections[1] + 14] = 13; // its month
     EXPECT_EQ(problemOfGrib(bytes), "message 1, at byte 0: section 1 has a date that does not exist");
 }
 
-TEST(GribDamage, WhatIsMissingIsNamed) {
+TEST(GribDamage, NamesMissingFields) {
     grib::Field u, high, later;
     high.level = 80.0;
     later.lead = 3;
@@ -101,8 +101,8 @@ TEST(GribDamage, WhatIsMissingIsNamed) {
     EXPECT_EQ(problemOf({u, northwardOf(u), northwardOf(later)}),
               "U at 10 m above ground at 2017-06-03T21:00:00Z is missing");
     EXPECT_EQ(problemOf({u, u, northwardOf(u)}),
-              "U at 10 m above ground at 2017-06-03T18:00:00Z is there twice, as with "
-              "the members of an ensemble; expected one of each");
+              "U at 10 m above ground at 2017-06-03T18:00:00Z occurs twice, as in an "
+              "ensemble; expected one field for each");
     grib::Field temperature;
     temperature.category = 0;
     EXPECT_EQ(problemOf({temperature}),
@@ -113,7 +113,7 @@ TEST(GribDamage, WhatIsMissingIsNamed) {
                     "U and V are at different kinds of levels: U at 10 m above ground"));
 }
 
-TEST(GribDamage, LevelsWithoutHeightsAreNamed) {
+TEST(GribDamage, NamesLevelsWithoutHeights) {
     grib::Field low, high, height;
     low.type = high.type = height.type = 100;
     low.level = 100000;
@@ -136,7 +136,7 @@ TEST(GribDamage, LevelsWithoutHeightsAreNamed) {
               "found wind at isobaric levels, levels of other kinds");
 }
 
-TEST(GribDamage, DifferentGridsAreNeverReadAsOne) {
+TEST(GribDamage, RefusesDifferentGrids) {
     grib::Field u, moved, small, turned;
     moved.grid.longitude = 10.5;
     small.grid.rows = 2;
@@ -148,15 +148,16 @@ TEST(GribDamage, DifferentGridsAreNeverReadAsOne) {
               "different grids, latitude and longitude of 4 x 3 and latitude and longitude of 4 x 3");
     EXPECT_TRUE(has(problemOf({u, northwardOf(small)}), "4 x 3 and latitude and longitude of 4 x 2"));
     EXPECT_TRUE(has(problemOf({u, northwardOf(turned)}),
-                    "count from different norths: one from true north, one from the grid's"));
+                    "are relative to different norths: one to true north, one to the grid's north"));
 }
 
-TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
+TEST(GribDamage, RefusesUnevenGridsByName) {
     for (const auto& [number, problem] :
-         {std::pair{1, "message 1, at byte 0: ecCodes cannot decode its grid, of template 1"}, // it is longer
-          {40, "its grid is Gaussian, whose points are not even"},
-          {50, "its grid is spherical harmonics, whose points are not even"},
-          {101, "its grid is unstructured, whose points are not even"},
+         {std::pair{1, "message 1, at byte 0: ecCodes cannot decode its grid, of template 1"}, // longer than
+                                                                                               // template 0
+          {40, "its grid is Gaussian, whose points are not evenly spaced"},
+          {50, "its grid is spherical harmonics, whose points are not evenly spaced"},
+          {101, "its grid is unstructured, whose points are not evenly spaced"},
           {999, "message 1, at byte 0: ecCodes cannot decode its grid, of template 999"}}) {
         std::string bytes;
         for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
@@ -169,7 +170,7 @@ TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
     }
 }
 
-TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
+TEST(GribDamage, RefusesHugeGridsBeforeAllocation) {
     std::string bytes;
     for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         bytes += message;
@@ -181,7 +182,7 @@ TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
             "expected at most 134217728 points, found latitude and longitude of 16777220 x 16777219"));
 }
 
-TEST(GribDamage, PackingThatNobodyKnowsIsNamed) {
+TEST(GribDamage, NamesUnknownPacking) {
     std::string bytes;
     for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         bytes += message;
@@ -193,7 +194,7 @@ TEST(GribDamage, PackingThatNobodyKnowsIsNamed) {
     EXPECT_FALSE(has(problem, "/vsi")) << problem;
 }
 
-TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
+TEST(GribDamage, DecodesOnlyTheRequiredMessages) {
     const auto onGrid999 = [](std::string message) {
         message[sectionsOf(message, 2)[2] + 12] = '\3';
         message[sectionsOf(message, 2)[2] + 13] = '\xe7';
@@ -214,7 +215,7 @@ TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
     grib::Field temperature, temperature1 = edition1(), gusts, isobaric, height;
     temperature.category = 0;
     temperature1.number = 11;
-    gusts.product = 8; // over a span of time
+    gusts.product = 8; // over a time span
     isobaric.type = height.type = 100;
     isobaric.level = height.level = 85000;
     height.category = 3;
@@ -238,24 +239,24 @@ TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
             ": ecCodes cannot decode its grid, of template 999");
 }
 
-TEST(GribDamage, NumbersThatAreNotWhatTheirSectionSaysAreRefused) {
+TEST(GribDamage, RefusesValuesThatContradictTheirSection) {
     std::string first, second;
     for (const std::string& message : {messageOf(edition1()), messageOf(northwardOf(edition1()))}) {
         first += message;
-        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40; // by second order
+        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40; // second-order packing
     }
     for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         second += message;
-        second[second.size() - message.size() + sectionsOf(message, 2)[4] + 10] = 41; // as PNG
+        second[second.size() - message.size() + sectionsOf(message, 2)[4] + 10] = 41; // PNG packing
     }
-    EXPECT_EQ(problemOfGrib(first), "message 1, at byte 0: ecCodes cannot decode how its numbers are packed");
+    EXPECT_EQ(problemOfGrib(first), "message 1, at byte 0: ecCodes cannot decode the packing of its values");
     EXPECT_TRUE(has(problemOfGrib(second),
-                    "U at 10 m above ground at 2017-06-03T18:00:00Z: its numbers, packed "
+                    "U at 10 m above ground at 2017-06-03T18:00:00Z: its values, packed "
                     "as grid_png, cannot be read: "))
         << problemOfGrib(second);
 }
 
-TEST(GribDamage, DamagedFilesAreReadOrRefusedWithAReason) {
+TEST(GribDamage, ReadsOrRefusesDamagedFilesWithAReason) {
     std::mt19937 random(16);
     for (int round = 0; round < casesToRun(200, 30); ++round) {
         grib::Field field = round % 2 ? grib::Field() : edition1();
@@ -271,11 +272,11 @@ TEST(GribDamage, DamagedFilesAreReadOrRefusedWithAReason) {
     }
 }
 
-TEST(GribDamage, WithoutItsReaderItSaysWhatIsMissing) {
+TEST(GribDamage, NamesTheMissingReaderProgram) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a", messageOf({}));
-    expectReaderMissed("OSGTREEWIND_WEATHER", path, "GRIB", "GDAL and ecCodes",
-                       [&] { return firstProblem(readAt(path)); });
+    expectMissingReaderError("OSGTREEWIND_WEATHER", path, "GRIB", "GDAL and ecCodes",
+                             [&] { return firstProblem(readAt(path)); });
 }
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Isobaric and model levels of GRIB: where they lie above the model's own ground.
+// Heights of isobaric and model levels of GRIB above the terrain of the model.
 #include <tests/windfiles/GribReading.h>
 
 namespace osgTreeWind {
@@ -19,7 +19,7 @@ grib::Field atLevel(int type, double level) {
     return field;
 }
 
-/// U of a level is `speed`, its geopotential height `height` m.
+/// A level with U = `speed` at geopotential height `height`, metres.
 std::string level(const grib::Field& field, double speed, double height) {
     grib::Field heights = field;
     heights.category = 3;
@@ -47,16 +47,16 @@ void expectSpeed(const Result<WindFile>& file, const WindPlace& place, float spe
 
 } // namespace
 
-TEST(GribLevels, HeightsCountFromTheModelsGround) {
+TEST(GribLevels, HeightsAreAboveTheTerrainOfTheModel) {
     const auto file = readGribBytes(twoLevels() + orography(constant(40)));
     expectSpeed(file, {10, 50, 60}, 5);
     expectSpeed(file, {10, 50, 510}, 10);
     expectSpeed(file, {10, 50, 960}, 15);
-    expectSpeed(file, WindPlace(glm::vec3(10, 50, 2510), 2000), 10); // above whatever ground is there
-    EXPECT_TRUE(notes(file.value().summary, "heights are those above the model's own ground"));
+    expectSpeed(file, WindPlace(glm::vec3(10, 50, 2510), 2000), 10); // relative to the ground below the place
+    EXPECT_TRUE(hasNote(file.value().summary, "heights are above the terrain of the model"));
 }
 
-TEST(GribLevels, LevelsBelowTheGroundHaveTheWindAboveIt) {
+TEST(GribLevels, LevelsBelowTheTerrainGetTheLowestWindAboveIt) {
     const auto hill = [](int column, int) { return column == 0 ? 400.0 : 0.0; };
     const auto file = readGribBytes(twoLevels() + orography(hill));
     expectSpeed(file, {10, 50, 0}, 15); // 1000 hPa lies 300 m below
@@ -65,14 +65,14 @@ TEST(GribLevels, LevelsBelowTheGroundHaveTheWindAboveIt) {
     expectSpeed(file, {11, 50, 550}, 10);
 }
 
-TEST(GribLevels, WithoutGroundTheyCountFromTheSea) {
+TEST(GribLevels, HeightsWithoutTerrainAreAboveSeaLevel) {
     const auto file = readGribBytes(twoLevels());
     expectSpeed(file, {10, 50, 550}, 10);
-    expectSpeed(file, WindPlace(glm::vec3(10, 50, 550), 500), 10); // wherever the ground is
-    EXPECT_TRUE(notes(file.value().summary, "does not give the height of the model's ground"));
+    expectSpeed(file, WindPlace(glm::vec3(10, 50, 550), 500), 10); // independent of the ground below
+    EXPECT_TRUE(hasNote(file.value().summary, "does not contain the terrain of the model"));
 }
 
-TEST(GribLevels, GeopotentialOfEcmwfIsOverGravity) {
+TEST(GribLevels, DividesGeopotentialByGravity) {
     grib::Field field;
     field.edition = 1;
     field.table = 128;
@@ -90,7 +90,7 @@ TEST(GribLevels, GeopotentialOfEcmwfIsOverGravity) {
     expectSpeed(file, {10, 50, 650}, 17); // 850 hPa
 }
 
-TEST(GribLevels, HeightsOfEachTime) {
+TEST(GribLevels, ReadsHeightsOfEachTime) {
     std::string bytes;
     for (const int lead : {0, 6}) {
         grib::Field low = atLevel(isobaric, 1000 * pascal), high = atLevel(isobaric, 900 * pascal);
@@ -103,7 +103,7 @@ TEST(GribLevels, HeightsOfEachTime) {
     EXPECT_NEAR(asField(file.value().wind)->velocity({10, 50, 850}, 21600).x, 10, 0.01);
 }
 
-TEST(GribLevels, ModelLevelsOfEitherOrder) {
+TEST(GribLevels, ReadsModelLevelsInEitherOrder) {
     for (const bool upward : {true, false}) {
         const auto file = readGribBytes(level(atLevel(hybrid, upward ? 1 : 2), 5, 100) +
                                         level(atLevel(hybrid, upward ? 2 : 1), 15, 1000));
@@ -112,26 +112,26 @@ TEST(GribLevels, ModelLevelsOfEitherOrder) {
     }
 }
 
-TEST(GribLevels, LevelsThatDoNotRiseAreKept) {
+TEST(GribLevels, SeparatesLevelsThatDoNotIncrease) {
     const auto file = readGribBytes(level(atLevel(isobaric, 1000 * pascal), 5, 100) +
                                     level(atLevel(isobaric, 900 * pascal), 15, 100));
     expectSpeed(file, {10, 50, 50}, 5);
     expectSpeed(file, {10, 50, 200}, 15);
 }
 
-TEST(GribLevels, HeightsAboveTheSeaAreHeights) {
+TEST(GribLevels, ReadsHeightsAboveSeaLevel) {
     const std::string bytes = grib::wind(atLevel(aboveSea, 500), constant(5), constant(0)) +
                               grib::wind(atLevel(aboveSea, 1500), constant(15), constant(0));
     expectSpeed(readGribBytes(bytes), {10, 50, 1000}, 10);
     expectSpeed(readGribBytes(bytes + orography(constant(400))), {10, 50, 600}, 10);
 }
 
-TEST(GribLevels, HeightsAboveGroundComeFirstAndANoteSaysWhatIsLeftOut) {
+TEST(GribLevels, PrefersHeightsAboveGroundWithANote) {
     const auto file = readGribBytes(twoLevels() + orography(constant(0)) +
                                     grib::wind(atLevel(103, 10), constant(3), constant(0)));
     expectSpeed(file, {10, 50, 900}, 3);
-    EXPECT_TRUE(notes(file.value().summary,
-                      "the wind at heights above ground is taken; that at isobaric levels is left out"));
+    EXPECT_TRUE(hasNote(file.value().summary,
+                        "the wind at heights above ground is used; that at isobaric levels is ignored"));
 }
 
 } // namespace osgTreeWind

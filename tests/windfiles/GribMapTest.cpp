@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where GRIB's points lie, which north its components count from, and windows of its grid.
+// Georeference of GRIB grids, north of their components, and windows.
 #include <tests/windfiles/GribReading.h>
 
 #include <glm/common.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-/// 31 x 21 points of Lambert's map, 100 km apart, whose first is at 30 N, 110 W; 10 m/s along its U.
+/// 31 x 21 points in Lambert projection, 100 km apart, the first at 30 N, 110 W; U is 10 m/s.
 grib::Field lambert(int edition, bool relativeToGrid) {
     grib::Field field;
     field.edition = edition;
@@ -27,8 +27,7 @@ std::string tenAlongU(const grib::Field& field) {
         field, [](int, int) { return 10.0; }, [](int, int) { return 0.0; });
 }
 
-/// Of Lambert's map: the angle by which true north lies to the left of the y axis, sin 25° (longitude - 95
-/// W).
+/// Angle of true north to the left of the y axis of the Lambert projection: sin 25° (longitude - 95 W).
 double lambertConvergence(const glm::dvec2& place, double radius) {
     return std::atan2(place.x, radius / std::tan(25.0 * degree) - place.y);
 }
@@ -38,7 +37,7 @@ GridWind::Grid gridOf(const Result<WindContent>& content) {
     return content ? std::get<GridWind::Grid>(content.value().data) : GridWind::Grid();
 }
 
-/// The whole Earth, 10 degrees apart from Greenwich eastward; U is the column, V the row.
+/// The globe in steps of 10 degrees, eastward from Greenwich; U is the column, V the row.
 std::string earth() {
     grib::Field field;
     field.grid = {false, 36, 19, 0.0, 90.0, 10.0};
@@ -46,7 +45,7 @@ std::string earth() {
         field, [](int column, int) { return 1.0 * column; }, [](int, int row) { return 1.0 * row; });
 }
 
-/// What the area of a file holds, each point checked against the whole Earth's column and row.
+/// Reads an area and compares each point with the column and row of the globe.
 GridWind::Grid windowOfEarth(const WindArea& area) {
     const TemporaryFolder folder;
     WindRequest request;
@@ -68,7 +67,7 @@ class GribMap : public testing::TestWithParam<int> {};
 
 } // namespace
 
-TEST_P(GribMap, WhatCountsFromTheGridStays) {
+TEST_P(GribMap, DoesNotTurnGridRelativeWind) {
     const auto file = readGribBytes(tenAlongU(lambert(GetParam(), true)), false);
     ASSERT_TRUE(file) << firstProblem(file);
     const WindSummary& summary = file.value().summary;
@@ -79,7 +78,7 @@ TEST_P(GribMap, WhatCountsFromTheGridStays) {
         expectNear(asField(file.value().wind)->velocity(glm::vec3(place), 0), {10, 0, 0}, 1e-4f);
 }
 
-TEST_P(GribMap, WhatCountsFromTrueNorthIsTurnedByTheConvergence) {
+TEST_P(GribMap, TurnsWindFromTrueNorthByTheConvergence) {
     const std::string bytes = tenAlongU(lambert(GetParam(), false));
     const auto file = readGribBytes(bytes, false), stored = readGribBytes(bytes);
     ASSERT_TRUE(file) << firstProblem(file);
@@ -95,11 +94,11 @@ TEST_P(GribMap, WhatCountsFromTrueNorthIsTurnedByTheConvergence) {
                    1e-3f);
         expectNear(asField(stored.value().wind)->velocity(at, 0), {10, 0, 0}, 1e-4f);
     }
-    EXPECT_TRUE(notes(summary, "velocities here are turned to the grid's y axis, by"));
-    EXPECT_TRUE(notes(stored.value().summary, "in a forest its velocities are turned"));
+    EXPECT_TRUE(hasNote(summary, "they are turned to the grid's y axis, by"));
+    EXPECT_TRUE(hasNote(stored.value().summary, "in a forest they are turned"));
 }
 
-TEST_P(GribMap, TheFirstPointLiesWhereItSays) {
+TEST_P(GribMap, FirstPointIsAtItsLongitudeAndLatitude) {
     const auto file = readGribBytes(tenAlongU(lambert(GetParam(), true)), false);
     ASSERT_TRUE(file) << firstProblem(file);
     const WindSummary& summary = file.value().summary;
@@ -115,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Both, GribMap, testing::Values(1, 2),
                          [](const auto& info) { return "Edition" + std::to_string(info.param); });
 
 /// Polar stereographic, true at 60 N, straight up at 95 W.
-TEST(GribMaps, OnThePolesMapTrueNorthIsTowardThePole) {
+TEST(GribMaps, TrueNorthIsTowardThePoleInPolarStereographic) {
     grib::Field field = lambert(2, false);
     field.grid.lambertTemplate = 20;
     const auto file = readGribBytes(tenAlongU(field), false);
@@ -127,7 +126,7 @@ TEST(GribMaps, OnThePolesMapTrueNorthIsTowardThePole) {
     EXPECT_NEAR(std::atan2(place.x, -place.y) / degree, 250.0 - 265.0, 1e-4);
 }
 
-TEST(GribMaps, OnMercatorsMapNorthIsUp) {
+TEST(GribMaps, TrueNorthIsUpInMercator) {
     grib::Field field = lambert(2, false);
     field.grid.lambertTemplate = 10;
     field.grid.longitude = 10.0;
@@ -140,20 +139,20 @@ TEST(GribMaps, OnMercatorsMapNorthIsUp) {
                 6371229.0 * std::cos(20.0 * degree) * std::log(std::tan(70.0 * degree)), 1.0);
 }
 
-TEST(GribMaps, AWindowHoldsTheSameAsTheWhole) {
+TEST(GribMaps, WindowEqualsTheWholeFile) {
     const GridWind::Grid grid = windowOfEarth({"", {31, 41}, {52, 49}});
     EXPECT_EQ(grid.origin.x, 20.0);
     EXPECT_EQ(grid.points, glm::ivec3(6, 4, 1)) << "one more on either side";
     EXPECT_EQ(grid.origin.y, 30.0);
 }
 
-TEST(GribMaps, AWindowAcrossGreenwich) {
+TEST(GribMaps, ReadsAWindowAcrossGreenwich) {
     const GridWind::Grid grid = windowOfEarth({"", {-12, -3}, {12, 3}});
     EXPECT_EQ(grid.origin.x, -30.0);
     EXPECT_EQ(grid.points.x, 7);
 }
 
-TEST(GribMaps, AWindowAcrossTheDateLineOfEitherCount) {
+TEST(GribMaps, ReadsAWindowAcrossTheDateLine) {
     const GridWind::Grid east = windowOfEarth({"", {175, -3}, {186, 3}}),
                          west = windowOfEarth({"", {-185, -3}, {-174, 3}});
     EXPECT_EQ(east.origin.x, 160.0);
@@ -161,14 +160,14 @@ TEST(GribMaps, AWindowAcrossTheDateLineOfEitherCount) {
     EXPECT_EQ(east.values, west.values);
 }
 
-TEST(GribMaps, AWindowOnAnotherMap) {
+TEST(GribMaps, ReadsAWindowInAnotherCrs) {
     const GridWind::Grid grid = windowOfEarth({"EPSG:32632", {4e5, 5.5e6}, {6e5, 5.6e6}});
     EXPECT_LE(grid.origin.x, 7.0);
     EXPECT_GE(grid.origin.x + grid.cell.x * (grid.points.x - 1), 11.0);
     EXPECT_EQ(grid.points.x, 5);
 }
 
-TEST(GribMaps, AWindowOfAMapIsTurnedAsTheWholeIs) {
+TEST(GribMaps, TurnsAWindowLikeTheWholeFile) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.grib2", tenAlongU(lambert(2, false)));
     const GridWind::Grid whole = gridOf(readWindContent(path, {}));

@@ -10,13 +10,13 @@
 
 namespace osgTreeWind {
 
-/// Bytes as a file, read whole, on its own map or degrees.
+/// Reads the whole of a file with these bytes in its own CRS.
 inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = true) {
     const TemporaryFolder folder;
     return readAt(folder.write("wind.grib", bytes), glm::dvec3(0.0), asStored);
 }
 
-/// Why bytes are no wind, without the name of the file.
+/// The problem of a file with these bytes, without the name of the file.
 inline std::string problemOfGrib(const std::string& bytes) {
     const Result<WindFile> file = readGribBytes(bytes);
     const std::string text = firstProblem(file);
@@ -25,7 +25,7 @@ inline std::string problemOfGrib(const std::string& bytes) {
     return text.find(name) == std::string::npos ? text : text.substr(text.find(name) + name.size());
 }
 
-/// U grows by 1 to the east and by 10 to the south from 1; V is -U / 2.
+/// U is 1 at the first point, 1 more per column and 10 more per row; V is -U / 2.
 inline double eastward(int column, int row) {
     return 1.0 + column + 10.0 * row;
 }

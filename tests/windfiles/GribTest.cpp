@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Wind of GRIB, edition 1 and 2: numbers, levels and times against what was written.
+// Wind of GRIB, edition 1 and 2: values, levels and times equal those written.
 #include <tests/windfiles/GribReading.h>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// On 4 x 3 points of 10 to 11.5 E and 50 to 49 N.
+/// Fields on 4 x 3 points from 10 to 11.5 E and 50 to 49 N.
 std::string degreesOf(int edition) {
     grib::Field field;
     field.edition = edition;
@@ -22,7 +22,7 @@ class GribEditions : public testing::TestWithParam<int> {};
 
 } // namespace
 
-TEST_P(GribEditions, PointsOnDegreesFromTheNorth) {
+TEST_P(GribEditions, ReadsPointsInDegreesFromTheNorth) {
     const auto file = readGribBytes(degreesOf(GetParam()));
     ASSERT_TRUE(file) << firstProblem(file);
     const WindSummary& summary = file.value().summary;
@@ -40,21 +40,21 @@ TEST_P(GribEditions, PointsOnDegreesFromTheNorth) {
     expectSpot(file.value(), {10.25, 49.75, 10}, 0, {6.5, -3.25, 0});
 }
 
-TEST_P(GribEditions, TheSmallFileIsThisOne) {
+TEST_P(GribEditions, WritesTheSharedSmallFile) {
     EXPECT_EQ(fileBytes(smallNetCdf("small.grib" + std::to_string(GetParam()))), degreesOf(GetParam()));
 }
 
-TEST_P(GribEditions, ItsMapIsReadBack) {
+TEST_P(GribEditions, CrsCanBeParsed) {
     const auto file = readGribBytes(degreesOf(GetParam()));
     ASSERT_TRUE(file) << firstProblem(file);
     const Result<WindArea> area =
-        areaOn(file.value().summary.crs, {"EPSG:32632", {5e5, 5.5e6}, {5e5, 5.5e6}});
+        areaOnMap(file.value().summary.crs, {"EPSG:32632", {5e5, 5.5e6}, {5e5, 5.5e6}});
     ASSERT_TRUE(area) << firstProblem(area);
     EXPECT_NEAR(area.value().low.x, 9.0, 1e-6);
     EXPECT_NEAR(area.value().low.y, 49.65, 0.01);
 }
 
-TEST_P(GribEditions, SeveralTimesByReferenceAndLead) {
+TEST_P(GribEditions, ReadsTimesFromReferenceAndLeadTime) {
     grib::Field field;
     field.edition = GetParam();
     field.type = GetParam() == 1 ? 105 : 103;
@@ -72,7 +72,7 @@ TEST_P(GribEditions, SeveralTimesByReferenceAndLead) {
     expectSpot(file.value(), {10, 50, 10}, 16200, {5.5, 2, 0});
 }
 
-TEST_P(GribEditions, OfSeveralForecastsForOneTimeTheLatestIsTaken) {
+TEST_P(GribEditions, UsesTheLatestForecastForEachTime) {
     grib::Field early, late;
     early.edition = late.edition = GetParam();
     early.type = late.type = GetParam() == 1 ? 105 : 103;
@@ -83,11 +83,10 @@ TEST_P(GribEditions, OfSeveralForecastsForOneTimeTheLatestIsTaken) {
     const auto file = readGribBytes(bytes);
     ASSERT_TRUE(file) << firstProblem(file);
     expectSpot(file.value(), {10, 50, 10}, 0, {7, 0, 0});
-    EXPECT_TRUE(
-        notes(file.value().summary, "of several forecasts for one time the latest is taken; 1 fields of U"));
+    EXPECT_TRUE(hasNote(file.value().summary, "the latest forecast for each time is used; 1 fields of U"));
 }
 
-TEST_P(GribEditions, HeightsAboveGroundAreLayersAboveIt) {
+TEST_P(GribEditions, ReadsHeightsAboveGroundAsLayers) {
     grib::Field field;
     field.edition = GetParam();
     field.type = GetParam() == 1 ? 105 : 103;
@@ -106,7 +105,7 @@ TEST_P(GribEditions, HeightsAboveGroundAreLayersAboveIt) {
     }
 }
 
-TEST_P(GribEditions, PointsWithoutDataAreCalm) {
+TEST_P(GribEditions, MissingPointsAreCalm) {
     grib::Field field;
     field.edition = GetParam();
     field.type = GetParam() == 1 ? 105 : 103;
@@ -115,10 +114,10 @@ TEST_P(GribEditions, PointsWithoutDataAreCalm) {
     ASSERT_TRUE(file) << firstProblem(file);
     expectSpot(file.value(), {10.5, 50, 10}, 0, {0, 0, 0});
     expectSpot(file.value(), {11, 50, 10}, 0, {3, -1.5, 0});
-    EXPECT_TRUE(notes(file.value().summary, "1 of 12 velocities have no data"));
+    EXPECT_TRUE(hasNote(file.value().summary, "1 of 12 velocities have no data"));
 }
 
-TEST_P(GribEditions, ABulletinHeadingAndPaddingAreSkipped) {
+TEST_P(GribEditions, SkipsBulletinHeadingAndPadding) {
     const std::string bytes =
         "\1\r\r\n123\r\r\nHTXX01 KWBC 031800\r\r\n" + degreesOf(GetParam()) + std::string(120, '\0');
     const auto file = readGribBytes(bytes);
@@ -130,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Both, GribEditions, testing::Values(1, 2),
                          [](const auto& info) { return "Edition" + std::to_string(info.param); });
 
 /// small.grib2 through `grib_set -r -s packingType=grid_ccsds`.
-TEST(Grib, PackedByCcsdsItSaysTheSame) {
+TEST(Grib, ReadsCcsdsPacking) {
     const auto file = readGribBytes(fileBytes(smallNetCdf("ccsds.grib2")));
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_EQ(file.value().summary.points, glm::ivec3(4, 3, 1));
@@ -138,7 +137,7 @@ TEST(Grib, PackedByCcsdsItSaysTheSame) {
     expectSpot(file.value(), {11.5, 49, 10}, 0, {24, -12, 0});
 }
 
-TEST(Grib, NamesOfEcmwfMeanTheirHeight) {
+TEST(Grib, EcmwfParametersImplyTheirHeight) {
     grib::Field field;
     field.edition = 1;
     field.type = 1;
@@ -158,7 +157,7 @@ TEST(Grib, NamesOfEcmwfMeanTheirHeight) {
     expectSpot(file.value(), {10, 50, 100}, 0, {6, 8, 0});
 }
 
-TEST(Grib, UpwardWindIsRead) {
+TEST(Grib, ReadsVerticalWind) {
     grib::Field field;
     const std::string bytes =
         degreesOf(2) + grib::message(grib::with(field, 9, [](int, int) { return 0.5; }));
@@ -168,17 +167,17 @@ TEST(Grib, UpwardWindIsRead) {
     EXPECT_TRUE(file.value().summary.notes.empty());
 }
 
-TEST(Grib, ChangesOfPressureAreLeftOutWithANote) {
+TEST(Grib, IgnoresChangesOfPressureWithANote) {
     grib::Field field;
     const std::string bytes =
         degreesOf(2) + grib::message(grib::with(field, 8, [](int, int) { return 0.5; }));
     const auto file = readGribBytes(bytes);
     ASSERT_TRUE(file) << firstProblem(file);
     expectSpot(file.value(), {10, 50, 10}, 0, {1, -0.5, 0});
-    EXPECT_TRUE(notes(file.value().summary, "vertical velocities in Pa/s are left out"));
+    EXPECT_TRUE(hasNote(file.value().summary, "vertical velocities in Pa/s are ignored"));
 }
 
-TEST(Grib, SpeedAndDirectionFrom) {
+TEST(Grib, ReadsSpeedAndDirectionFrom) {
     grib::Field field;
     const std::string bytes = grib::message(grib::with(field, 1, [](int, int) { return 10.0; })) +
                               grib::message(grib::with(field, 0, [](int, int) { return 90.0; }));
@@ -188,7 +187,7 @@ TEST(Grib, SpeedAndDirectionFrom) {
     EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from true north");
 }
 
-TEST(Grib, GustsAndMaximaAreNoWind) {
+TEST(Grib, IgnoresGustsAndMaxima) {
     grib::Field gust, most;
     gust.number = 22;
     most.product = 8;
@@ -197,18 +196,17 @@ TEST(Grib, GustsAndMaximaAreNoWind) {
     ASSERT_TRUE(file) << firstProblem(file);
     expectSpot(file.value(), {10, 50, 10}, 0, {1, -0.5, 0});
     EXPECT_EQ(problemOfGrib(grib::message(most)), "expected fields of wind: U and V, or its speed and "
-                                                  "direction; found only such as hold for a span of time");
+                                                  "direction; found only fields averaged over a time span");
 }
 
-TEST(Grib, ASingleLevelOfAnotherKindIsTakenWithANote) {
+TEST(Grib, UsesASingleLevelWithoutHeightWithANote) {
     grib::Field field;
     field.type = 1;
     field.level = 0;
     const auto file = readGribBytes(grib::wind(field, eastward, northward));
     ASSERT_TRUE(file) << firstProblem(file);
     expectSpot(file.value(), {10, 50, 40}, 0, {1, -0.5, 0});
-    EXPECT_TRUE(
-        notes(file.value().summary, "the wind is that at the surface, of which the file gives no height"));
+    EXPECT_TRUE(hasNote(file.value().summary, "the file gives no height for the surface"));
 }
 
 } // namespace osgTreeWind

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-/// Small files of GRIB, byte by byte.
+/// Writes small GRIB files byte by byte.
 namespace osgTreeWind::grib {
 
-/// `count` octets of a whole number, the most significant first.
+/// A big-endian integer of `count` octets.
 inline std::string number(std::uint64_t value, std::size_t count) {
     std::string bytes;
     while (count-- > 0)
@@ -19,14 +19,14 @@ inline std::string number(std::uint64_t value, std::size_t count) {
     return bytes;
 }
 
-/// The same with a sign in the first bit.
+/// The same with the sign in the first bit.
 inline std::string withSign(double value, std::size_t count) {
     const auto size = static_cast<std::uint64_t>(std::llround(std::abs(value)));
     return number(value < 0.0 ? size | std::uint64_t(1) << (8 * count - 1) : size, count);
 }
 
-/// Points from the north-west, rows southward, on longitudes and latitudes; or on Lambert's map around 25 N,
-/// 95 W on a sphere of 6371.229 km (edition 1: NCEP's 6371.2 km), from the south-west, rows northward.
+/// Points in longitude and latitude from the north-west, rows southward; or in Lambert projection around 25
+/// N, 95 W on a sphere of 6371.229 km (edition 1: NCEP's 6371.2 km) from the south-west, rows northward.
 struct Grid {
     bool lambert = false;
     int columns = 4, rows = 3;
@@ -36,7 +36,7 @@ struct Grid {
     int lambertTemplate = 30; ///< Edition 2: 30, 20 (polar stereographic) or 10 (Mercator).
 };
 
-/// A field. Edition 2 numbers its parameters and levels so; of edition 1 `number` and `type` are its own.
+/// A field with parameter and level numbers of edition 2; `number` and `type` must be set for edition 1.
 struct Field {
     int edition = 2;
     int table = 2;          ///< Edition 1: its version; 128 and 228 are ECMWF's.
@@ -64,7 +64,7 @@ inline std::string section2(int section, const std::string& content) {
     return number(content.size() + 5, 4) + number(static_cast<unsigned>(section), 1) + content;
 }
 
-/// Numbers of a field as 16 bits each, and the bitmap of those that are there.
+/// Values of a field in 16 bits each, and the bitmap of available values.
 inline std::string packed(const Field& field, std::string& bitmap) {
     std::string numbers;
     int bit = 0;
@@ -91,7 +91,7 @@ inline std::string ieee(double value) {
     return number(bits, 4);
 }
 
-/// A whole number below 2^24 as IBM's floating point.
+/// An integer below 2^24 as IBM floating point.
 inline std::string ibm(double value) {
     return number((value < 0.0 ? 0x80u : 0u) | 0x46u, 1) +
            number(static_cast<std::uint64_t>(std::abs(value)), 3);
@@ -205,7 +205,7 @@ inline std::string message(const Field& field) {
     return field.edition == 1 ? message1(field) : message2(std::vector<Field>{field});
 }
 
-/// U and V of a field: of edition 2 in one message, as NCEP writes them.
+/// U and V of a field; in edition 2 in one message, as written by NCEP.
 inline std::string wind(const Field& field, const std::function<double(int, int)>& u,
                         const std::function<double(int, int)>& v) {
     if (field.edition == 2)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that say nothing clear: one error each, with the array and what was expected of it.
+// Ambiguous or invalid files: one error each, with the array and the expectation.
 #include <tests/FullTests.h>
 #include <tests/windfiles/NetCdfWriting.h>
 
@@ -67,7 +67,7 @@ const Broken files[] = {
      [](NetCdfWriter& file) {
          winds(file.dimension("lon", 3).axis("lat", {50, 51}, "degrees_north"), latLon);
      }},
-    {"u: expected both of its dimensions y and lon on degrees or both on a map",
+    {"u: expected both of its dimensions y and lon in degrees or both in a map projection",
      [](NetCdfWriter& file) {
          winds(file.axis("lon", {1, 2, 3}, "degrees_east").axis("y", {50, 51}, "m"), {"y", "lon"});
      }},
@@ -75,7 +75,8 @@ const Broken files[] = {
      [](NetCdfWriter& file) {
          winds(file.axis("x", {1, 2, 3}, "parsecs").axis("y", {50, 51}, "m"), {"y", "x"});
      }},
-    {"longitude: expected longitudes and latitudes of one dimension each, or x and y of a map; found them on "
+    {"longitude: expected longitudes and latitudes of one dimension each, or x and y of a projection; found "
+     "them on "
      "2 (a "
      "curvilinear grid)",
      [](NetCdfWriter& file) {
@@ -131,7 +132,7 @@ const Broken files[] = {
 
 } // namespace
 
-TEST(NetCdfBroken, OneClearErrorEach) {
+TEST(NetCdfBroken, ReportsOneClearErrorEach) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/broken.nc";
     const int modes[] = {NC_NETCDF4, NC_64BIT_OFFSET};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Damaged NetCDF-4, on which libhdf5 frees wild memory: a reason or a wind, and this process lives on.
+// Damaged NetCDF-4 files, on which libhdf5 can crash: read or refused, without a crash of this process.
 #include <tests/FullTests.h>
-#include <tests/WithoutReader.h>
+#include <tests/MissingReader.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/windfiles/NetCdfReading.h>
 
@@ -51,7 +51,7 @@ std::string writeNetCdf4(const TemporaryFolder& folder) {
 
 } // namespace
 
-TEST(NetCdfDamage, WholeItIsRead) {
+TEST(NetCdfDamage, ReadsTheUndamagedFile) {
     const TemporaryFolder folder;
     const std::string path = writeNetCdf4(folder);
     REQUIRE_NETCDF(path);
@@ -61,7 +61,7 @@ TEST(NetCdfDamage, WholeItIsRead) {
     EXPECT_EQ(asField(file.value().wind)->velocity({25, 30, 10}, 0), glm::vec3(2.5f, 3, 0));
 }
 
-TEST(NetCdfDamage, DamagedFilesAreReadOrRefusedWithAReason) {
+TEST(NetCdfDamage, ReadsOrRefusesDamagedFilesWithAReason) {
     const TemporaryFolder folder;
     const std::string path = writeNetCdf4(folder);
     REQUIRE_NETCDF(path);
@@ -82,8 +82,8 @@ TEST(NetCdfDamage, DamagedFilesAreReadOrRefusedWithAReason) {
     RecordProperty("readers_ended", ended);
 }
 
-/// As a host may have its threads and signals.
-TEST(NetCdfDamage, ReadersOfManyThreadsDoNotMeet) {
+/// With threads and signal settings as in a host.
+TEST(NetCdfDamage, ThreadsReadConcurrently) {
     const TemporaryFolder folder;
     const std::string path = writeNetCdf4(folder);
     REQUIRE_NETCDF(path);
@@ -96,17 +96,17 @@ TEST(NetCdfDamage, ReadersOfManyThreadsDoNotMeet) {
         });
     for (std::thread& thread : threads)
         thread.join();
-    const auto before = std::signal(SIGCHLD, SIG_IGN); // then nobody can wait for a process
+    const auto before = std::signal(SIGCHLD, SIG_IGN); // makes waitpid() fail
     EXPECT_TRUE(readAt(path));
     EXPECT_FALSE(readAt(cut));
     std::signal(SIGCHLD, before);
 }
 
-TEST(NetCdfDamage, WithoutItsReaderItSaysWhatIsMissing) {
+TEST(NetCdfDamage, NamesTheMissingReaderProgram) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.nc", "CDF\1");
-    expectReaderMissed("OSGTREEWIND_WEATHER", path, "NetCDF", "GDAL",
-                       [&] { return firstProblem(readAt(path)); });
+    expectMissingReaderError("OSGTREEWIND_WEATHER", path, "NetCDF", "GDAL",
+                             [&] { return firstProblem(readAt(path)); });
 }
 
 } // namespace osgTreeWind

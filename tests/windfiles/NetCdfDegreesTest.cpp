@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weather on longitudes and latitudes, as ECMWF and others write it.
+// Wind in longitude and latitude, as written by ECMWF and others.
 #include <tests/windfiles/NetCdfWriting.h>
 
 #include <osgTreeWind/places/Crs.h>
@@ -10,8 +10,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// u is the longitude over 10 and v the latitude over 10, both 1 more at the second time: packed with a
-/// negative scale, latitudes from the north, in 32-bit floats, as ERA5 came until 2024.
+/// Like ERA5 until 2024: packed with a negative scale, latitudes from the north in 32-bit floats. u is the
+/// longitude / 10 and v the latitude / 10, both 1 more at the second time.
 void writePacked(const std::string& path, const Numbers& longitudes, const Numbers& latitudes) {
     const double scale = -0.0011, offset = 3.0;
     NetCdfWriter file(path);
@@ -25,9 +25,10 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
                                       {"_FillValue", -32767.0},
                                       {"missing_value", -32767.0}};
     for (const bool isU : {true, false}) {
-        Numbers numbers = packed(over({0, 1}, latitudes, longitudes,
-                                      [&](double t, double y, double x) { return t + (isU ? x : y) / 10.0; }),
-                                 scale, offset);
+        Numbers numbers =
+            packed(valuesOver({0, 1}, latitudes, longitudes,
+                              [&](double t, double y, double x) { return t + (isU ? x : y) / 10.0; }),
+                   scale, offset);
         numbers[1] = isU ? -32767.0 : numbers[1]; // north-western row, second column, first time
         file.array(isU ? "u10" : "v10", {"time", "latitude", "longitude"}, packing, numbers, NC_SHORT);
     }
@@ -44,9 +45,9 @@ void writeGlobe(const std::string& path, double west) {
     file.axis("lon", longitudes, "degrees_east", {}, NC_FLOAT)
         .axis("lat", latitudes, "degrees_north", {}, NC_FLOAT)
         .array("u", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double, double x) { return within180(x); }), NC_FLOAT)
+               valuesOver(latitudes, longitudes, [](double, double x) { return within180(x); }), NC_FLOAT)
         .array("v", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double y, double) { return y; }), NC_FLOAT);
+               valuesOver(latitudes, longitudes, [](double y, double) { return y; }), NC_FLOAT);
 }
 
 /// Expects that each point of a window has the wind of its longitude and latitude.
@@ -61,7 +62,7 @@ void expectOwnWind(const GridWind::Grid& grid) {
         }
 }
 
-/// A rotated pole as CORDEX has it over Europe; u counts from true north if `eastward`.
+/// The rotated pole of CORDEX for Europe; u is eastward_wind if `eastward`.
 void writeRotated(const std::string& path, bool eastward, const std::string& mapping = "rotated_pole") {
     const Numbers longitudes = numbersFrom(-10, 5, 5), latitudes = numbersFrom(-5, 5, 3);
     const std::string u = eastward ? "eastward_wind" : "grid_eastward_wind",
@@ -82,7 +83,7 @@ void writeRotated(const std::string& path, bool eastward, const std::string& map
 
 } // namespace
 
-TEST(NetCdfDegrees, PackedShortsFromTheNorthAreEra5) {
+TEST(NetCdfDegrees, ReadsPackedShortsFromTheNorthLikeEra5) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/era5.nc";
     writePacked(path, numbersFrom(11, 0.25, 5), numbersFrom(48.5, -0.25, 4));
@@ -97,7 +98,7 @@ TEST(NetCdfDegrees, PackedShortsFromTheNorthAreEra5) {
     expectNear(velocityAt(grid, 0, 0, 0, 0), {1.1f, 4.775f, 0}, 6e-4f);
     expectNear(velocityAt(grid, 0, 0, 3, 4), {1.2f, 4.85f, 0}, 6e-4f);
     expectNear(velocityAt(grid, 1, 0, 1, 2), {2.15f, 5.8f, 0}, 6e-4f);
-    EXPECT_TRUE(std::isnan(velocityAt(grid, 0, 0, 3, 1).x)) << "there are no data";
+    EXPECT_TRUE(std::isnan(velocityAt(grid, 0, 0, 3, 1).x)) << "missing data";
     const WindSummary summary = summaryOf(path);
     EXPECT_EQ(summary.crs, "EPSG:4326");
     EXPECT_EQ(summary.coordinates, "WGS 84");
@@ -106,8 +107,8 @@ TEST(NetCdfDegrees, PackedShortsFromTheNorthAreEra5) {
     EXPECT_TRUE(summary.notes.empty());
 }
 
-/// GDAL takes a fill value that is not a number for a packed 0, which is wind.
-TEST(NetCdfDegrees, AFillValueOfNaNMarksNoPackedNumber) {
+/// GDAL would treat a fill value of NaN as packed 0, which is valid wind.
+TEST(NetCdfDegrees, IgnoresAFillValueOfNaNForPackedNumbers) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/nan.nc";
     {
@@ -119,7 +120,7 @@ TEST(NetCdfDegrees, AFillValueOfNaNMarksNoPackedNumber) {
     }
     REQUIRE_NETCDF(path);
     expectNear(velocityAt(gridOf(path), 0, 0, 0, 0), {4, 4, 0}, 1e-6f);
-    // The classic library lets a fill value be of another type.
+    // The classic library allows a fill value of another type.
     const std::string classic = folder.path() + "/classic.nc";
     {
         NetCdfWriter file(classic);
@@ -136,7 +137,7 @@ TEST(NetCdfDegrees, AFillValueOfNaNMarksNoPackedNumber) {
     expectNear(velocityAt(grid, 0, 0, 1, 1), {5.5f, 4, 0}, 1e-6f);
 }
 
-TEST(NetCdfDegrees, TenAndHundredMetresAreTwoLayers) {
+TEST(NetCdfDegrees, ReadsTenAndHundredMetresAsTwoLayers) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/new.nc";
     {
@@ -165,17 +166,17 @@ TEST(NetCdfDegrees, TenAndHundredMetresAreTwoLayers) {
     }
     EXPECT_EQ(summaryOf(path).start, "2024-03-01T00:00:00Z");
     EXPECT_TRUE(summaryOf(path).notes.empty());
-    // 50 m above ground lie between the layers.
+    // 50 m above ground is between the layers.
     WindFileOptions options;
     options.crs = "EPSG:32634";
-    options.origin = {444000, 55000, 300}; // 20.5 E, 0.5 N, where the two norths are one
+    options.origin = {444000, 55000, 300}; // 20.5 E, 0.5 N, where true north is grid north
     const auto file = readWindFile(path, options);
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_NEAR(asField(file.value().wind)->velocity(WindPlace({0, 0, 850}, 800), 0).x, 5 + 3 * 40.0 / 90,
                 1e-3);
 }
 
-TEST(NetCdfDegrees, WhatIsFinalComesBeforeWhatIsNotYet) {
+TEST(NetCdfDegrees, PrefersFinalToPreliminaryData) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/expver.nc";
     {
@@ -195,7 +196,7 @@ TEST(NetCdfDegrees, WhatIsFinalComesBeforeWhatIsNotYet) {
     EXPECT_EQ(velocityAt(grid, 1, 0, 1, 1), glm::vec3(5, 5, 0));
 }
 
-TEST(NetCdfDegrees, OtherNamesOfTenMetres) {
+TEST(NetCdfDegrees, RecognizesNamesWithHeights) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/names.nc";
     for (const auto& [u, v, height] : {std::tuple{"U10M", "V10M", 10.0f},
@@ -215,7 +216,7 @@ TEST(NetCdfDegrees, OtherNamesOfTenMetres) {
     }
 }
 
-TEST(NetCdfDegrees, AScalarHeightIsAboveGround) {
+TEST(NetCdfDegrees, ScalarHeightIsAboveGround) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/height.nc";
     NetCdfWriter(path)
@@ -229,7 +230,7 @@ TEST(NetCdfDegrees, AScalarHeightIsAboveGround) {
     EXPECT_TRUE(gridOf(path).aboveGround);
 }
 
-TEST(NetCdfDegrees, AWindowAcrossTheSeamHasTheWindOfItsPlaces) {
+TEST(NetCdfDegrees, ReadsAWindowAcrossTheSeam) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/globe.nc";
     for (const double west : {0.0, -180.0}) {
@@ -248,7 +249,7 @@ TEST(NetCdfDegrees, AWindowAcrossTheSeamHasTheWindOfItsPlaces) {
     }
 }
 
-TEST(NetCdfDegrees, LongitudesMayPassTheirSeamWithinTheArray) {
+TEST(NetCdfDegrees, LongitudesMayCrossTheSeamWithinTheArray) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/fiji.nc";
     const Numbers longitudes = {178, 179, -180, -179}, latitudes = {-18, -17};
@@ -256,9 +257,9 @@ TEST(NetCdfDegrees, LongitudesMayPassTheirSeamWithinTheArray) {
         .axis("lon", longitudes, "degrees_east")
         .axis("lat", latitudes, "degrees_north")
         .array("u", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double, double x) { return x; }))
+               valuesOver(latitudes, longitudes, [](double, double x) { return x; }))
         .array("v", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double y, double) { return y; }));
+               valuesOver(latitudes, longitudes, [](double y, double) { return y; }));
     REQUIRE_NETCDF(path);
     const GridWind::Grid grid = gridOf(path);
     EXPECT_EQ(grid.origin.x, 178);
@@ -266,7 +267,7 @@ TEST(NetCdfDegrees, LongitudesMayPassTheirSeamWithinTheArray) {
     EXPECT_EQ(velocityAt(grid, 0, 0, 0, 2), glm::vec3(-180, -18, 0));
 }
 
-TEST(NetCdfDegrees, DimensionsMayStandInAnyOrder) {
+TEST(NetCdfDegrees, DimensionsMayBeInAnyOrder) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/order.nc";
     const Numbers longitudes = {1, 2, 3}, latitudes = {50, 51};
@@ -274,18 +275,17 @@ TEST(NetCdfDegrees, DimensionsMayStandInAnyOrder) {
         .axis("lon", longitudes, "degrees_east")
         .axis("lat", latitudes, "degrees_north")
         .array("u", {"lon", "lat"}, metresPerSecond,
-               over(longitudes, latitudes, [](double x, double) { return x; }))
+               valuesOver(longitudes, latitudes, [](double x, double) { return x; }))
         .array("v", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double y, double) { return y; }));
+               valuesOver(latitudes, longitudes, [](double y, double) { return y; }));
     REQUIRE_NETCDF(path);
     const GridWind::Grid grid = gridOf(path);
     EXPECT_EQ(grid.points, glm::ivec3(3, 2, 1));
     EXPECT_EQ(velocityAt(grid, 0, 0, 1, 2), glm::vec3(3, 51, 0));
 }
 
-/// True north, from a place on the rotated globe, is the great circle to the true pole, which stands at its
-/// longitude 0 and latitude 39.25.
-TEST(NetCdfDegrees, OfARotatedPoleEastwardWindIsTurned) {
+/// True north in rotated coordinates: the great circle to the true pole at longitude 0, latitude 39.25.
+TEST(NetCdfDegrees, TurnsEastwardWindOfARotatedPole) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/rotated.nc";
     writeRotated(path, true);
@@ -303,10 +303,10 @@ TEST(NetCdfDegrees, OfARotatedPoleEastwardWindIsTurned) {
     const Result<Crs> crs = Crs::parse(summaryOf(path).crs);
     ASSERT_TRUE(crs) << firstProblem(crs);
     EXPECT_TRUE(crs.value().isDegrees());
-    EXPECT_TRUE(notes(summaryOf(path), "turned to the grid's y axis"));
+    EXPECT_TRUE(hasNote(summaryOf(path), "turned to the grid's y axis"));
 }
 
-TEST(NetCdfDegrees, OfARotatedPoleAnAreaIsFoundAndGridwardWindStays) {
+TEST(NetCdfDegrees, FindsAnAreaOfARotatedPoleWithoutTurningGridWind) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/rotated.nc";
     writeRotated(path, false);
@@ -318,7 +318,7 @@ TEST(NetCdfDegrees, OfARotatedPoleAnAreaIsFoundAndGridwardWindStays) {
     EXPECT_EQ(velocityAt(grid, 0, 0, 0, 0), glm::vec3(10, 0, 0));
 }
 
-TEST(NetCdfDegrees, OfMembersAndMonthsTheFirstIsReadAndANoteSaysSo) {
+TEST(NetCdfDegrees, ReadsTheFirstMemberOrMonthWithANote) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/month.nc";
     NetCdfWriter(path)
@@ -330,7 +330,7 @@ TEST(NetCdfDegrees, OfMembersAndMonthsTheFirstIsReadAndANoteSaysSo) {
     REQUIRE_NETCDF(path);
     EXPECT_EQ(gridOf(path).values.size(), 12u);
     EXPECT_EQ(velocityAt(gridOf(path), 0, 0, 1, 1), glm::vec3(4, 4, 0));
-    EXPECT_TRUE(notes(summaryOf(path), "of the 2 of month"));
+    EXPECT_TRUE(hasNote(summaryOf(path), "only the first of 2 along month"));
 }
 
 } // namespace osgTreeWind

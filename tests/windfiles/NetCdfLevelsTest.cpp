@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How high the levels of a file are: metres, or geopotential of pressure and model levels less the ground.
+// Heights of levels: metres, or geopotential of pressure and model levels minus terrain.
 #include <tests/windfiles/NetCdfWriting.h>
 
 namespace osgTreeWind {
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double gravity = 9.80665;
 
-/// What is different from file to file.
+/// Variations of the file.
 struct Levels {
     Numbers at = {1000, 925, 850};
     std::string unit = "hPa", name = "level", standardName;
@@ -16,8 +16,8 @@ struct Levels {
     std::string ground; ///< Its name; empty: none.
 };
 
-/// Heights of 120, 800 and 1500 m above sea level, 10 more for each column and at the second time; ground of
-/// 20 m, 300 m in the last column. u is 1, 2 and 3 from the lowest level on, v the column.
+/// Heights of 120, 800 and 1500 m above sea level, 10 m more for each column and at the second time; terrain
+/// of 20 m, 300 m in the last column. u is 1, 2 and 3 from the lowest level up, v the column.
 void writeLevels(const std::string& path, const Levels& levels = {}) {
     const bool downward = levels.at.front() < levels.at.back() && levels.unit == "hPa";
     const std::size_t count = levels.at.size();
@@ -63,7 +63,7 @@ float heightAt(const GridWind::Grid& grid, int t, int z, int y, int x) {
 
 } // namespace
 
-TEST(NetCdfLevels, PressureLevelsStandAtTheirGeopotentialAboveTheSea) {
+TEST(NetCdfLevels, PressureLevelsAreAtTheirGeopotentialHeight) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     for (const Numbers& at : {Numbers{1000, 925, 850}, Numbers{850, 925, 1000}}) {
@@ -76,14 +76,14 @@ TEST(NetCdfLevels, PressureLevelsStandAtTheirGeopotentialAboveTheSea) {
         EXPECT_EQ(grid.points, glm::ivec3(3, 2, 3));
         EXPECT_NEAR(heightAt(grid, 0, 0, 0, 0), 120, 1e-3);
         EXPECT_NEAR(heightAt(grid, 1, 2, 1, 2), 1530, 1e-3);
-        EXPECT_EQ(velocityAt(grid, 1, 2, 1, 2), glm::vec3(3, 2, 0)) << "what goes up in pressure is left out";
-        EXPECT_TRUE(notes(summaryOf(path), "w is the change of pressure"));
-        EXPECT_TRUE(notes(summaryOf(path), "metres above sea level"));
+        EXPECT_EQ(velocityAt(grid, 1, 2, 1, 2), glm::vec3(3, 2, 0)) << "change of pressure is ignored";
+        EXPECT_TRUE(hasNote(summaryOf(path), "w is the change of pressure"));
+        EXPECT_TRUE(hasNote(summaryOf(path), "metres above sea level"));
         EXPECT_TRUE(GridWind::check(grid).empty());
     }
 }
 
-TEST(NetCdfLevels, LessTheModelsGroundTheyAreAboveIt) {
+TEST(NetCdfLevels, HeightsMinusTerrainAreAboveGround) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     for (const auto& [geopotential, unit, ground] :
@@ -98,12 +98,12 @@ TEST(NetCdfLevels, LessTheModelsGroundTheyAreAboveIt) {
         EXPECT_TRUE(grid.aboveGround);
         EXPECT_NEAR(heightAt(grid, 0, 0, 0, 1), 110, 1e-3) << geopotential;
         EXPECT_NEAR(heightAt(grid, 1, 1, 0, 0), 790, 1e-3);
-        EXPECT_TRUE(notes(summaryOf(path), "less the model's own ground"));
+        EXPECT_TRUE(hasNote(summaryOf(path), "minus the terrain of the model"));
     }
 }
 
-/// The lowest level of the last column is 160 m below the ground: near it blows what blows above.
-TEST(NetCdfLevels, BelowTheGroundTheLowestWindAboveItHolds) {
+/// The lowest level of the last column is 160 m below the terrain and gets the wind above it.
+TEST(NetCdfLevels, LevelsBelowTheTerrainGetTheLowestWindAboveIt) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     Levels levels;
@@ -114,11 +114,11 @@ TEST(NetCdfLevels, BelowTheGroundTheLowestWindAboveItHolds) {
     EXPECT_NEAR(heightAt(grid, 0, 0, 0, 2), 140 - 300, 1e-3);
     EXPECT_EQ(velocityAt(grid, 0, 0, 0, 2), glm::vec3(2, 2, 0));
     EXPECT_EQ(velocityAt(grid, 0, 0, 0, 1), glm::vec3(1, 1, 0));
-    EXPECT_TRUE(notes(summaryOf(path), "4 of 36 velocities lie below the model's ground"));
+    EXPECT_TRUE(hasNote(summaryOf(path), "4 of 36 velocities are below the terrain of the model"));
     EXPECT_TRUE(GridWind::check(grid).empty());
 }
 
-TEST(NetCdfLevels, ModelLevelsToo) {
+TEST(NetCdfLevels, ReadsModelLevels) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     Levels levels;
@@ -130,26 +130,27 @@ TEST(NetCdfLevels, ModelLevelsToo) {
     EXPECT_NEAR(heightAt(gridOf(path), 0, 2, 0, 0), 1500, 1e-3);
 }
 
-TEST(NetCdfLevels, WithoutGeopotentialTheyAreRefusedByName) {
+TEST(NetCdfLevels, RefusesLevelsWithoutGeopotentialByName) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     Levels levels;
     levels.geopotential.clear();
     writeLevels(path, levels);
     REQUIRE_NETCDF(path);
-    EXPECT_EQ(firstProblem(contentOf(path)), path + ": level: expected heights of these levels, which are of "
-                                                    "pressure: an array of geopotential (z, zg or gh) on the "
-                                                    "same dimensions");
+    EXPECT_EQ(firstProblem(contentOf(path)),
+              path + ": level: expected heights of these "
+                     "pressure levels: an array of geopotential (z, zg or gh) on the "
+                     "same dimensions");
     levels.unit = "1";
     levels.name = "hybrid";
     writeLevels(path, levels);
     EXPECT_NE(firstProblem(contentOf(path))
-                  .find("hybrid: expected heights of these levels, which are of the "
+                  .find("hybrid: expected heights of these "
                         "model"),
               std::string::npos);
 }
 
-TEST(NetCdfLevels, GeopotentialThatDoesNotIncreaseIsRefused) {
+TEST(NetCdfLevels, RefusesGeopotentialThatDoesNotIncrease) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     Levels levels;
@@ -157,14 +158,14 @@ TEST(NetCdfLevels, GeopotentialThatDoesNotIncreaseIsRefused) {
     writeLevels(path, levels);
     REQUIRE_NETCDF(path);
     EXPECT_NEAR(heightAt(gridOf(path), 0, 0, 0, 0), 120, 1e-3);
-    levels.unit = "Pa"; // then the numbers are written the other way round
+    levels.unit = "Pa"; // then the numbers are written in reverse order
     writeLevels(path, levels);
     EXPECT_NE(firstProblem(contentOf(path)).find("z: expected heights that increase upward, found 1500"),
               std::string::npos)
         << firstProblem(contentOf(path));
 }
 
-TEST(NetCdfLevels, HeightIsAboveGroundAndAltitudeIsNot) {
+TEST(NetCdfLevels, HeightIsAboveGroundButAltitudeIsNot) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/levels.nc";
     for (const auto& [name, standardName, aboveGround] : {std::tuple{"lev", "height", true},
@@ -184,8 +185,8 @@ TEST(NetCdfLevels, HeightIsAboveGroundAndAltitudeIsNot) {
     }
 }
 
-/// As THREDDS names what was GRIB; both kinds of levels in one file.
-TEST(NetCdfLevels, HeightsComeBeforePressureWhereThereAreBoth) {
+/// Names as in GRIB converted by THREDDS, with both kinds of levels in one file.
+TEST(NetCdfLevels, PrefersHeightsToPressure) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/thredds.nc";
     NetCdfWriter(path)

@@ -16,7 +16,7 @@
 
 namespace osgTreeWind {
 
-/// The file with a place of its coordinates at the scene's origin.
+/// Reads a file with `origin` as the scene's origin.
 inline Result<WindFile> readAt(const std::string& path, const glm::dvec3& origin = glm::dvec3(0.0),
                                bool asStored = false) {
     WindFileOptions options;
@@ -34,7 +34,7 @@ inline std::string fileBytes(const std::string& path) {
     return {std::istreambuf_iterator<char>(input), {}};
 }
 
-/// Every `from` changed into a `to` of the same length.
+/// Replaces every `from` by a `to` of the same length.
 inline std::string renamed(std::string bytes, const std::string& from, const std::string& to) {
     EXPECT_EQ(from.size(), to.size());
     EXPECT_NE(bytes.find(from), std::string::npos) << from;
@@ -43,7 +43,7 @@ inline std::string renamed(std::string bytes, const std::string& from, const std
     return bytes;
 }
 
-/// The whole-number attribute of this name set to a value below 256, in a classic file.
+/// Sets an integer attribute of a classic file to a value below 256.
 inline std::string withAttribute(std::string bytes, const std::string& name, int value) {
     const std::size_t at = bytes.find(name);
     EXPECT_NE(at, std::string::npos) << name;
@@ -53,7 +53,7 @@ inline std::string withAttribute(std::string bytes, const std::string& name, int
 
 } // namespace osgTreeWind
 
-/// Skips the running test where the library was built without GDAL.
+/// Skips the test if the library was built without GDAL.
 #define REQUIRE_NETCDF(path)                                                                                 \
     if (firstProblem(osgTreeWind::readWindFile(path)).find("NetCDF needs GDAL") != std::string::npos)        \
     GTEST_SKIP() << "built without GDAL"

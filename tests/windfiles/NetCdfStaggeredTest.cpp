@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components on the faces of cells, as PALM and other models write them.
+// Staggered components on cell faces, as written by PALM and other models.
 #include <tests/windfiles/NetCdfWriting.h>
 
 namespace osgTreeWind {
@@ -42,17 +42,17 @@ void writePalm(const std::string& path, const Palm& palm) {
             numbers[0] = numbers[1] = palm.building;
         return numbers;
     };
-    file.array("u", {"time", "zu_3d", "y", "xu"}, attributes, twice(over(palm.zu, palm.y, palm.xu, eastOf)),
-               NC_FLOAT)
+    file.array("u", {"time", "zu_3d", "y", "xu"}, attributes,
+               twice(valuesOver(palm.zu, palm.y, palm.xu, eastOf)), NC_FLOAT)
         .array("v", {"time", "zu_3d", "yv", palm.ofV}, attributes,
-               twice(over(palm.zu, palm.yv, palm.ofV == "x" ? palm.x : palm.xu, northOf)), NC_FLOAT)
-        .array("w", {"time", "zw_3d", "y", "x"}, attributes, twice(over(palm.zw, palm.y, palm.x, upOf)),
+               twice(valuesOver(palm.zu, palm.yv, palm.ofV == "x" ? palm.x : palm.xu, northOf)), NC_FLOAT)
+        .array("w", {"time", "zw_3d", "y", "x"}, attributes, twice(valuesOver(palm.zw, palm.y, palm.x, upOf)),
                NC_FLOAT);
 }
 
 } // namespace
 
-TEST(NetCdfStaggered, ALinearFieldOfPalmIsExactAtTheCentres) {
+TEST(NetCdfStaggered, LinearPalmFieldIsExactAtCellCentres) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/palm.nc";
     const Palm palm;
@@ -64,7 +64,7 @@ TEST(NetCdfStaggered, ALinearFieldOfPalmIsExactAtTheCentres) {
     EXPECT_EQ(grid.heights, (std::vector<float>{-5, 5, 15, 26}));
     EXPECT_EQ(grid.times, (Numbers{0, 600}));
     EXPECT_EQ(summaryOf(path).start, "2019-03-06T10:10:00Z");
-    for (int z = 1; z < 4; ++z) // the lowest lies below the lowest w
+    for (int z = 1; z < 4; ++z) // the lowest centre is below the lowest w
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 5; ++x) {
                 const double east = 5 + 10 * x, north = 5 + 10 * y,
@@ -73,10 +73,10 @@ TEST(NetCdfStaggered, ALinearFieldOfPalmIsExactAtTheCentres) {
                            {eastOf(high, north, east), northOf(high, north, east), upOf(high, north, east)},
                            1e-5f);
             }
-    EXPECT_NEAR(velocityAt(grid, 0, 0, 0, 0).z, upOf(0, 5, 5), 1e-6) << "w of the ground holds below";
+    EXPECT_NEAR(velocityAt(grid, 0, 0, 0, 0).z, upOf(0, 5, 5), 1e-6) << "w at the ground is used below";
 }
 
-TEST(NetCdfStaggered, AWindowOfThemIsThatOfTheWhole) {
+TEST(NetCdfStaggered, WindowEqualsTheWholeFile) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/palm.nc";
     writePalm(path, {});
@@ -89,7 +89,7 @@ TEST(NetCdfStaggered, AWindowOfThemIsThatOfTheWhole) {
             EXPECT_EQ(velocityAt(part, 1, 2, y, x), velocityAt(whole, 1, 2, y, x + 1));
 }
 
-TEST(NetCdfStaggered, InsideBuildingsThereAreNoData) {
+TEST(NetCdfStaggered, HasNoDataInsideBuildings) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/palm.nc";
     Palm palm;
@@ -97,12 +97,12 @@ TEST(NetCdfStaggered, InsideBuildingsThereAreNoData) {
     writePalm(path, palm);
     REQUIRE_NETCDF(path);
     const GridWind::Grid grid = gridOf(path);
-    EXPECT_TRUE(std::isnan(velocityAt(grid, 0, 0, 0, 0).x)) << "both faces are in the building";
-    EXPECT_NEAR(velocityAt(grid, 0, 0, 0, 1).x, eastOf(-5, 5, 20), 1e-5) << "one face is";
+    EXPECT_TRUE(std::isnan(velocityAt(grid, 0, 0, 0, 0).x)) << "both faces are inside the building";
+    EXPECT_NEAR(velocityAt(grid, 0, 0, 0, 1).x, eastOf(-5, 5, 20), 1e-5) << "one face is inside";
     EXPECT_NEAR(velocityAt(grid, 0, 0, 0, 2).x, eastOf(-5, 5, 25), 1e-5);
 }
 
-TEST(NetCdfStaggered, ComponentsThatDoNotMatchAreRefused) {
+TEST(NetCdfStaggered, RefusesComponentsThatDoNotMatch) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/palm.nc";
     writePalm(path, {});
@@ -113,9 +113,9 @@ TEST(NetCdfStaggered, ComponentsThatDoNotMatchAreRefused) {
     far.yv = numbersFrom(2.5, 10, 5);
     high.zw = {200, 210, 220, 230};
     for (const auto& [palm, message] :
-         {std::pair{third, "v: its dimension x lies neither on xu"},
-          {coarse, "v: its dimension x lies neither on xu"},
-          {far, "v: its dimension yv lies neither on y"},
+         {std::pair{third, "v: its dimension x is neither the same as xu"},
+          {coarse, "v: its dimension x is neither the same as xu"},
+          {far, "v: its dimension yv is neither the same as y"},
           {high,
            "w: expected the dimension zu_3d of the other arrays of wind, or one of the same coordinates, "
            "found zw_3d"}}) {
@@ -126,8 +126,8 @@ TEST(NetCdfStaggered, ComponentsThatDoNotMatchAreRefused) {
     }
 }
 
-/// One more face than cells, under names that say nothing; and the same axis under two names.
-TEST(NetCdfStaggered, ByCoordinatesNotByNames) {
+/// One more face than cells, with names without meaning, and the same axis with two names.
+TEST(NetCdfStaggered, MatchesAxesByCoordinatesNotNames) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/c.nc";
     const Numbers x = numbersFrom(500, 1000, 4), faces = numbersFrom(0, 1000, 5),
@@ -138,12 +138,12 @@ TEST(NetCdfStaggered, ByCoordinatesNotByNames) {
         .axis("nj", y, "m")
         .axis("njp1", sides, "m")
         .array("u", {"nj", "nip1"}, metresPerSecond,
-               over(y, faces, [](double b, double a) { return eastOf(0, b, a); }))
+               valuesOver(y, faces, [](double b, double a) { return eastOf(0, b, a); }))
         .array("v", {"njp1", "ni"}, metresPerSecond,
-               over(sides, x, [](double b, double a) { return northOf(0, b, a); }));
+               valuesOver(sides, x, [](double b, double a) { return northOf(0, b, a); }));
     REQUIRE_NETCDF(path);
     const GridWind::Grid grid = gridOf(path);
-    ASSERT_EQ(grid.points, glm::ivec3(4, 3, 1)) << "every cell has both of its faces";
+    ASSERT_EQ(grid.points, glm::ivec3(4, 3, 1)) << "every cell has both faces";
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 4; ++i) {
             const double east = 500 + 1000 * i, north = 500 + 1000 * j;
@@ -154,13 +154,13 @@ TEST(NetCdfStaggered, ByCoordinatesNotByNames) {
         .axis("x_1", x, "m")
         .axis("x_2", x, "m")
         .axis("y", y, "m")
-        .array("u", {"y", "x_1"}, metresPerSecond, over(y, x, [](double, double a) { return a; }))
-        .array("v", {"y", "x_2"}, metresPerSecond, over(y, x, [](double b, double) { return b; }));
+        .array("u", {"y", "x_1"}, metresPerSecond, valuesOver(y, x, [](double, double a) { return a; }))
+        .array("v", {"y", "x_2"}, metresPerSecond, valuesOver(y, x, [](double b, double) { return b; }));
     expectNear(velocityAt(gridOf(path), 0, 0, 2, 3), {3500, 2500, 0}, 1e-3f);
 }
 
-/// PALM counts x and y from its own corner, and says beside where that is.
-TEST(NetCdfStaggered, PalmStandsWhereItsMapSays) {
+/// x and y of PALM are relative to its corner; separate arrays contain projected coordinates.
+TEST(NetCdfStaggered, PlacesPalmInItsCrs) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/utm.nc";
     const Numbers x = {5, 15}, y = {5, 15};

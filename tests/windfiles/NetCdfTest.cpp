@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NetCDF against numbers that ncdump prints; skipped where GDAL was not built in.
+// NetCDF compared with the output of ncdump; skipped without GDAL.
 #include <tests/Folders.h>
 #include <tests/FullTests.h>
 #include <tests/windfiles/NetCdfReading.h>
@@ -25,7 +25,7 @@ struct Spot {
 
 /// u = 1 + i at the first time and one more at the second, v = 0 in the southern row and 1 in the northern,
 /// w = the layer: small.cdl, with rows from the north and heights 2, 10 and 50 m.
-TEST(NetCdf, QesLayoutWithUnevenHeightsTimesAndPacking) {
+TEST(NetCdf, ReadsQesLayoutWithUnevenHeightsTimesAndPacking) {
     const std::string path = std::string(OSGTREEWIND_TEST_DATA) + "/wind/small.nc";
     REQUIRE_NETCDF(path);
     const auto file = readAt(path);
@@ -35,15 +35,15 @@ TEST(NetCdf, QesLayoutWithUnevenHeightsTimesAndPacking) {
     expectNear(wind.velocity({100, 200, 2}, 0), {1, 0, 0}, 1e-6f);
     expectNear(wind.velocity({120, 220, 10}, 3600), {4, 1, 1}, 1e-6f);
     expectNear(wind.velocity({110, 210, 30}, 1800), {2.5f, 0.5f, 1.5f}, 1e-6f);
-    EXPECT_EQ(wind.velocity({120, 200, 2}, 0), glm::vec3(0.0f)) << "there are no data";
+    EXPECT_EQ(wind.velocity({120, 200, 2}, 0), glm::vec3(0.0f)) << "missing data";
     EXPECT_EQ(file.value().summary.times, (std::vector<double>{0, 3600}));
     EXPECT_EQ(file.value().summary.start, "2020-01-01T06:00:00Z");
     EXPECT_EQ(file.value().summary.points, glm::ivec3(3, 2, 3));
 }
 
-/// The numbers of the file count from true north. On its map, Lambert's around 25 N and 95 W on a sphere of
-/// 6371.2 km, true north lies n (longitude - 95 W) to the left of the y axis.
-TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
+/// Velocities in the file are relative to true north, which is n (longitude - 95 W) to the left of the y axis
+/// of its projection, Lambert around 25 N and 95 W on a sphere of 6371.2 km.
+TEST(NetCdf, ReadsSpeedAndDirectionOnAxesInKilometres) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     REQUIRE_NETCDF(path);
     const double degree = 3.14159265358979323846 / 180.0;
@@ -63,13 +63,13 @@ TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
         EXPECT_EQ(file.value().summary.low.z, 10.0);
         EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from true north");
         EXPECT_NE(file.value().summary.coordinates.find("+proj=lcc +lat_1=25"), std::string::npos);
-        EXPECT_TRUE(notes(file.value().summary, "velocities here are turned to the grid's y axis, by 7.03 to "
-                                                "8.23 degrees clockwise"));
+        EXPECT_TRUE(hasNote(file.value().summary, "they are turned to the grid's y axis, by 7.03 to "
+                                                  "8.23 degrees clockwise"));
     }
 }
 
-/// The same cells, their speeds and directions as ncdump prints them.
-TEST(NetCdf, SpeedAndDirectionAsStored) {
+/// The same cells, with speeds and directions from ncdump.
+TEST(NetCdf, ReadsSpeedAndDirectionAsStored) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     REQUIRE_NETCDF(path);
     for (const auto& [x, y, speed, degrees] : {std::tuple{-1640665.53, 2052449.95, 4.4375, 154.0},
@@ -81,13 +81,14 @@ TEST(NetCdf, SpeedAndDirectionAsStored) {
         const double angle = degrees * 3.14159265358979323846 / 180.0;
         expectNear(asField(file.value().wind)->velocity({}, 0),
                    {-speed * std::sin(angle), -speed * std::cos(angle), 0}, 2e-3f);
-        EXPECT_TRUE(notes(file.value().summary,
-                          "the file counts from true north; in a forest its velocities are turned to the "
-                          "grid's y axis, by 7.03 to 8.23 degrees clockwise"));
+        EXPECT_TRUE(
+            hasNote(file.value().summary,
+                    "velocities in the file are relative to true north; in a forest they are turned to the "
+                    "grid's y axis, by 7.03 to 8.23 degrees clockwise"));
     }
 }
 
-TEST(NetCdf, BrokenFilesAreRefused) {
+TEST(NetCdf, RefusesBrokenFiles) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     REQUIRE_NETCDF(path);
     const std::string whole = fileBytes(path);

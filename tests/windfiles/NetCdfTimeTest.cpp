@@ -37,7 +37,7 @@ struct Case {
 
 } // namespace
 
-TEST(NetCdfTime, EveryUnitZoneAndCalendar) {
+TEST(NetCdfTime, DecodesUnitsZonesAndCalendars) {
     const TemporaryFolder folder;
     const std::string probe = writeTimes(folder, {0}, "hours since 2000-01-01", "");
     REQUIRE_NETCDF(probe);
@@ -53,8 +53,8 @@ TEST(NetCdfTime, EveryUnitZoneAndCalendar) {
         {{0}, "hours since 2017-12-31 22:00:00 -3:30", "", "2018-01-01T01:30:00Z", {0}},
         {{0}, "hours since 2017-12-31 22:00 UTC", "", "2017-12-31T22:00:00Z", {0}},
         {{0}, "minutes since 2005-08-28_12:30:00", "", "2005-08-28T12:30:00Z", {0}},
-        {{1.0 / 3.0}, "hours since 2020-01-01", "", "2020-01-01T00:20:00Z", {0}}, // to the second
-        // NCEP counts from the year 1, in which the mixed calendar is two days off the proleptic one.
+        {{1.0 / 3.0}, "hours since 2020-01-01", "", "2020-01-01T00:20:00Z", {0}}, // rounded to the second
+        // NCEP uses the year 1, for which the standard and proleptic calendars differ by two days.
         {{1895592}, "hours since 1-1-1 00:00:0.0", "proleptic_gregorian", "0217-04-02T00:00:00Z", {0}},
         {{17540592}, "hours since 1-1-1 00:00:0.0", "standard", "2002-01-07T00:00:00Z", {0}},
         {{17540592}, "hours since 1-1-1 00:00:0.0", "proleptic_gregorian", "2002-01-09T00:00:00Z", {0}},
@@ -82,7 +82,7 @@ TEST(NetCdfTime, EveryUnitZoneAndCalendar) {
     }
 }
 
-TEST(NetCdfTime, OneTimeWithoutADimensionStillSaysWhen) {
+TEST(NetCdfTime, ReadsATimeWithoutADimension) {
     const TemporaryFolder folder;
     const std::string path = writeTimes(folder, {6}, "hours since 2020-02-29", "standard", true);
     REQUIRE_NETCDF(path);
@@ -90,7 +90,7 @@ TEST(NetCdfTime, OneTimeWithoutADimensionStillSaysWhen) {
     EXPECT_TRUE(gridOf(path).times.empty());
 }
 
-TEST(NetCdfTime, WhatIsNoTimeIsRefusedByName) {
+TEST(NetCdfTime, RefusesInvalidTimesByName) {
     const TemporaryFolder folder;
     const std::string probe = writeTimes(folder, {0}, "hours since 2000-01-01", "");
     REQUIRE_NETCDF(probe);

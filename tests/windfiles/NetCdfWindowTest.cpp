@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only what lies around the place where wind is wanted is read.
+// Reading only the window around the area where wind is needed.
 #include <tests/TestData.h>
 #include <tests/windfiles/NetCdfWriting.h>
 
@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Expects that every point of a part is that of the whole at the same place, heights and all.
+/// Expects that each point of a part, with its heights, equals the same place of the whole.
 void expectPart(const GridWind::Grid& part, const GridWind::Grid& whole) {
     const glm::dvec2 off = glm::dvec2(part.origin - whole.origin) / glm::dvec2(whole.cell);
     const auto x0 = static_cast<int>(std::lround(off.x)), y0 = static_cast<int>(std::lround(off.y));
@@ -27,8 +27,8 @@ void expectPart(const GridWind::Grid& part, const GridWind::Grid& whole) {
                     EXPECT_EQ(velocityAt(part, t, z, y, x), velocityAt(whole, t, z, y0 + y, x0 + x));
 }
 
-/// Hourly ERA5 of 30 days and the whole globe, its numbers only written around 11.5 E, 48 N, in the last hour
-/// of each day: u is the hour over 100, v is 2.
+/// Hourly ERA5 of the whole globe for 30 days. Values are only written around 11.5 E, 48 N, in the last hour
+/// of each day: u is the hour / 100, v is 2.
 void writeMonth(const std::string& path, int mode, std::size_t hours) {
     int file = 0, dimensions[3], axes[3], winds[2],
         status = nc_create(path.c_str(), mode | NC_CLOBBER, &file);
@@ -78,7 +78,7 @@ void expectMonth(const std::string& path, std::size_t hours) {
     const GridWind::Grid grid = gridOf(path, WindArea{"EPSG:32632", {680000, 5330000}, {700000, 5345000}});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
     ::testing::Test::RecordProperty("milliseconds", static_cast<int>(1000 * took.count()));
-    EXPECT_LT(took.count(), 20.0) << "2 s on a machine that does nothing else";
+    EXPECT_LT(took.count(), 20.0) << "2 s on an idle machine";
     ASSERT_EQ(grid.times.size(), hours);
     EXPECT_LE(grid.points.x * grid.points.y, 25);
     const auto last = static_cast<int>(hours) - 1;
@@ -87,7 +87,7 @@ void expectMonth(const std::string& path, std::size_t hours) {
 
 } // namespace
 
-TEST(NetCdfWindow, OfAMapOrOfDegreesItIsThatOfTheWhole) {
+TEST(NetCdfWindow, EqualsTheWholeFileInMetresAndDegrees) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/a.nc";
     const Numbers x = numbersFrom(-50, 2, 40), y = numbersFrom(40, -2, 30), z = {10, 50};
@@ -97,9 +97,9 @@ TEST(NetCdfWindow, OfAMapOrOfDegreesItIsThatOfTheWhole) {
             .axis("y", y, degrees ? "degrees_north" : "km")
             .axis("z", z, "m")
             .array("u", {"z", "y", "x"}, metresPerSecond,
-                   over(z, y, x, [](double c, double b, double a) { return a + b / 100 + c / 1000; }))
+                   valuesOver(z, y, x, [](double c, double b, double a) { return a + b / 100 + c / 1000; }))
             .array("v", {"z", "y", "x"}, metresPerSecond,
-                   over(z, y, x, [](double c, double b, double a) { return b - a / 100 - c / 1000; }));
+                   valuesOver(z, y, x, [](double c, double b, double a) { return b - a / 100 - c / 1000; }));
         REQUIRE_NETCDF(path);
         const double unit = degrees ? 1 : 1000;
         const GridWind::Grid whole = gridOf(path),
@@ -111,7 +111,7 @@ TEST(NetCdfWindow, OfAMapOrOfDegreesItIsThatOfTheWhole) {
     }
 }
 
-TEST(NetCdfWindow, OfWrfItIsThatOfTheWholeWhereverTheGridHasMoved) {
+TEST(NetCdfWindow, EqualsTheWholeFileForAMovingWrfGrid) {
     for (const char* name : {"wrf_lambert.nc", "wrf_polar.nc"}) {
         const std::string path = smallNetCdf(name);
         REQUIRE_NETCDF(path);
@@ -127,7 +127,7 @@ TEST(NetCdfWindow, OfWrfItIsThatOfTheWholeWhereverTheGridHasMoved) {
     }
 }
 
-TEST(NetCdfWindow, OfTheRealMovingGridTooWithItsHeights) {
+TEST(NetCdfWindow, EqualsTheWholeFileForARealMovingGridWithHeights) {
     REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
     REQUIRE_NETCDF(path);
     const GridWind::Grid whole = gridOf(path),
@@ -138,18 +138,18 @@ TEST(NetCdfWindow, OfTheRealMovingGridTooWithItsHeights) {
     EXPECT_EQ(part.heights.size(), part.values.size() / 3);
 }
 
-TEST(NetCdfWindow, AnAreaOnAnotherMapIsFound) {
+TEST(NetCdfWindow, FindsAnAreaInAnotherCrs) {
     const std::string path = smallNetCdf("wrf_lambert.nc");
     REQUIRE_NETCDF(path);
     const GridWind::Grid whole = gridOf(path);
-    // The south-western cell by its latitude and longitude, which make_wrf.py works out.
+    // The south-western cell by its latitude and longitude from make_wrf.py.
     const GridWind::Grid part = gridOf(path, WindArea{"EPSG:4326", {3.5, 44.9}, {3.7, 45.1}});
     EXPECT_EQ(part.origin.x, whole.origin.x);
     EXPECT_LE(part.points.x, whole.points.x);
     expectPart(part, whole);
 }
 
-TEST(NetCdfWindow, WhereTheMapDoesNotReachIsOneError) {
+TEST(NetCdfWindow, AreaOutsideTheCrsIsAnError) {
     const std::string path = smallNetCdf("wrf_polar.nc");
     REQUIRE_NETCDF(path);
     const Result<WindContent> content = contentOf(path, WindArea{"nonsense", {0, 0}, {1, 1}});
@@ -158,13 +158,13 @@ TEST(NetCdfWindow, WhereTheMapDoesNotReachIsOneError) {
     EXPECT_NE(firstProblem(content).find("expected a coordinate reference system"), std::string::npos);
 }
 
-TEST(NetCdfWindow, AMonthOfTheGlobeIsOpenedForACity) {
+TEST(NetCdfWindow, ReadsACityFromAMonthOfTheGlobe) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/month.nc";
     for (const int mode : {NC_64BIT_OFFSET, NC_NETCDF4}) {
         const std::size_t hours = mode == NC_NETCDF4 ? 24 : 720;
         writeMonth(path, mode, hours);
-        if (mode == NC_64BIT_OFFSET) { // holes for what was not written; the disk does not see it
+        if (mode == NC_64BIT_OFFSET) { // unwritten parts are holes of a sparse file
             std::filesystem::resize_file(path, 2 * 721 * 1440 * 2 * hours + 100000);
         }
         REQUIRE_NETCDF(smallNetCdf("small.nc"));
@@ -172,17 +172,17 @@ TEST(NetCdfWindow, AMonthOfTheGlobeIsOpenedForACity) {
     }
 }
 
-TEST(NetCdfWindow, TheWholeOfItIsTooMuchAndSaysSo) {
+TEST(NetCdfWindow, RefusesTheWholeGlobe) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/month.nc";
     writeMonth(path, NC_64BIT_OFFSET, 720);
     REQUIRE_NETCDF(smallNetCdf("small.nc"));
     EXPECT_NE(firstProblem(contentOf(path))
                   .find("u10: expected at most 536870912 numbers to read, found 747532800; "
-                        "a smaller area has fewer"),
+                        "choose a smaller area"),
               std::string::npos)
         << firstProblem(contentOf(path));
-    // Cut in the middle of its numbers, none is taken for wind.
+    // Truncated within the values.
     std::filesystem::resize_file(path, 100000000);
     EXPECT_NE(firstProblem(contentOf(path, WindArea{"EPSG:4326", {11, 48}, {12, 49}}))
                   .find("the file is too short"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of WRF above the model's own ground, and with winds of 10 m only.
+// WRF output with heights above the model's terrain, and with only 10 m winds.
 #include <tests/windfiles/NetCdfWriting.h>
 
 #include <glm/trigonometric.hpp>
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t columns = 5, rows = 4;
 constexpr double radius = 6370000.0, cell = 3000.0;
 
-/// Cells on Mercator's map, the first at the origin of the map; u is the column, v the row.
+/// Cells in Mercator projection, the first at its origin; u is the column, v the row.
 class WrfWriter {
 public:
     explicit WrfWriter(const std::string& path) : _file(path) {
@@ -60,7 +60,7 @@ public:
             .array("V10", flat(), {{"units", "m s-1"}}, v, NC_FLOAT);
     }
 
-    /// Three levels at 40, 120 and 280 m above a ground of 500 m, 100 m more for each column.
+    /// Three levels at 40, 120 and 280 m above terrain of 500 m, 100 m more for each column.
     void addLevels(bool ground, std::size_t faces = columns + 1) {
         _file.dimension("bottom_top", 3)
             .dimension("bottom_top_stag", 4)
@@ -97,7 +97,7 @@ private:
 
 } // namespace
 
-TEST(NetCdfWrfGround, HeightsCountFromTheModelsGround) {
+TEST(NetCdfWrfGround, HeightsAreAboveTheTerrainOfTheModel) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/wrf.nc";
     {
@@ -118,18 +118,18 @@ TEST(NetCdfWrfGround, HeightsCountFromTheModelsGround) {
     EXPECT_EQ(velocityAt(grid, 1, 2, 3, 4), glm::vec3(4, 3, 0.25f));
     const WindSummary summary = summaryOf(path);
     EXPECT_EQ(summary.start, "2005-08-28T00:00:00Z");
-    EXPECT_TRUE(notes(summary, "less the model's own ground, HGT"));
+    EXPECT_TRUE(hasNote(summary, "minus the terrain of the model, HGT"));
     const Result<Crs> crs = Crs::parseMap(summary.crs);
     ASSERT_TRUE(crs) << firstProblem(crs);
     EXPECT_EQ(summary.coordinates, "+proj=merc +lat_ts=0 +lon_0=0 +R=6370000");
-    // A tree foot at 700 m of the scene, 80 m up: midway between the two lower levels.
+    // 80 m above ground at scene z = 700 m: midway between the two lower levels.
     const auto file = readAt(path, {3000, 3000, 300});
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_NEAR(file.value().summary.low.z, 40, 1e-3) << "whatever the height of the origin";
+    EXPECT_NEAR(file.value().summary.low.z, 40, 1e-3) << "independent of the height of the origin";
     EXPECT_NEAR(asField(file.value().wind)->velocity(WindPlace({3000, 0, 480}, 400), 0).x, 2, 1e-4);
 }
 
-TEST(NetCdfWrfGround, WithoutItTheyAreAboveTheSea) {
+TEST(NetCdfWrfGround, HeightsWithoutTerrainAreAboveSeaLevel) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/wrf.nc";
     {
@@ -140,10 +140,10 @@ TEST(NetCdfWrfGround, WithoutItTheyAreAboveTheSea) {
     REQUIRE_NETCDF(path);
     EXPECT_FALSE(gridOf(path).aboveGround);
     EXPECT_NEAR(gridOf(path).heights[1], 640, 1e-2);
-    EXPECT_TRUE(notes(summaryOf(path), "metres above sea level"));
+    EXPECT_TRUE(hasNote(summaryOf(path), "metres above sea level"));
 }
 
-TEST(NetCdfWrfGround, TenMetreWindsAlone) {
+TEST(NetCdfWrfGround, ReadsFilesWithOnlyTenMetreWinds) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/wrf.nc";
     {
@@ -161,13 +161,14 @@ TEST(NetCdfWrfGround, TenMetreWindsAlone) {
     EXPECT_NEAR(grid.origin.y, 0, 0.5);
     EXPECT_EQ(grid.times, (Numbers{0, 3600}));
     EXPECT_EQ(velocityAt(grid, 1, 0, 2, 3), glm::vec3(13, 2, 0));
-    EXPECT_EQ(summaryOf(path).start, "2005-08-28T06:00:00Z") << "of the simulation, where XTIME has no date";
+    EXPECT_EQ(summaryOf(path).start, "2005-08-28T06:00:00Z")
+        << "the start of the simulation, because XTIME has no date";
     const GridWind::Grid part = gridOf(path, WindArea{"EPSG:4326", {0, 0}, {0.001, 0.001}});
     EXPECT_EQ(part.points, glm::ivec3(3, 3, 1));
     EXPECT_EQ(velocityAt(part, 1, 0, 2, 2), glm::vec3(12, 2, 0));
 }
 
-TEST(NetCdfWrfGround, OtherShapesThanThoseOfUAreRefused) {
+TEST(NetCdfWrfGround, RefusesArraysWithOtherShapes) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/wrf.nc";
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of WRF on its map, against closed forms of the map and numbers that ncdump prints.
+// WRF output in its projection, compared with closed forms of the projection and the output of ncdump.
 #include <tests/windfiles/NetCdfReading.h>
 
 #include <tests/TestData.h>
@@ -20,22 +20,22 @@ glm::vec3 windAt(const std::string& path, const glm::dvec3& place, double time) 
     return file ? asField(file.value().wind)->velocity({}, time) : glm::vec3(-999.0f);
 }
 
-/// wrf_polar.nc with an array over other dimensions, by their numbers in make_wrf.py: 0 is Time, 2 the two
-/// levels, 3 the rows, 5 the columns. No more numbers than it has.
+/// wrf_polar.nc with other dimensions of an array, numbered as in make_wrf.py: 0 is Time, 2 the two levels, 3
+/// the rows, 5 the columns. The array must not become larger.
 std::string withDimensions(std::string bytes, const std::string& array, const std::vector<int>& dimensions) {
     const std::size_t data = bytes.size() - 128 * 4,
                       at = bytes.find(std::string("\0\0\0", 3) + static_cast<char>(array.size()) + array);
     std::string list;
     for (int number : dimensions)
         list += std::string("\0\0\0", 3) + static_cast<char>(number);
-    const std::size_t count = at + 4 + (array.size() + 3) / 4 * 4; // where their number stands, 3
+    const std::size_t count = at + 4 + (array.size() + 3) / 4 * 4; // offset of the number of dimensions, 3
     EXPECT_EQ(bytes.substr(count, 4), std::string("\0\0\0\3", 4)) << array;
-    bytes.insert(data, std::string(12 - list.size(), '\0')); // what was written stays where it was
+    bytes.insert(data, std::string(12 - list.size(), '\0')); // keeps the offsets of the data
     bytes[count + 3] = static_cast<char>(dimensions.size());
     return bytes.replace(count + 4, 12, list);
 }
 
-/// A cell of ci_test_file.nc: what ncdump prints of it, means of the staggered neighbours.
+/// A cell of ci_test_file.nc: means of the staggered neighbours from ncdump.
 struct Cell {
     double time, longitude, latitude, height;
     glm::vec3 velocity;
@@ -43,8 +43,8 @@ struct Cell {
 
 } // namespace
 
-/// The file's map is Mercator's around 89 W on a sphere of 6370 km; its grid moves with a storm.
-TEST(NetCdfWrf, CellsStandWhereTheirLatitudesAndLongitudesSay) {
+/// The projection is Mercator around 89 W on a sphere of 6370 km; the grid moves with a storm.
+TEST(NetCdfWrf, CellsAreAtTheirLatitudesAndLongitudes) {
     REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
     REQUIRE_NETCDF(path);
     const double degree = 3.14159265358979323846 / 180.0, radius = 6370000.0;
@@ -63,19 +63,19 @@ TEST(NetCdfWrf, CellsStandWhereTheirLatitudesAndLongitudesSay) {
         const glm::dvec2 index = (place - glm::dvec2(summary.low)) / 10000.0;
         EXPECT_LT(std::abs(index.x - std::round(index.x)), 1e-3) << "of a cell";
         EXPECT_LT(std::abs(index.y - std::round(index.y)), 1e-3) << "of a cell";
-        // The wind changes by several m/s from cell to cell; 1e-3 of a cell is not seen.
-        // Heights count from the model's own ground, which is the sea's here.
+        // The wind changes by several m/s between cells, so that 1e-3 of a cell is negligible.
+        // Heights are above the terrain, which is sea here.
         expectNear(asField(file.value().wind)->velocity({0, 0, static_cast<float>(cell.height)}, cell.time),
                    cell.velocity, 1e-2f);
         EXPECT_EQ(summary.points, glm::ivec3(48, 48, 14));
         EXPECT_EQ(summary.times, (std::vector<double>{0, 10800, 21600, 32400}));
         EXPECT_EQ(summary.coordinates, "+proj=merc +lat_ts=0 +lon_0=-89 +R=6370000");
-        EXPECT_TRUE(notes(summary, "the model's grid moves"));
+        EXPECT_TRUE(hasNote(summary, "the model's grid moves"));
     }
 }
 
-/// In the small files u is the column and v the row of a cell, both 100 more after an hour: make_wrf.py.
-TEST(NetCdfWrf, LambertGridStandsWhereItWasPut) {
+/// In the small files of make_wrf.py u is the column and v the row of a cell, both 100 more after an hour.
+TEST(NetCdfWrf, PlacesALambertGrid) {
     REQUIRE_NETCDF(lambertFile);
     expectNear(windAt(lambertFile, {-500000, 20000, 10}, 0), {0, 0, 0}, 1e-3f);
     expectNear(windAt(lambertFile, {-473000, 38000, 10}, 0), {3, 2, 0}, 1e-3f);
@@ -84,24 +84,24 @@ TEST(NetCdfWrf, LambertGridStandsWhereItWasPut) {
     EXPECT_EQ(summary.direction, "components toward x, y and up of the model's grid");
 }
 
-TEST(NetCdfWrf, AMovingGridLeavesTheWindInItsPlace) {
-    REQUIRE_NETCDF(lambertFile); // it moves one cell east and two north
+TEST(NetCdfWrf, PlacesWindOfAMovingGrid) {
+    REQUIRE_NETCDF(lambertFile); // moves one cell east and two north
     expectNear(windAt(lambertFile, {-482000, 38000, 10}, 3600), {101, 100, 0}, 1e-3f);
     expectNear(windAt(lambertFile, {-473000, 38000, 10}, 3600), {102, 100, 0}, 1e-3f);
     expectNear(windAt(lambertFile, {-500000, 20000, 10}, 3600), {100, 100, 0}, 1e-3f);
 }
 
-TEST(NetCdfWrf, AsStoredAMovingGridStands) {
+TEST(NetCdfWrf, MovingGridIsFixedAsStored) {
     REQUIRE_NETCDF(lambertFile);
     const auto file = readAt(lambertFile, {-473000, 38000, 10}, true);
     ASSERT_TRUE(file) << firstProblem(file);
     expectNear(asField(file.value().wind)->velocity({}, 3600), {103, 102, 0}, 1e-3f);
-    EXPECT_TRUE(notes(file.value().summary, "in a forest they are where they blew"));
-    EXPECT_FALSE(notes(file.value().summary, "edges held"));
+    EXPECT_TRUE(hasNote(file.value().summary, "in a forest they are placed where they blew"));
+    EXPECT_FALSE(hasNote(file.value().summary, "edges held"));
 }
 
-/// Means of the staggered neighbours of one time and cell, as ncdump prints them.
-TEST(NetCdfWrf, AsStoredCellsOfAllTimesAreThoseOfTheFile) {
+/// Means of the staggered neighbours of one time and cell, from ncdump.
+TEST(NetCdfWrf, CellsOfAllTimesAreThoseOfTheFileAsStored) {
     REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
     REQUIRE_NETCDF(path);
     const glm::dvec2 corner(readAt(path).value().summary.low);
@@ -117,16 +117,16 @@ TEST(NetCdfWrf, AsStoredCellsOfAllTimesAreThoseOfTheFile) {
     }
 }
 
-TEST(NetCdfWrf, PolarGridStandsWhereItWasPut) {
+TEST(NetCdfWrf, PlacesAPolarGrid) {
     REQUIRE_NETCDF(polarFile);
     expectNear(windAt(polarFile, {-300000, 1200000, 10}, 0), {0, 0, 0}, 1e-3f);
     expectNear(windAt(polarFile, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
     const WindSummary summary = readAt(polarFile).value().summary;
     EXPECT_EQ(summary.coordinates, "+proj=stere +lat_0=-90 +lat_ts=-70 +lon_0=10 +R=6370000");
-    EXPECT_FALSE(notes(summary, "moves"));
+    EXPECT_FALSE(hasNote(summary, "moves"));
 }
 
-TEST(NetCdfWrf, OneOfLatitudeAndLongitudeMayBeTheSameAtAllTimes) {
+TEST(NetCdfWrf, LatitudeOrLongitudeMayBeConstantInTime) {
     REQUIRE_NETCDF(polarFile);
     const TemporaryFolder folder;
     for (const char* array : {"XLAT", "XLONG"}) {
@@ -135,27 +135,27 @@ TEST(NetCdfWrf, OneOfLatitudeAndLongitudeMayBeTheSameAtAllTimes) {
     }
 }
 
-TEST(NetCdfWrf, WithoutAKnownMapPlacesCountFromTheCorner) {
+TEST(NetCdfWrf, UnknownProjectionsAreRelativeToTheCorner) {
     REQUIRE_NETCDF(polarFile);
     const TemporaryFolder folder;
     const std::string bytes = fileBytes(polarFile);
     const std::pair<std::string, const char*> cases[] = {
-        {renamed(bytes, "MAP_PROJ", "MAP_PORJ"), "names no map that is known here"},
-        {renamed(bytes, "STAND_LON", "STAND_LAT"), "names no map that is known here"},
-        {withAttribute(bytes, "MAP_PROJ", 6), "names no map that is known here"},
-        {withAttribute(bytes, "MAP_PROJ", 3), "XLAT and XLONG are not on the map"},
-        {renamed(bytes, "XLONG", "XLANG"), "XLAT and XLONG are not on the map"},
-        {withDimensions(bytes, "XLAT", {0}), "XLAT and XLONG are not on the map"},
-        {withDimensions(bytes, "XLONG", {3}), "XLAT and XLONG are not on the map"},
-        {withDimensions(bytes, "XLAT", {0, 3, 2}), "XLAT and XLONG are not on the map"},
-        {withDimensions(bytes, "XLAT", {5, 3}), "XLAT and XLONG are not on the map"}};
+        {renamed(bytes, "MAP_PROJ", "MAP_PORJ"), "has no supported projection"},
+        {renamed(bytes, "STAND_LON", "STAND_LAT"), "has no supported projection"},
+        {withAttribute(bytes, "MAP_PROJ", 6), "has no supported projection"},
+        {withAttribute(bytes, "MAP_PROJ", 3), "XLAT and XLONG do not match the projection"},
+        {renamed(bytes, "XLONG", "XLANG"), "XLAT and XLONG do not match the projection"},
+        {withDimensions(bytes, "XLAT", {0}), "XLAT and XLONG do not match the projection"},
+        {withDimensions(bytes, "XLONG", {3}), "XLAT and XLONG do not match the projection"},
+        {withDimensions(bytes, "XLAT", {0, 3, 2}), "XLAT and XLONG do not match the projection"},
+        {withDimensions(bytes, "XLAT", {5, 3}), "XLAT and XLONG do not match the projection"}};
     for (const auto& [changed, note] : cases) {
         const std::string path = folder.write("a.nc", changed);
         expectNear(windAt(path, {27000, 18000, 10}, 0), {3, 2, 0}, 1e-4f);
         const WindSummary summary = readAt(path).value().summary;
         EXPECT_EQ(summary.coordinates, "");
-        EXPECT_TRUE(notes(summary, note)) << note;
-        EXPECT_TRUE(notes(summary, "x and y are metres from the centre of the south-western cell"));
+        EXPECT_TRUE(hasNote(summary, note)) << note;
+        EXPECT_TRUE(hasNote(summary, "x and y are metres from the centre of the south-western cell"));
     }
 }
 

@@ -22,7 +22,7 @@ namespace osgTreeWind {
 using Numbers = std::vector<double>;
 using NetCdfAttributes = std::vector<std::pair<std::string, std::variant<std::string, double>>>;
 
-/// Writes a NetCDF file in few lines; closed when it goes.
+/// Writes a NetCDF file; the destructor closes it.
 class NetCdfWriter {
 public:
     explicit NetCdfWriter(const std::string& path, int mode = NC_64BIT_OFFSET) {
@@ -38,7 +38,7 @@ public:
         return *this;
     }
 
-    /// An array over dimensions that are there; too few numbers leave the rest unwritten.
+    /// Adds an array over existing dimensions; if there are too few numbers, the rest is not written.
     NetCdfWriter& array(const std::string& name, const std::vector<std::string>& dimensions,
                         const NetCdfAttributes& attributes, const Numbers& numbers,
                         nc_type type = NC_DOUBLE) {
@@ -58,7 +58,7 @@ public:
         return *this;
     }
 
-    /// A dimension and its coordinates.
+    /// Adds a dimension and its coordinates.
     NetCdfWriter& axis(const std::string& name, const Numbers& at, const std::string& unit,
                        const NetCdfAttributes& more = {}, nc_type type = NC_DOUBLE) {
         NetCdfAttributes attributes = more;
@@ -96,8 +96,9 @@ inline Numbers numbersFrom(double first, double step, std::size_t count) {
     return numbers;
 }
 
-/// A function at all rows and columns, columns fastest.
-inline Numbers over(const Numbers& y, const Numbers& x, const std::function<double(double y, double x)>& f) {
+/// Values of a function at all rows and columns, columns fastest.
+inline Numbers valuesOver(const Numbers& y, const Numbers& x,
+                          const std::function<double(double y, double x)>& f) {
     Numbers numbers;
     for (const double row : y)
         for (const double column : x)
@@ -105,18 +106,18 @@ inline Numbers over(const Numbers& y, const Numbers& x, const std::function<doub
     return numbers;
 }
 
-/// The same at levels and rows and columns.
-inline Numbers over(const Numbers& z, const Numbers& y, const Numbers& x,
-                    const std::function<double(double z, double y, double x)>& f) {
+/// The same at all levels, rows and columns.
+inline Numbers valuesOver(const Numbers& z, const Numbers& y, const Numbers& x,
+                          const std::function<double(double z, double y, double x)>& f) {
     Numbers numbers;
     for (const double level : z)
         for (const double number :
-             over(y, x, [&](double row, double column) { return f(level, row, column); }))
+             valuesOver(y, x, [&](double row, double column) { return f(level, row, column); }))
             numbers.push_back(number);
     return numbers;
 }
 
-/// As 16-bit integers have it.
+/// Packed as 16-bit integers.
 inline Numbers packed(Numbers numbers, double scale, double offset) {
     for (double& number : numbers)
         number = std::round((number - offset) / scale);
@@ -125,14 +126,14 @@ inline Numbers packed(Numbers numbers, double scale, double offset) {
 
 inline const NetCdfAttributes metresPerSecond = {{"units", "m s**-1"}};
 
-/// What the reader hands over, as it is: nothing turned, nothing in the scene.
+/// Content from the reader as stored, without conversion to the scene.
 inline Result<WindContent> contentOf(const std::string& path, const std::optional<WindArea>& area = {}) {
     WindRequest request;
     request.area = area;
     return readNetCdf(path, request);
 }
 
-/// The grid of a file that must be read.
+/// The grid of a file that must be readable.
 inline GridWind::Grid gridOf(const std::string& path, const std::optional<WindArea>& area = {}) {
     const Result<WindContent> content = contentOf(path, area);
     EXPECT_TRUE(content) << firstProblem(content);

@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// Whether a note says this.
-inline bool notes(const WindSummary& summary, const std::string& part) {
+/// Whether a note contains this text.
+inline bool hasNote(const WindSummary& summary, const std::string& part) {
     return std::any_of(summary.notes.begin(), summary.notes.end(),
                        [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }

@@ -32,7 +32,7 @@ std::string fileText(const std::string& path) {
     return text.str();
 }
 
-/// Every number between <name> and </name>, found without an XML parser.
+/// All numbers between <name> and </name>, found without an XML parser.
 std::vector<double> numbersIn(const std::string& text, const std::string& name) {
     const std::regex element("<" + name + ">([^<]*)</");
     std::vector<double> numbers;
@@ -144,7 +144,7 @@ TEST(QesSensor, RealRecordSpotValues) {
     EXPECT_EQ(series.velocities[0].z, 0.0f);
 }
 
-TEST(QesSensor, RealRecordAgreesWithAPlainTextSearch) {
+TEST(QesSensor, RealRecordMatchesAPlainTextSearch) {
     REQUIRE_REAL_DATA(path, "utah_campus/sensor2015.xml");
     const std::string text = fileText(path);
     const auto series = read(text);
@@ -161,7 +161,7 @@ TEST(QesSensor, RealRecordAgreesWithAPlainTextSearch) {
     }
 }
 
-TEST(QesSensor, CutAnywhereTheRealFileIsARecordOrAProblem) {
+TEST(QesSensor, TruncatedRealFileIsARecordOrAProblem) {
     REQUIRE_REAL_DATA(path, "utah_campus/sensor2015.xml");
     const std::string text = fileText(path);
     int whole = 0, broken = 0;
@@ -178,7 +178,7 @@ TEST(QesSensor, CutAnywhereTheRealFileIsARecordOrAProblem) {
     EXPECT_GT(broken, whole);
 }
 
-TEST(QesSensor, CutAnywhereASmallFileIsARecordOrAProblem) {
+TEST(QesSensor, TruncatedSmallFileIsARecordOrAProblem) {
     const std::string text =
         "<?xml version=\"1.0\"?>\n<!-- c -->" + record("1", "2", "3") + record("2", "2", "3");
     for (std::size_t length = 0; length < text.size(); ++length) {

@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-/// The record that a reader of one gives, in place of all that it says of it.
+/// The record in the content from a reader.
 inline Result<WindSeries> recordOf(const Result<WindContent>& content) {
     if (!content)
         return content.problems();

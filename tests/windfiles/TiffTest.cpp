@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A pair of 3 x 2 cells of 10 m: a westerly of 1 to 6 m/s, counted as one reads.
+/// A pair of 3 x 2 cells of 10 m: a westerly of 1 to 6 m/s, row by row from the north-west.
 struct TiffPair : testing::Test {
     TemporaryFolder folder;
     RasterFile speed, direction;
@@ -38,7 +38,7 @@ struct TiffPair : testing::Test {
 
 } // namespace
 
-TEST_F(TiffPair, IsReadFromTheSouth) {
+TEST_F(TiffPair, ReadsRowsFromTheSouth) {
     const auto file = read();
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_EQ(file.value().summary.format, "GeoTIFF speed and direction");
@@ -50,7 +50,7 @@ TEST_F(TiffPair, IsReadFromTheSouth) {
     EXPECT_NEAR(asField(file.value().wind)->velocity({20, 10, 10}, 0).y, 0.0f, 1e-5f);
 }
 
-TEST_F(TiffPair, HasTheUnitThatItSays) {
+TEST_F(TiffPair, ReadsTheUnit) {
     speed.unit = "kts";
     const auto file = read();
     ASSERT_TRUE(file) << firstProblem(file);
@@ -60,14 +60,14 @@ TEST_F(TiffPair, HasTheUnitThatItSays) {
     EXPECT_NE(problem().find("furlong/fortnight"), std::string::npos) << problem();
 }
 
-TEST_F(TiffPair, HolesAreCalm) {
+TEST_F(TiffPair, MissingCellsAreCalm) {
     speed.nodata = 4.0;
     const auto file = read();
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_EQ(asField(file.value().wind)->velocity({0, 0, 10}, 0).x, 0.0f);
 }
 
-TEST_F(TiffPair, RefusesWhatIsNoneByName) {
+TEST_F(TiffPair, RefusesInvalidPairsByName) {
     const auto refused = [&](const std::string& part) {
         EXPECT_NE(problem().find(part), std::string::npos) << problem();
         speed.transform = direction.transform;

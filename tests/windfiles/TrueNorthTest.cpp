@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Winds that count from true north, on Lambert's map around 40 N, 100 W on a sphere of 6371.2 km.
+// Winds relative to true north, in Lambert projection around 40 N, 100 W on a sphere of 6371.2 km.
 #include <tests/windfiles/NetCdfReading.h>
 
 #include <glm/gtc/constants.hpp>
@@ -12,12 +12,12 @@ namespace osgTreeWind {
 
 namespace {
 
-/// n (longitude - 100 W): the angle by which true north lies to the left of the y axis.
+/// Angle of true north to the left of the y axis: n (longitude - 100 W).
 double convergence(const glm::dvec2& place) {
     return std::atan2(place.x, 6371200.0 / std::tan(40.0 * glm::pi<double>() / 180.0) - place.y);
 }
 
-/// truenorth.nc after a change: 10 m/s toward east, and as speed and direction 10 m/s from south.
+/// Reads a changed truenorth.nc: 10 m/s toward east, and as speed and direction 10 m/s from south.
 Result<WindFile> readChanged(const std::string& bytes, const glm::dvec2& place) {
     const TemporaryFolder folder;
     return readAt(folder.write("changed.nc", bytes), {place, 0.0});
@@ -33,7 +33,7 @@ void expectVelocity(const Result<WindFile>& file, const glm::dvec2& expected) {
 
 } // namespace
 
-TEST(TrueNorth, EastwardWindIsTurnedByTheConvergence) {
+TEST(TrueNorth, TurnsEastwardWindByTheConvergence) {
     REQUIRE_NETCDF(truenorth);
     for (const glm::dvec2& place : corners) {
         const double left = convergence(place);
@@ -43,21 +43,21 @@ TEST(TrueNorth, EastwardWindIsTurnedByTheConvergence) {
     expectVelocity(readAt(truenorth, {0, 5e5, 0}), {10, 0});
     const WindSummary summary = readAt(truenorth).value().summary;
     EXPECT_EQ(summary.direction, "components toward true east, true north and up");
-    EXPECT_TRUE(notes(summary, "turned to the grid's y axis, by -15.75 to 15.75 degrees clockwise"));
+    EXPECT_TRUE(hasNote(summary, "turned to the grid's y axis, by -15.75 to 15.75 degrees clockwise"));
 }
 
-TEST(TrueNorth, AsStoredNothingIsTurned) {
+TEST(TrueNorth, TurnsNothingAsStored) {
     REQUIRE_NETCDF(truenorth);
     for (const glm::dvec2& place : corners) {
         const auto file = readAt(truenorth, {place, 0}, true);
         expectVelocity(file, {10, 0});
-        EXPECT_TRUE(notes(file.value().summary, "in a forest its velocities are turned to the grid's y axis, "
-                                                "by -15.75 to 15.75 degrees clockwise"));
-        EXPECT_FALSE(notes(file.value().summary, "velocities here"));
+        EXPECT_TRUE(hasNote(file.value().summary, "in a forest they are turned to the grid's y axis, "
+                                                  "by -15.75 to 15.75 degrees clockwise"));
+        EXPECT_FALSE(hasNote(file.value().summary, "velocities here"));
     }
 }
 
-TEST(TrueNorth, DirectionFromIsTurnedByTheConvergence) {
+TEST(TrueNorth, TurnsDirectionFromByTheConvergence) {
     REQUIRE_NETCDF(truenorth);
     const std::string bytes = renamed(fileBytes(truenorth), "eastward_wind", "eastward_what");
     for (const glm::dvec2& place : corners) {
@@ -68,7 +68,7 @@ TEST(TrueNorth, DirectionFromIsTurnedByTheConvergence) {
     }
 }
 
-TEST(TrueNorth, WhatTheFileCallsRelativeToTheGridStays) {
+TEST(TrueNorth, DoesNotTurnWindRelativeToTheGrid) {
     REQUIRE_NETCDF(truenorth);
     const auto file =
         readChanged(withAttribute(fileBytes(truenorth), "GRIB_uvRelativeToGrid", 1), corners[0]);
@@ -77,7 +77,7 @@ TEST(TrueNorth, WhatTheFileCallsRelativeToTheGridStays) {
     EXPECT_EQ(file.value().summary.direction, "components toward x (east), y (north) and up");
 }
 
-TEST(TrueNorth, DirectionOfNoStatedNorthStays) {
+TEST(TrueNorth, DoesNotTurnDirectionsOfUnknownNorth) {
     REQUIRE_NETCDF(truenorth);
     const auto file = readChanged(renamed(renamed(fileBytes(truenorth), "eastward_wind", "eastward_what"),
                                           "wind_from_direction", "wind_from_somewhere"),
@@ -86,14 +86,14 @@ TEST(TrueNorth, DirectionOfNoStatedNorthStays) {
     EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from the grid's north");
 }
 
-TEST(TrueNorth, WithoutAProjectionNothingIsTurnedAndANoteSaysSo) {
+TEST(TrueNorth, TurnsNothingWithoutAProjectionWithANote) {
     REQUIRE_NETCDF(truenorth);
     const auto file = readChanged(renamed(fileBytes(truenorth), "grid_mapping", "gird_mapping"), corners[0]);
     expectVelocity(file, {10, 0});
-    EXPECT_TRUE(notes(file.value().summary, "names no projection"));
+    EXPECT_TRUE(hasNote(file.value().summary, "gives no projection"));
 }
 
-TEST(TrueNorth, ComponentsAlongXAndYComeFirstAndStay) {
+TEST(TrueNorth, PrefersComponentsAlongXAndY) {
     const std::string path = smallNetCdf("gridnorth.nc");
     REQUIRE_NETCDF(path);
     for (const double x : {-2e6, 2e6})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real files against the numbers that a plain reading of their text gives.
+// Real files compared with a plain reading of their text.
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/gtc/constants.hpp>
@@ -30,7 +30,7 @@ WindFile readReal(const std::string& path, const glm::dvec3& origin = glm::dvec3
     return file ? file.value() : WindFile{};
 }
 
-std::vector<std::string> linesOf(const std::string& path) {
+std::vector<std::string> readLines(const std::string& path) {
     std::ifstream file(path);
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
@@ -40,7 +40,7 @@ std::vector<std::string> linesOf(const std::string& path) {
 
 /// The number in a row (from the north, 0 the first below the header) and column of an ESRI grid.
 double cellOf(const std::string& path, int row, int column) {
-    std::istringstream line(linesOf(path)[static_cast<std::size_t>(6 + row)]);
+    std::istringstream line(readLines(path)[static_cast<std::size_t>(6 + row)]);
     double value = 0.0;
     for (int i = 0; i <= column; ++i)
         line >> value;
@@ -51,11 +51,11 @@ double cellOf(const std::string& path, int row, int column) {
 
 class WindNinjaGrids : public testing::TestWithParam<const char*> {};
 
-TEST_P(WindNinjaGrids, EqualTheTextAtItsCells) {
+TEST_P(WindNinjaGrids, MatchTheTextAtTheirCells) {
     const std::string name = "wind/windninja_pig/" + std::string(GetParam());
     REQUIRE_REAL_DATA(speeds, name + "_vel.asc");
     REQUIRE_REAL_DATA(directions, name + "_ang.asc");
-    const std::vector<std::string> lines = linesOf(speeds);
+    const std::vector<std::string> lines = readLines(speeds);
     double header[5];
     for (std::size_t i = 0; i < 5; ++i) {
         std::string key;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Pig, WindNinjaGrids,
                          });
 
 /// Half way between two hours, the mean of their components.
-TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
+TEST(WindFileReal, ReadsTwoHoursOfWindNinjaAsOneWind) {
     const std::string folder = "wind/windninja_pig/";
     REQUIRE_REAL_DATA(first, folder + "198001010100/output/PIG_1000m_vel.asc");
     REQUIRE_REAL_DATA(second, folder + "198001010200/output/PIG_1000m_vel.asc");
@@ -109,12 +109,12 @@ TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
         }
 }
 
-TEST(WindFileReal, LargeEddyMeanEqualsItsText) {
+TEST(WindFileReal, LargeEddyMeanMatchesItsText) {
     REQUIRE_REAL_DATA(path, "wind/array.mean0D_UAvg.vtk");
     const WindFile file = readReal(path, {758, 660.001, 10.001});
     ASSERT_TRUE(file.wind.field);
     EXPECT_EQ(file.summary.points, glm::ivec3(99, 39, 16));
-    const std::vector<std::string> lines = linesOf(path);
+    const std::vector<std::string> lines = readLines(path);
     for (const glm::ivec3 point : {glm::ivec3(0), glm::ivec3(98, 38, 15), glm::ivec3(50, 7, 3)}) {
         const int at = 10 + point.x + 99 * (point.y + 39 * point.z);
         glm::vec3 expected;
@@ -123,7 +123,7 @@ TEST(WindFileReal, LargeEddyMeanEqualsItsText) {
     }
 }
 
-TEST(WindFileReal, TurbSimEqualsItsBytes) {
+TEST(WindFileReal, TurbSimMatchesItsBytes) {
     REQUIRE_REAL_DATA(path, "wind/TurbSim_WithTwr.bts");
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -154,9 +154,9 @@ TEST(WindFileReal, TurbSimEqualsItsBytes) {
     }
 }
 
-TEST(WindFileReal, SonicRecordEqualsItsText) {
+TEST(WindFileReal, SonicRecordMatchesItsText) {
     REQUIRE_REAL_DATA(path, "wind/TOA5_6843.ts_Above_2012_06_07_1245.dat");
-    const std::vector<std::string> lines = linesOf(path);
+    const std::vector<std::string> lines = readLines(path);
     const WindFile file = readReal(path);
     ASSERT_TRUE(file.wind.field);
     ASSERT_EQ(file.summary.times.size(), lines.size() - 4);
@@ -181,7 +181,7 @@ TEST(WindFileReal, QesSensorIsRecognised) {
 }
 
 /// The first three records, and half way from the first to the second, at the height of the measurement.
-TEST(WindFileReal, QesSensorEqualsItsText) {
+TEST(WindFileReal, QesSensorMatchesItsText) {
     REQUIRE_REAL_DATA(path, "utah_campus/sensor2015.xml");
     const WindFile file = readReal(path);
     ASSERT_TRUE(file.wind.field);

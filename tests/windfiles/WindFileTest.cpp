@@ -28,7 +28,7 @@ WindFile readSmall(const std::string& name, const WindFileOptions& options = {})
 /// by (10, 20, 5): make_small.py.
 class WindFileVtk : public testing::TestWithParam<const char*> {};
 
-TEST_P(WindFileVtk, HoldsTheLinearField) {
+TEST_P(WindFileVtk, ContainsTheLinearField) {
     const WindFile file = readSmall(GetParam());
     ASSERT_TRUE(file.wind.field);
     expectNear(asField(file.wind)->velocity({100, 200, 5}, 0), {1, 0, 0});
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Small, WindFileVtk,
                              return name;
                          });
 
-TEST(WindFile, TimeValueOfVtkIsItsTime) {
+TEST(WindFile, ReadsTimeValueOfVtk) {
     for (const char* name : {"paraview.vtk", "paraviewbinary.vtk"})
         EXPECT_EQ(readSmall(name).summary.times, std::vector<double>{42.5}) << name;
     EXPECT_TRUE(readSmall("cells.vtk").summary.times.empty());
@@ -64,15 +64,15 @@ TEST(WindFile, OriginMovesTheGridIntoTheScene) {
     expectNear(asField(readSmall("vectors.vtk", options).wind)->velocity({0, 0, 5}, 0), {2, 0, 0.25f});
 }
 
-TEST(WindFile, UnitIsConvertedWhereTheFileDoesNotSay) {
+TEST(WindFile, ConvertsTheGivenUnitIfTheFileHasNone) {
     WindFileOptions options;
     options.speedUnit = "km/h";
     const WindFile file = readSmall("vectors.vtk", options);
     expectNear(asField(file.wind)->velocity({120, 200, 5}, 0), {3 / 3.6f, 0, 0});
-    EXPECT_TRUE(notes(file.summary, "taken as km/h"));
+    EXPECT_TRUE(hasNote(file.summary, "km/h is assumed"));
 }
 
-TEST(WindFile, UnknownUnitIsRefused) {
+TEST(WindFile, RefusesAnUnknownUnit) {
     WindFileOptions options;
     options.speedUnit = "furlongs";
     EXPECT_NE(firstProblem(readWindFile(folder + "vectors.vtk", options)).find("expected a unit of speed"),
@@ -81,22 +81,22 @@ TEST(WindFile, UnknownUnitIsRefused) {
 
 class WindFileEsri : public testing::TestWithParam<const char*> {};
 
-/// South row: speeds 1, 2 and none, from 270; north row: 4 from north, 5 from east, 6 from south.
-TEST_P(WindFileEsri, EitherFileOfThePairGivesTheWind) {
+/// South row: speeds 1, 2 and missing, from 270; north row: 4 from north, 5 from east, 6 from south.
+TEST_P(WindFileEsri, ReadsThePairFromEitherFile) {
     const WindFile file = readSmall(GetParam());
     expectNear(asField(file.wind)->velocity({105, 205, 0}, 0), {1, 0, 0});
     expectNear(asField(file.wind)->velocity({115, 205, 0}, 0), {2, 0, 0});
     expectNear(asField(file.wind)->velocity({105, 215, 9}, 7), {0, -4, 0});
     expectNear(asField(file.wind)->velocity({115, 215, 0}, 0), {-5, 0, 0});
     expectNear(asField(file.wind)->velocity({125, 215, 0}, 0), {0, 6, 0});
-    EXPECT_TRUE(notes(file.summary, "1 of 6 velocities have no data"));
-    EXPECT_EQ(file.summary.slowest, 1.0) << "a place without data is no calm that was measured";
+    EXPECT_TRUE(hasNote(file.summary, "1 of 6 velocities have no data"));
+    EXPECT_EQ(file.summary.slowest, 1.0) << "missing data do not count as calm";
 }
 
 INSTANTIATE_TEST_SUITE_P(Small, WindFileEsri, testing::Values("pair_vel.asc", "pair_ang.asc"),
                          [](const auto& info) { return std::string(info.param).substr(5, 3); });
 
-/// u = 8 + number of the time, v = y / 10, w = z / 100 on y -5, 0, 5 and z 15, 25; every 0.5 s; drifting at 8
+/// u = 8 + index of the time, v = y / 10, w = z / 100 on y -5, 0, 5 and z 15, 25; every 0.5 s; drifting at 8
 /// m/s.
 TEST(WindFile, TurbSimDriftsDownwind) {
     const WindFile file = readSmall("small.bts");
@@ -106,24 +106,24 @@ TEST(WindFile, TurbSimDriftsDownwind) {
     EXPECT_EQ(asField(file.wind)->velocity({0, 0, 20}, 0.6), asField(file.wind)->velocity({4, 0, 20}, 1.1));
 }
 
-TEST(WindFile, TurbSimDriftsFromItsPlaneWhereverTheOriginIs) {
+TEST(WindFile, TurbSimDriftsFromItsPlaneForAnyOrigin) {
     WindFileOptions options;
     options.origin = {-40, 0, 0};
     const WindFile file = readSmall("small.bts", options);
     expectNear(asField(file.wind)->velocity({40, 0, 15}, 0.5), {9, 0, 0.15f}, 0.01f);
 }
 
-TEST(WindFile, Toa5CountsFromItsFirstRecordAndLeavesOutNan) {
+TEST(WindFile, Toa5StartsAtItsFirstRecordAndSkipsNan) {
     const WindFile file = readSmall("toa5.dat");
     EXPECT_EQ(file.summary.unit, "m/s");
     EXPECT_EQ(file.summary.start, "2020-01-01 00:00:00.5");
     EXPECT_EQ(file.summary.times, (std::vector<double>{0.0, 2.0}));
     expectNear(asField(file.wind)->velocity({}, 0.0), {1, 2, 0.5f});
     expectNear(asField(file.wind)->velocity({}, 1.0), {3, 0, 0.375f});
-    EXPECT_TRUE(notes(file.summary, "1 of 3 records have no wind and are left out"));
+    EXPECT_TRUE(hasNote(file.summary, "1 of 3 records have no wind and are skipped"));
 }
 
-TEST(WindFile, CsvWithUsualNamesNeedsNoColumns) {
+TEST(WindFile, CsvWithDefaultNamesNeedsNoColumns) {
     WindFileOptions options;
     options.speedUnit = "km/h";
     const WindFile file = readSmall("table.csv", options);

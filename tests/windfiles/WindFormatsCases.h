@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-/// A small file and the reader of its format, over bytes.
+/// A small file and the reader of its format.
 struct FormatCase {
     const char* file;
     Result<WindContent> (*read)(std::string_view bytes, const std::string& file);
@@ -26,7 +26,7 @@ inline const std::vector<FormatCase>& formatCases() {
         const Result<MapCells> grid = readEsriGrid(bytes, file);
         if (!grid)
             return grid.problems();
-        return windOfCells(grid.value(), grid.value(), file);
+        return windFromCells(grid.value(), grid.value(), file);
     };
     static const std::vector<FormatCase> cases = {{"vectors.vtk", readVtkLegacy},
                                                   {"field.vtk", readVtkLegacy},

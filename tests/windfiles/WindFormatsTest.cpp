@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one door through which records and fields come in.
+// Recognition of formats, for records and fields.
 #include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/base/FirstProblem.h>
@@ -27,11 +27,11 @@ class WindFormats : public testing::TestWithParam<const char*> {};
 
 } // namespace
 
-TEST_P(WindFormats, AreKnownByTheirBeginningWhateverTheName) {
+TEST_P(WindFormats, AreRecognisedByContentWithAnyName) {
     const TemporaryFolder folder;
     const std::string bytes = bytesOf({GetParam(), nullptr}), file = std::string(GetParam());
     const std::string expected = formatOf(OSGTREEWIND_TEST_DATA "/wind/" + file);
-    EXPECT_EQ(expected.find("no known format"), std::string::npos) << expected;
+    EXPECT_EQ(expected.find("unknown format"), std::string::npos) << expected;
     EXPECT_EQ(formatOf(folder.write("a", bytes)), expected);
     EXPECT_EQ(formatOf(folder.write("a.csv", bytes)), expected);
     EXPECT_EQ(formatOf(folder.write("a.bts", bytes)), expected);
@@ -46,14 +46,14 @@ INSTANTIATE_TEST_SUITE_P(Small, WindFormats,
                              return name;
                          });
 
-TEST(WindFormats, OnlyTheFirstKilobyteTells) {
+TEST(WindFormats, AreRecognisedByTheFirstKilobyteOnly) {
     const TemporaryFolder folder;
     const std::string sensor = bytesOf({"sensor.xml", nullptr}), far(1024, ' ');
-    EXPECT_NE(formatOf(folder.write("a", far + sensor)).find("no known format"), std::string::npos);
-    EXPECT_EQ(formatOf(folder.write("a.xml", far + sensor)), "QES-Winds sensor") << "by its name then";
+    EXPECT_NE(formatOf(folder.write("a", far + sensor)).find("unknown format"), std::string::npos);
+    EXPECT_EQ(formatOf(folder.write("a.xml", far + sensor)), "QES-Winds sensor") << "recognised by its name";
 }
 
-TEST(WindFormats, RecordsAreThoseOfAnyFormatThatHoldsOne) {
+TEST(WindFormats, ReadsRecordsOfAllFormats) {
     const TemporaryFolder folder;
     std::string toa5 = bytesOf({"toa5.dat", nullptr});
     for (std::size_t at = 0; (at = toa5.find("\"m/s\"", at)) != std::string::npos;)
@@ -71,7 +71,7 @@ TEST(WindFormats, RecordsAreThoseOfAnyFormatThatHoldsOne) {
     columns.v = "v";
     columns.speedUnit = "km/h";
     const auto table = readWindSeries(folder.write("table.txt", "t,u,v\n0,36,0\n1,0,72\n"), columns);
-    ASSERT_TRUE(table) << firstProblem(table) << ": whoever names columns has a table";
+    ASSERT_TRUE(table) << firstProblem(table) << ": named columns imply a table";
     EXPECT_EQ(table.value().velocities[1], glm::vec3(0, 20, 0));
 
     const std::string grid = OSGTREEWIND_TEST_DATA "/wind/vectors.vtk";
@@ -79,7 +79,7 @@ TEST(WindFormats, RecordsAreThoseOfAnyFormatThatHoldsOne) {
               grid + ": expected a record at one point, found a grid: VTK legacy STRUCTURED_POINTS");
 }
 
-TEST(WindFormats, UnpackNoMoreThanTheMemoryAllows) {
+TEST(WindFormats, RefusesToUnpackMoreThanTheMemoryLimit) {
     const std::uint32_t size = 3 * 4 * 1000 * 1000;
     std::string packed(compressBound(size), '\0');
     uLongf length = packed.size();
@@ -101,7 +101,7 @@ TEST(WindFormats, UnpackNoMoreThanTheMemoryAllows) {
         << firstProblem(readVtkXml(file, "f"));
 }
 
-TEST(WindFormats, FilesLargerThanTheMemoryAreNotRead) {
+TEST(WindFormats, RefusesFilesLargerThanTheMemoryLimit) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.vtk", "# vtk DataFile Version 3.0\n");
     std::filesystem::resize_file(file, std::uintmax_t(1) << 40); // sparse
@@ -109,7 +109,7 @@ TEST(WindFormats, FilesLargerThanTheMemoryAreNotRead) {
     EXPECT_EQ(formatOf(file).find(file + ": its bytes need about 1.1 TB of memory"), 0u) << formatOf(file);
 }
 
-TEST(WindFormats, VtkMayHaveLevelsOfUnequalThicknessAndAxesOfOnePoint) {
+TEST(WindFormats, VtkMayHaveUnevenLevelsAndAxesOfOnePoint) {
     const std::string head = "# vtk DataFile Version 3.0\na\nASCII\n";
     const auto rectilinear =
         readVtkLegacy(head + "DATASET RECTILINEAR_GRID\nDIMENSIONS 2 1 3\nX_COORDINATES 2 float\n0 10\n"

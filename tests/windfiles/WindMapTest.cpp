@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Winds of a file's map, or of degrees, on the map of a scene.
+// Winds transformed from the CRS of a file, or degrees, to the CRS of a scene.
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/places/RasterFile.h>
 
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
@@ -19,16 +19,16 @@ namespace osgTreeWind {
 namespace {
 
 glm::dvec2 brought(glm::dvec2 place, const char* from, const char* to) {
-    EXPECT_TRUE(CrsWay::between(Crs::parse(from).value(), Crs::parse(to).value()).value().go(place));
+    EXPECT_TRUE(CrsTransform::between(Crs::parse(from).value(), Crs::parse(to).value()).value().apply(place));
     return place;
 }
 
-/// Of a transverse Mercator map, radians: how far true north lies west of the map's.
+/// Meridian convergence of a transverse Mercator projection, radians.
 double convergence(const glm::dvec2& lonLat, double meridian) {
     return std::atan(std::tan(glm::radians(lonLat.x - meridian)) * std::sin(glm::radians(lonLat.y)));
 }
 
-/// Turned counterclockwise.
+/// Turns a velocity counterclockwise.
 glm::dvec2 turned(const glm::dvec2& v, double angle) {
     return {v.x * std::cos(angle) - v.y * std::sin(angle), v.x * std::sin(angle) + v.y * std::cos(angle)};
 }
@@ -42,7 +42,7 @@ Result<WindFile> readOn(const std::string& path, const std::string& crs, const g
     return readWindFile(path, options);
 }
 
-/// A westerly of 10 m/s on degrees around 11.9 E, 47 N.
+/// A westerly of 10 m/s in degrees around 11.9 E, 47 N.
 std::string westerlyOnDegrees(const TemporaryFolder& folder, double west = 11.0) {
     RasterFile pair;
     pair.columns = 8;
@@ -57,8 +57,8 @@ std::string westerlyOnDegrees(const TemporaryFolder& folder, double west = 11.0)
 
 } // namespace
 
-/// At the centre of a cell of a real file, in the next zone: the file's numbers, turned by both convergences.
-TEST(WindMap, WindNinjaInTheNextZoneIsTheFilesTurned) {
+/// A cell of a real file read in the next UTM zone: its values turned by both convergences.
+TEST(WindMap, TransformsWindNinjaToTheNextUtmZone) {
     REQUIRE_REAL_DATA(path, "place/20171026T1500_vel.asc");
     const glm::dvec2 cell = glm::dvec2(726299.0, 5208948.0) + 29.150477 * (glm::dvec2(40, 70) + 0.5);
     const auto own = readOn(path, "EPSG:32611", cell);
@@ -79,7 +79,7 @@ TEST(WindMap, WindNinjaInTheNextZoneIsTheFilesTurned) {
     EXPECT_FALSE(next.value().covers({20000, 0}));
 }
 
-TEST(WindMap, AWesterlyOnDegreesIsTurnedByTheConvergence) {
+TEST(WindMap, TurnsAWesterlyInDegreesByTheConvergence) {
     const TemporaryFolder folder;
     const glm::dvec2 lonLat(11.9, 47.0), place = brought(lonLat, "EPSG:4326", "EPSG:32632");
     const auto file = readOn(westerlyOnDegrees(folder), "EPSG:32632", place);
@@ -88,10 +88,10 @@ TEST(WindMap, AWesterlyOnDegreesIsTurnedByTheConvergence) {
         expected = turned({10, 0}, convergence(lonLat, 9.0));
     EXPECT_NEAR(wind.x, expected.x, 1e-3);
     EXPECT_NEAR(wind.y, expected.y, 1e-3);
-    EXPECT_GT(wind.y, 0.3) << "the map's east lies south of true east";
+    EXPECT_GT(wind.y, 0.3) << "grid east is south of true east";
 }
 
-TEST(WindMap, LongitudesMayBeAWholeTurnAway) {
+TEST(WindMap, LongitudesMayBeShiftedBy360) {
     const TemporaryFolder folder;
     const auto file = readOn(westerlyOnDegrees(folder, 371.0), "EPSG:32632",
                              brought({11.9, 47.0}, "EPSG:4326", "EPSG:32632"));
@@ -100,14 +100,15 @@ TEST(WindMap, LongitudesMayBeAWholeTurnAway) {
     EXPECT_TRUE(file.value().covers({0, 0}));
 }
 
-TEST(WindMap, GrowsWithHeightWhereARoughnessIsGiven) {
+TEST(WindMap, AppliesAProfileIfARoughnessIsGiven) {
     const TemporaryFolder folder;
     WindFileOptions options;
     options.crs = "EPSG:32632";
     options.origin = {brought({11.9, 47.0}, "EPSG:4326", "EPSG:32632"), 800.0};
     const std::string path = westerlyOnDegrees(folder);
     options.roughness = 0.1;
-    EXPECT_NE(firstProblem(readWindFile(path, options)).find("height: expected the height above the ground"),
+    EXPECT_NE(firstProblem(readWindFile(path, options))
+                  .find("height: expected both the height of the data above the ground"),
               std::string::npos);
     options.height = 10.0;
     const auto file = readWindFile(path, options);
@@ -119,7 +120,7 @@ TEST(WindMap, GrowsWithHeightWhereARoughnessIsGiven) {
     EXPECT_NE(firstProblem(readWindFile(path, options)).find("and a roughness"), std::string::npos);
 }
 
-TEST(WindMap, FarFromItsDataTheEdgeHolds) {
+TEST(WindMap, ClampsToTheEdgeFarFromTheData) {
     const TemporaryFolder folder;
     const auto file = readOn(westerlyOnDegrees(folder), "+proj=ortho +lat_0=-47 +lon_0=-168", {0, 0});
     ASSERT_TRUE(file) << firstProblem(file);
@@ -127,7 +128,7 @@ TEST(WindMap, FarFromItsDataTheEdgeHolds) {
     EXPECT_NEAR(glm::length(asField(file.value().wind)->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
 }
 
-TEST(WindMap, AMapFileThatIsNoneIsNamed) {
+TEST(WindMap, NamesAnInvalidPrjFile) {
     const TemporaryFolder folder;
     const std::string head = "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n4\n";
     folder.write("a_ang.asc", head);
@@ -137,14 +138,14 @@ TEST(WindMap, AMapFileThatIsNoneIsNamed) {
         << problem;
 }
 
-TEST(WindMap, DegreesNeedAMap) {
+TEST(WindMap, DegreesRequireACrs) {
     const TemporaryFolder folder;
     EXPECT_NE(firstProblem(readWindFile(westerlyOnDegrees(folder)))
-                  .find("its places are on degrees, WGS 84; expected crs, a map in metres to bring them to"),
+                  .find("its coordinates are in degrees, WGS 84; expected crs, a projected CRS in metres"),
               std::string::npos);
 }
 
-TEST(WindMap, IsOneInMetres) {
+TEST(WindMap, RefusesACrsThatIsNotInMetres) {
     const TemporaryFolder folder;
     for (const auto& [crs, part] :
          {std::pair("EPSG:4326", "crs: expected a projected system in metres"), {"nonsense", "crs: "}})

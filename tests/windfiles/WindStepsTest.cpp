@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several files of one time each, read as one wind.
+// Several files of one time each read as one wind.
 #include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/windfiles/NetCdfReading.h>
@@ -41,7 +41,7 @@ std::string problemOfBoth(const std::string& first, const std::string& second) {
     return firstProblem(readWindFiles({first, second}, {0, 1}));
 }
 
-/// wrf_polar.nc, whose layer is 20 m high, with another geopotential on top of it.
+/// wrf_polar.nc, whose layer is 20 m thick, with another geopotential at its top.
 std::string withTop(float geopotential) {
     const auto bytesOf = [](const float& number) {
         const char* little = reinterpret_cast<const char*>(&number);
@@ -64,7 +64,7 @@ WindContent column(float top, const std::string& note) {
 
 } // namespace
 
-TEST(WindSteps, VelocitiesAreLinearBetweenTheTimesAndHeldOutside) {
+TEST(WindSteps, IsLinearBetweenTimesAndClampedOutside) {
     const Hours hours;
     const WindFile file =
         readBoth(hours.pair("a", "4 1", "270 180"), hours.pair("b", "8 3", "270 180"), 60, 160);
@@ -80,8 +80,8 @@ TEST(WindSteps, VelocitiesAreLinearBetweenTheTimesAndHeldOutside) {
     EXPECT_NEAR(file.summary.fastest, 8.0, 1e-6);
 }
 
-/// From 350 to 10 degrees the wind turns through north; the mean of the numbers is south.
-TEST(WindSteps, ComponentsAreInterpolatedNeverDirections) {
+/// Between 350 and 10 degrees the wind turns through north; the mean of the numbers would be south.
+TEST(WindSteps, InterpolatesComponentsNotDirections) {
     const Hours hours;
     const WindFile file = readBoth(hours.pair("a", "5 5", "350 270"), hours.pair("b", "5 5", "10 90"), 0, 1);
     ASSERT_TRUE(file.wind.field);
@@ -90,7 +90,7 @@ TEST(WindSteps, ComponentsAreInterpolatedNeverDirections) {
     expectNear(asField(file.wind)->velocity({15, 5, 0}, 0.5), {0, 0, 0}, 1e-5f);
 }
 
-TEST(WindSteps, AFileMayComeAgain) {
+TEST(WindSteps, AFileMayBeUsedTwice) {
     const Hours hours;
     const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "8 3", "270 180");
     const auto wind = readWindFiles({a, b, a}, {0, 1, 2});
@@ -98,13 +98,13 @@ TEST(WindSteps, AFileMayComeAgain) {
     expectNear(asField(wind.value().wind)->velocity({5, 5, 0}, 1.5), {6, 0, 0}, 1e-5f);
 }
 
-TEST(WindSteps, OneFileIsASteadyWind) {
+TEST(WindSteps, SingleFileIsASteadyWind) {
     const auto wind = readWindFiles({data + "vectors.vtk"}, {7});
     ASSERT_TRUE(wind) << firstProblem(wind);
     expectNear(asField(wind.value().wind)->velocity({110, 220, 5}, 0), {2, 0.5f, 0}, 1e-5f);
 }
 
-TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
+TEST(WindSteps, UsesTimesOfTheFiles) {
     const TemporaryFolder folder;
     const std::string bytes = fileBytes(data + "paraview.vtk");
     const std::string first = folder.write("a.vtk", renamed(bytes, "42.5", "10.0"));
@@ -116,16 +116,16 @@ TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
     expectNear(asField(wind.value().wind)->velocity({100, 200, 5}, 15), {5, 0, 0}, 1e-5f);
 
     EXPECT_EQ(firstProblem(readWindFiles({second, first}, {})),
-              first + ": expected a time after 20 s, that of the file before; found 10 s");
+              first + ": expected a time after 20 s, the last time of the previous file, found 10 s");
     const std::string timeless = data + "vectors.vtk";
     EXPECT_EQ(firstProblem(readWindFiles({first, timeless}, {})),
-              "times: expected times, one for each file: " + timeless + " does not say when it holds");
+              "times: expected one time for each file, because " + timeless + " contains no time");
     EXPECT_EQ(readBoth(second, first, 0, 1).summary.times, (std::vector<double>{0, 1}))
-        << "times given go before those of the files";
+        << "given times replace those of the files";
 }
 
-/// A day of two times, and a forecast's hour after it.
-TEST(WindSteps, FilesWithDatesFollowEachOther) {
+/// A day with two times, followed by an hour of a forecast.
+TEST(WindSteps, OrdersFilesByDate) {
     const auto day = [](const std::string& file) {
         WindContent content = column(10, "made");
         auto& grid = std::get<GridWind::Grid>(content.data);
@@ -150,16 +150,16 @@ TEST(WindSteps, FilesWithDatesFollowEachOther) {
     EXPECT_TRUE(GridWind::check(grid).empty());
 
     EXPECT_EQ(firstProblem(readWindSteps({"b", "a"}, {}, day)),
-              "a: expected a time after 0 s, that of the file before; found -86400 s");
+              "a: expected a time after 0 s, the last time of the previous file, found -86400 s");
     EXPECT_EQ(firstProblem(readWindSteps({"a", "seconds"}, {}, day)),
-              "seconds: expected to say its date, as the first file does");
+              "seconds: expected a date, as in the first file");
     EXPECT_EQ(firstProblem(readWindSteps({"seconds", "b"}, {}, day)),
-              "b: expected seconds as the first file has them, found a date");
+              "b: expected seconds, as in the first file, found a date");
     EXPECT_EQ(firstProblem(readWindSteps({"a", "b"}, {0, 1}, day)),
               "a: expected a grid at one time, found 2 times");
 }
 
-TEST(WindSteps, HeightsMayMoveFromFileToFileOfSeveralTimes) {
+TEST(WindSteps, HeightsMayDifferBetweenFilesOfSeveralTimes) {
     const auto read = [](const std::string& file) {
         WindContent content = column(file == "a" ? 10.0f : 20.0f, "made");
         auto& grid = std::get<GridWind::Grid>(content.data);
@@ -175,23 +175,23 @@ TEST(WindSteps, HeightsMayMoveFromFileToFileOfSeveralTimes) {
     EXPECT_TRUE(GridWind::check(grid).empty());
 }
 
-TEST(WindSteps, OneGridMayComeInSeveralFormats) {
+TEST(WindSteps, JoinsSeveralFormats) {
     const WindFile file = readBoth(data + "vectors.vtk", data + "zlib.vti", 0, 10);
     ASSERT_TRUE(file.wind.field);
     expectNear(asField(file.wind)->velocity({110, 220, 10}, 5), {2, 0.5f, 0.25f}, 1e-5f);
 }
 
-TEST(WindSteps, PlacesWithoutDataOfAllFilesAreCounted) {
+TEST(WindSteps, CountsMissingDataOfAllFiles) {
     const Hours hours;
     const WindFile file =
         readBoth(hours.pair("a", "4 -9", "270 -9"), hours.pair("b", "8 3", "270 180"), 0, 1);
-    EXPECT_TRUE(notes(file.summary, "1 of 4 velocities have no data"));
+    EXPECT_TRUE(hasNote(file.summary, "1 of 4 velocities have no data"));
     EXPECT_EQ(std::count(file.summary.notes.begin(), file.summary.notes.end(),
-                         "the file names no unit of speed; taken as m/s"),
+                         "the file gives no unit of speed; m/s is assumed"),
               1);
 }
 
-TEST(WindSteps, WhatIsNotLikeTheFirstFileIsNamed) {
+TEST(WindSteps, NamesDifferencesFromTheFirstFile) {
     const Hours hours;
     const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "4 1", "270 180", "3"),
                       c = hours.pair("c", "4 1", "270 180", "0", "11"), d = hours.pair("d", "4 1", "270 180");
@@ -209,7 +209,7 @@ TEST(WindSteps, WhatIsNotLikeTheFirstFileIsNamed) {
                                                           a + ", 2, 1, 1, found '3, 2, 2'");
 }
 
-TEST(WindSteps, GridsOfOtherSpacingAreRefused) {
+TEST(WindSteps, RefusesOtherSpacing) {
     const TemporaryFolder folder;
     const std::string wide =
         folder.write("a.vtk", renamed(fileBytes(data + "vectors.vtk"), "SPACING 10", "SPACING 11"));
@@ -220,7 +220,7 @@ TEST(WindSteps, GridsOfOtherSpacingAreRefused) {
 
 class WindStepsRefuse : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-TEST_P(WindStepsRefuse, WhatIsNoGridAtOneTime) {
+TEST_P(WindStepsRefuse, DataThatAreNotAGridAtOneTime) {
     const auto& [name, found] = GetParam();
     const std::string file = data + name;
     if (file.find(".nc") != std::string::npos)
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(Small, WindStepsRefuse,
                              return name;
                          });
 
-TEST(WindSteps, UnitsMustBeTheSame) {
+TEST(WindSteps, RefusesOtherUnits) {
     const TemporaryFolder folder;
     const std::string path = smallNetCdf("wrf_polar.nc");
     REQUIRE_NETCDF(path);
@@ -249,7 +249,7 @@ TEST(WindSteps, UnitsMustBeTheSame) {
               knots + ": expected the unit of speed of " + path + ", m/s, found 'kn'");
 }
 
-TEST(WindSteps, HeightsOfLayersMustBeTheSame) {
+TEST(WindSteps, RefusesOtherHeightsOfLayers) {
     const TemporaryFolder folder;
     const std::string path = smallNetCdf("truenorth.nc"); // 10 m above ground
     REQUIRE_NETCDF(path);
@@ -258,7 +258,7 @@ TEST(WindSteps, HeightsOfLayersMustBeTheSame) {
     EXPECT_EQ(problemOfBoth(path, higher), higher + ": expected the heights of " + path);
 }
 
-TEST(WindSteps, HeightsOfPointsMoveWithTheWind) {
+TEST(WindSteps, HeightsOfPointsMayDiffer) {
     const TemporaryFolder folder;
     const std::string path = smallNetCdf("wrf_polar.nc");
     REQUIRE_NETCDF(path);
@@ -268,7 +268,7 @@ TEST(WindSteps, HeightsOfPointsMoveWithTheWind) {
     EXPECT_EQ(file.summary.times.size(), 2u);
 }
 
-TEST(WindSteps, BadHeightsAreThoseOfTheirFile) {
+TEST(WindSteps, NamesTheFileOfInvalidHeights) {
     const TemporaryFolder folder;
     const std::string path = smallNetCdf("wrf_polar.nc");
     REQUIRE_NETCDF(path);
@@ -277,7 +277,7 @@ TEST(WindSteps, BadHeightsAreThoseOfTheirFile) {
               bad + ": heights: expected finite metres, increasing upward, found nan at index 0");
 }
 
-TEST(WindSteps, HeightsOfASingleColumnMoveToo) {
+TEST(WindSteps, HeightsOfASingleColumnMayDiffer) {
     const auto wind = readWindSteps({"10", "30", "30"}, {0, 1, 2}, [](const std::string& top) {
         return Result<WindContent>(column(std::stof(top), "top"));
     });
@@ -288,7 +288,7 @@ TEST(WindSteps, HeightsOfASingleColumnMoveToo) {
     EXPECT_NEAR(field.value()->velocity({0, 0, 16}, 1).x, 15.0f, 1e-5f);
 }
 
-TEST(WindSteps, NotesOfLaterFilesBeginWithTheirName) {
+TEST(WindSteps, NotesOfLaterFilesBeginWithTheFileName) {
     const auto wind = readWindSteps({"a", "b"}, {0, 1}, [](const std::string& name) {
         return Result<WindContent>(column(10, "of " + name));
     });
@@ -296,17 +296,18 @@ TEST(WindSteps, NotesOfLaterFilesBeginWithTheirName) {
     EXPECT_EQ(wind.value().summary.notes, (std::vector<std::string>{"of all", "of a", "b: of b"}));
 }
 
-TEST(WindSteps, ABadFileAmongThemIsNamed) {
+TEST(WindSteps, NamesAnInvalidFile) {
     const Hours hours;
     const std::string good = hours.pair("a", "4 1", "270 180"), fast = hours.pair("b", "4 201", "270 180"),
                       empty = hours.pair("c", "-9 -9", "-9 -9"), broken = hours.pair("d", "4 x", "270 180");
-    EXPECT_EQ(problemOfBoth(good, fast), fast + ": expected winds of at most 200 m/s; number 2 of 2 is none");
-    EXPECT_EQ(problemOfBoth(good, empty), empty + ": holds no data at any of 2 places and times");
+    EXPECT_EQ(problemOfBoth(good, fast),
+              fast + ": expected winds of at most 200 m/s; number 2 of 2 is faster");
+    EXPECT_EQ(problemOfBoth(good, empty), empty + ": has no data at any of 2 places and times");
     EXPECT_EQ(problemOfBoth(good, broken), broken + ":7: expected a number, found 'x'");
     EXPECT_EQ(problemOfBoth(good, "absent.asc"), "absent.asc: no such file");
 }
 
-TEST(WindSteps, TimesMustIncreaseAndBeOneForEachFile) {
+TEST(WindSteps, RequiresOneIncreasingTimeForEachFile) {
     const std::string a = data + "vectors.vtk";
     const auto problem = [&](const std::vector<double>& times) {
         return firstProblem(readWindFiles({a, a}, times));
@@ -318,7 +319,7 @@ TEST(WindSteps, TimesMustIncreaseAndBeOneForEachFile) {
     EXPECT_EQ(firstProblem(readWindFiles({}, {})), "files: expected at least one");
 }
 
-TEST(WindSteps, TakeNoMoreMemoryThanAllowed) {
+TEST(WindSteps, RefusesMoreThanTheMemoryLimit) {
     const auto read = [](const std::string&) {
         WindContent content;
         auto& grid = std::get<GridWind::Grid>(content.data);

@@ -7,7 +7,7 @@
 
 using namespace osgTreeWind;
 
-TEST(WindUnits, SpeedsInMetresPerSecond) {
+TEST(WindUnits, ConvertsSpeeds) {
     EXPECT_EQ(speedUnit("m/s").value(), 1.0);
     EXPECT_NEAR(speedUnit("km/h").value() * 36.0, 10.0, 1e-12);
     EXPECT_NEAR(speedUnit("kn").value() * 3600.0, 1852.0, 1e-9);
@@ -15,13 +15,13 @@ TEST(WindUnits, SpeedsInMetresPerSecond) {
     EXPECT_EQ(speedUnit("ft/s").value(), 0.3048);
 }
 
-TEST(WindUnits, TimesInSeconds) {
+TEST(WindUnits, ConvertsTimes) {
     EXPECT_EQ(timeUnit("s").value(), 1.0);
     EXPECT_EQ(timeUnit("min").value(), 60.0);
     EXPECT_EQ(timeUnit("h").value(), 3600.0);
 }
 
-TEST(WindUnits, UnknownUnitsAreRefusedWithTheKnownOnes) {
+TEST(WindUnits, RefusesUnknownUnitsAndListsTheKnownOnes) {
     EXPECT_EQ(firstProblem(speedUnit("knots")),
               "expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'knots'");
     EXPECT_EQ(firstProblem(timeUnit("")), "expected a unit of time (s, min, h), found nothing");

@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A file in memory that closes with the test.
+/// A file in memory, closed by the destructor.
 struct MemoryFile {
     const int descriptor = memfd_create("wire", 0);
     ~MemoryFile() { close(descriptor); }
@@ -41,7 +41,7 @@ std::optional<Result<WindContent>> receiveFirst(const MemoryFile& file, off_t le
 
 } // namespace
 
-TEST(WindWire, WhatIsSentArrives) {
+TEST(WindWire, ReceivesWhatWasSent) {
     const MemoryFile file;
     Result<WindContent> sent = someGrid();
     ASSERT_TRUE(Wire::send(file.descriptor, sent));
@@ -59,7 +59,7 @@ TEST(WindWire, WhatIsSentArrives) {
     EXPECT_EQ(grid.values, made.values);
 }
 
-TEST(WindWire, ProblemsArriveToo) {
+TEST(WindWire, ReceivesProblems) {
     const MemoryFile file;
     Result<WindContent> sent = Diagnostic{"a.nc", 0, 0, "u", "is wrong"};
     ASSERT_TRUE(Wire::send(file.descriptor, sent));
@@ -68,7 +68,7 @@ TEST(WindWire, ProblemsArriveToo) {
     EXPECT_EQ(firstProblem(*received), "a.nc: u: is wrong");
 }
 
-TEST(WindWire, CutAnywhereNothingArrives) {
+TEST(WindWire, ReceivesNothingFromATruncatedStream) {
     const MemoryFile file;
     Result<WindContent> sent = someGrid();
     ASSERT_TRUE(Wire::send(file.descriptor, sent));
@@ -76,7 +76,7 @@ TEST(WindWire, CutAnywhereNothingArrives) {
         EXPECT_FALSE(receiveFirst(file, length)) << length;
 }
 
-TEST(WindWire, NoMemoryIsTakenForNumbersThatDoNotCome) {
+TEST(WindWire, AllocatesOnlyForReceivedNumbers) {
     const MemoryFile file;
     const std::string claims = std::string(1, '\1') + std::string(8, '\x7f') + "and then little";
     ASSERT_EQ(write(file.descriptor, claims.data(), claims.size()), static_cast<ssize_t>(claims.size()));

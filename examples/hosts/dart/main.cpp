@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box in a DART world, and trees in the wind that the world has come to. Usage: windy-world FILE.treewind
+// A box in a DART world, and trees in a wind from the world. Usage: windy-world FILE.treewind
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 
@@ -8,12 +8,12 @@
 
 #include <osgDB/ReadFile>
 
-/// Steps the world, and hands over the wind it has come to.
+/// A world node that updates the wind after each simulation step.
 class WindyWorld : public dart::gui::osg::WorldNode {
 public:
     WindyWorld(dart::simulation::WorldPtr world, osgTreeWind::StreamedWind& wind)
         : WorldNode(world), _wind(wind) {}
-    void customPostStep() override { // one velocity for all places: from the west, stronger and weaker
+    void customPostStep() override { // a uniform westerly of varying speed
         const float speed = 8.0f + 6.0f * static_cast<float>(std::sin(getWorld()->getTime()));
         _wind.update({std::vector<float>{speed, 0.0f, 0.0f}});
     }

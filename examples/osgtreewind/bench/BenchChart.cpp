@@ -19,7 +19,7 @@ struct Series {
     std::vector<Point> points;
 };
 
-/// Colours that the colour-blind tell apart (Okabe and Ito, Tol), by place in benchStages().
+/// Colours safe for colour-blind readers (Okabe and Ito, Tol), in the order of benchStages().
 const char* const colours[] = {"#000000", "#e69f00", "#0072b2", "#009e73", "#d55e00", "#cc79a7",
                                "#56b4e9", "#882255", "#999933", "#999999", "#332288"};
 
@@ -48,7 +48,7 @@ std::vector<Series> measuredSeries(const std::vector<BenchResult>& results) {
     return all;
 }
 
-/// Text that may hold anything, for XML.
+/// Text escaped for XML.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -69,7 +69,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-/// One set of axes: numbers of trees at equal distances, frames a second logarithmic.
+/// One set of axes: numbers of trees evenly spaced, frames per second on a logarithmic scale.
 class Panel {
 public:
     Panel(std::ostream& out, double left, const std::vector<Series>& all, double lowest, double highest)
@@ -124,10 +124,10 @@ private:
 
     std::ostream& _out;
     double _left, _low, _high;
-    std::map<int, double> _trees; ///< Where each number of trees stands.
+    std::map<int, double> _trees; ///< Position of each number of trees.
 };
 
-/// The next number of the form 1, 2 or 5 times a power of ten, downward or upward.
+/// Next smaller or larger number of the form 1, 2 or 5 times a power of ten.
 double roundScale(double value, bool upward) {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     double best = upward ? 10.0 * decade : decade;

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-/// Runs from its making on.
+/// Clock that starts when it is created.
 class BenchClock {
 public:
     double seconds() const {

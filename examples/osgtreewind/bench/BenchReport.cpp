@@ -60,7 +60,7 @@ Json resultJson(const BenchResult& result) {
     return json;
 }
 
-/// Of a forest's frames over those of the tree drawn in the same rounds.
+/// Frame times of the forest in full over those of the reference tree in the same rounds.
 std::vector<double> inFullRatios(const BenchView& view) {
     std::vector<double> trees;
     for (std::size_t i = 0; i < view.inFull.frame.size(); ++i)
@@ -118,7 +118,7 @@ Json viewJson(const BenchView& view) {
             {"inFullRatioToTree", spread(inFullRatios(view))}};
 }
 
-/// When and on what, of a table.
+/// Date, machine and driver, for the head of a table.
 std::string whereMeasured(const BenchConditions& conditions, const std::string& backend = "") {
     const PictureSize& size = conditions.settings.size;
     return conditions.date + ", " + machineName() + ", " + conditions.driver.renderer + backend + ", " +
@@ -130,10 +130,10 @@ using Row = std::vector<std::string>;
 void printRow(std::ostream& out, const Row& cells) {
     for (const std::string& cell : cells)
         out << "| " << cell << ' ';
-    out << '|' << std::endl; // seen at once: the next result takes its time
+    out << '|' << std::endl; // flushed: the next result takes a while
 }
 
-/// @param words how many of the columns have words, not numbers.
+/// @param words number of columns with text; the others have numbers.
 void printHead(std::ostream& out, const Row& columns, std::size_t words) {
     printRow(out, columns);
     for (std::size_t i = 0; i < columns.size(); ++i)
@@ -141,7 +141,7 @@ void printHead(std::ostream& out, const Row& columns, std::size_t words) {
     out << "|\n";
 }
 
-/// Fixed, with `digits` behind the point; a dash for what was not measured.
+/// Number with `digits` decimals; a dash if it was not measured.
 std::string fixed(double value, int digits) {
     if (!std::isfinite(value))
         return "-";
@@ -254,8 +254,8 @@ void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views) {
     out << '\n'
         << whereMeasured(conditions) << conditions.settings.frames
-        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the "
-           "view\n\n";
+        << " rounds, times in ms (medians); over: frame time over that of one reference tree that fills "
+           "the view\n\n";
     printHead(out,
               {"forest", "view", "trees", "load, s", "forest", "its shapes", "first frame", "bytes a tree",
                "full", "boughs", "impostors", "update", "cull", "draw", "frame", "tree", "over",

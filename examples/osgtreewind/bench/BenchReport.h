@@ -8,66 +8,66 @@
 #include <iosfwd>
 #include <optional>
 
-/// Where and how results were measured.
+/// Machine and settings of a measurement.
 struct BenchConditions {
     std::string date;      ///< ISO 8601, UTC.
-    double loadBefore = 0; ///< Processes that wanted to run in the minute before.
+    double loadBefore = 0; ///< Load average of the minute before.
     std::string backend;
     BenchDriver driver;
     BenchSettings settings;
 };
 
-/// A flight through a forest in tiles.
+/// Results of a flight through a forest in tiles.
 struct BenchWorld {
     static constexpr double speed = 100.0; ///< m/s
-    std::string forest;                    ///< A file.
-    std::size_t trees = 0, mostTrees = 0;  ///< In all; at a time.
+    std::string forest;                    ///< Name of the file.
+    std::size_t trees = 0, mostTrees = 0;  ///< In total; most at one time.
     double range = 0.0;                    ///< Metres.
-    /// From the description on: the first frame, and the first with all trees in range.
+    /// Time until the first frame, and until the first one with all trees in range.
     double firstFrameSeconds = 0.0, firstPictureSeconds = 0.0;
     double flownSeconds = 0.0,
-           missingSeconds = 0.0; ///< The longest that a tile within half the range was missing.
+           missingSeconds = 0.0; ///< Longest time that a tile within half the range was missing.
     std::vector<double> frameMs;
     double halfwayBytes = 0.0, endBytes = 0.0, mostBytes = 0.0; ///< Main memory of the process.
     double bytesRead = 0.0;
 };
 
-/// All that was measured; empty where it was not.
+/// All results; empty for stages that were not measured.
 struct BenchReport {
     std::vector<BenchResult> results;
     std::vector<BenchView> scale, views;
     std::optional<BenchWorld> world;
 };
 
-/// Takes date and load now.
+/// Records date and load.
 BenchConditions benchConditions(const BenchSettings& settings);
 
-/// "AMD EPYC, 2 processors, Linux 6.1.0 x86_64", as far as the system says.
+/// Name of the machine, such as "AMD EPYC, 2 processors, Linux 6.1.0 x86_64".
 std::string machineName();
 
-/// Frames over seconds. (Chapter 6 of the thesis prints seconds over frames, but its tables are frames a
+/// Frames divided by seconds. (Chapter 6 of the thesis prints the inverse, but its tables hold frames per
 /// second.)
 double framesPerSecond(const BenchTimes& times);
 
-/// What the thesis measured for this stage and number of trees; 0 when it did not.
+/// Frames per second in the thesis for this stage and number of trees; 0 if it has none.
 int thesisFps(const BenchStage& stage, int trees);
 
-/// The document that docs/results.md describes.
+/// The JSON document described in docs/results.md.
 Json benchReport(const BenchConditions& conditions, const BenchReport& report);
 
-// The same for people, as a Markdown table.
+// The same as Markdown tables.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);
 void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views);
 void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);
 
-/// A flight through a forest in tiles: at 100 m/s of real time, 80 m above its trees, on an ellipse about its
-/// middle. Frames are drawn one after the other, however long they take.
-/// @param forest with tiles.
+/// Flies through a forest in tiles at 100 m/s in real time, 80 m above its trees, on an ellipse around its
+/// middle.
+/// @param forest must have tiles.
 BenchWorld runBenchWorld(const std::string& name, const osgTreeWind::ForestDescription& forest,
                          const BenchSettings& settings, BenchDriver& driver);
 
-/// A chart like Fig 6.1 of the thesis, as an SVG document: frames a second over the number of trees, on the
-/// left as published, on the right as measured.
+/// SVG chart like Fig 6.1 of the thesis: frames per second over the number of trees, published on the left
+/// and measured on the right.
 std::string benchChart(const BenchConditions& conditions, const std::vector<BenchResult>& results);

@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::size_t recordedSteps = 240;
 
-/// Turns of each unit about its base, step after step.
+/// Rotations of all units about their bases, step by step.
 struct Recording {
     std::vector<std::vector<osg::Quat>> steps;
 
@@ -54,9 +54,9 @@ struct Recording {
 using Turns = std::vector<osg::ref_ptr<osgAnimation::StackedQuaternionElement>>; // by unit
 
 /// Plays the recording on the bones of a skeleton, before they are updated.
-class Play : public osgAnimation::Skeleton::UpdateSkeleton {
+class RecordingPlayer : public osgAnimation::Skeleton::UpdateSkeleton {
 public:
-    Play(std::shared_ptr<const Recording> recording, Turns turns, std::size_t start)
+    RecordingPlayer(std::shared_ptr<const Recording> recording, Turns turns, std::size_t start)
         : _recording(std::move(recording)), _turns(std::move(turns)), _step(start) {}
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         const std::vector<osg::Quat>& now = _recording->steps[_step++ % _recording->steps.size()];
@@ -71,7 +71,7 @@ private:
     std::size_t _step;
 };
 
-/// As the example osganimationhardware of OSG has it: rigs share their program.
+/// Rigs share their program, as in OSG's example osganimationhardware.
 class SharedProgramHardware : public osgAnimation::RigTransformHardware {
 protected:
     bool init(osgAnimation::RigGeometry& rig) override {
@@ -98,7 +98,7 @@ std::string boneName(std::size_t unit) {
     return "unit " + std::to_string(unit);
 }
 
-/// Vertices of the rest pose: gl_MultiTexCoord0: u, v, a shade of its own.
+/// Vertices in the rest pose. gl_MultiTexCoord0 holds u, v and the shade of the vertex.
 class RestGeometry {
 public:
     void add(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv, int unit, float shade) {
@@ -116,7 +116,7 @@ public:
         _geometry->addPrimitiveSet(
             new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
     }
-    /// With arrays of its own, as osg::clone() makes copies that move by themselves.
+    /// A rig with its own copy of the arrays, so that each tree moves independently.
     osg::ref_ptr<osgAnimation::RigGeometry> rig(bool hardware) const {
         osg::ref_ptr<osgAnimation::RigGeometry> rig = new osgAnimation::RigGeometry;
         rig->setSourceGeometry(osg::clone(_geometry.get(), osg::CopyOp::DEEP_COPY_ALL));
@@ -157,7 +157,7 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
             const glm::vec3 blade = leaf.orientation * v.normal;
             const float side = glm::dot(blade, outward) < 0.0f ? -0.5f : 0.5f;
             rest.add(posedLeafPoint(leaf, v.corner, leaf.orientation, scale, {}),
-                     glm::normalize(outward + side * blade), LeafAtlas::coordinate(i, corner / 4, v.uv),
+                     glm::normalize(outward + side * blade), LeafAtlas::sprayCoordinate(i, corner / 4, v.uv),
                      leaf.unit, (0.88f + 0.24f * own) * sky);
         }
     }
@@ -166,7 +166,7 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
 }
 
 osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, std::size_t bones) {
-    // As osgAnimation's own skinning.vert: two bones an attribute.
+    // Two bones per attribute, as in osgAnimation's skinning.vert.
     const std::string place = hardware
                                   ? "vec4 at = vec4(0.0), bones = boneWeight0;\nvec3 normal = vec3(0.0);\n"
                                     "for (int i = 0; i < 2; ++i, bones = bones.zwxy) {\n"
@@ -193,7 +193,7 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
     return program;
 }
 
-/// Bones of a tree, and what turns them.
+/// Makes the bones of a tree. @param turns receives the rotations that move them.
 osg::ref_ptr<osgAnimation::Skeleton> skeletonOf(const Skeleton& wood, const TreeScale& scale, Turns& turns) {
     osg::ref_ptr<osgAnimation::Skeleton> skeleton = new osgAnimation::Skeleton;
     std::vector<osg::ref_ptr<osgAnimation::Bone>> bones;
@@ -233,7 +233,7 @@ osg::ref_ptr<osg::Group> createRiggedTrees(const PlacedForest& forest, bool hard
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
         Turns turns;
         osg::ref_ptr<osgAnimation::Skeleton> skeleton = skeletonOf(model.skeleton, scale, turns);
-        skeleton->setUpdateCallback(new Play(recording, std::move(turns), 7 * i));
+        skeleton->setUpdateCallback(new RecordingPlayer(recording, std::move(turns), 7 * i));
         for (const auto& [part, state] : {std::pair(&bark, looks.bark), std::pair(&leaves, looks.leaves)}) {
             osg::ref_ptr<osg::Geode> geode = new osg::Geode;
             geode->setStateSet(state);

@@ -5,10 +5,10 @@
 
 #include <osg/Group>
 
-/// The trees of a forest as users of OSG have them today: a rig of osgAnimation each, a bone a unit, bark and
-/// leaves skinned with one bone a vertex. A motion that was recorded under the law `modal` plays on the
-/// bones; what works it out is not counted, and leaves do not flutter. Lit, textured and coloured as the
-/// trees of a Forest.
-/// @param forest all of its trees are of model 0. @param hardware skinned by a vertex shader, else by the
+/// Makes the trees of a forest with osgAnimation, for comparison: one rig per tree, one bone per unit, bark
+/// and leaves skinned with one bone per vertex. The bones play a motion recorded under the law `modal`, so
+/// computing the motion is not measured. Leaves do not flutter. Light, textures and colours are those of a
+/// Forest.
+/// @param forest all trees must use model 0. @param hardware true: skinned by a vertex shader; false: by the
 /// CPU.
 osg::ref_ptr<osg::Group> createRiggedTrees(const osgTreeWind::PlacedForest& forest, bool hardware);

@@ -15,7 +15,9 @@ public:
         ++counts.nodes;
         traverse(node);
     }
-    void apply(osg::Camera& node) override { apply(static_cast<osg::Node&>(node)); } // those of the passes
+    void apply(osg::Camera& node) override {
+        apply(static_cast<osg::Node&>(node));
+    } // cameras of render passes are not transforms
     void apply(osg::Transform& node) override {
         ++counts.transforms;
         apply(static_cast<osg::Node&>(node));
@@ -32,15 +34,15 @@ BenchCounts count(const BenchStage& stage, const BenchScene& scene, int trees) {
     scene.moving->accept(visitor);
     BenchCounts counts = visitor.counts;
     const auto times = static_cast<std::uint64_t>(trees);
-    const TreeCounts of = countTree(*scene.model);
-    counts.units = times * of.units;
+    const TreeCounts perTree = countTree(*scene.model);
+    counts.units = times * perTree.units;
     if (stage.geometry <= BenchStage::BUFFERED_LINES) {
-        counts.vertices = times * of.skeletonPoints;
+        counts.vertices = times * perTree.skeletonPoints;
         counts.lines =
-            times * of.units * static_cast<std::uint64_t>(scene.model->skeleton.ringsPerBranch - 1);
+            times * perTree.units * static_cast<std::uint64_t>(scene.model->skeleton.ringsPerBranch - 1);
     } else {
-        counts.vertices = times * of.totalVertices();
-        counts.triangles = times * of.totalTriangles();
+        counts.vertices = times * perTree.totalVertices();
+        counts.triangles = times * perTree.totalTriangles();
     }
     return counts;
 }
@@ -55,7 +57,8 @@ std::string anglesOf(const BenchScene& scene) {
 } // namespace
 
 BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver) {
-    const auto context = valueOf(createOffscreenContext(settings.size.width, settings.size.height), Failed);
+    const auto context =
+        valueOrThrow(createOffscreenContext(settings.size.width, settings.size.height), Failed);
     enum { Moving, Still };
     const BenchScene scene = createBenchScene(stage, trees);
     const osg::Matrixd view = benchView(settings.size, scene.still->getBound());

@@ -4,17 +4,17 @@
 #include <examples/osgtreewind/bench/BenchStage.h>
 #include <examples/osgtreewind/bench/BenchViewer.h>
 
-/// What the moving scene consists of.
+/// Contents of the moving scene.
 struct BenchCounts {
     std::uint64_t units = 0, vertices = 0, triangles = 0, lines = 0;
     std::uint64_t nodes = 0, transforms = 0, drawables = 0;
 };
 
-/// One stage with one number of trees: frames with the trees in motion and at rest, in turns.
+/// Result of one stage with one number of trees. Frames in motion and at rest alternate.
 struct BenchResult {
     BenchStage stage;
     int trees = 0;
-    std::string angles; ///< Where the angles came from in fact: "gpu", "cpu" or "recorded".
+    std::string angles; ///< Actual source of the angles: "gpu", "cpu" or "recorded".
     BenchTimes moving, still;
     BenchCounts counts;
 };
@@ -22,10 +22,10 @@ struct BenchResult {
 struct BenchSettings {
     PictureSize size;
     int frames = 60;          ///< Pairs of frames.
-    int warmUp = 10;          ///< Pairs before them: shaders compile, buffers fill, angle passes start.
+    int warmUp = 10;          ///< Pairs that are not measured, while shaders compile and buffers fill.
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.
 };
 
-/// Measures in a context of its own. The command ends if no context can be made.
-/// @param driver is filled in.
+/// Measures a stage in a new OpenGL context. Throws CommandError if there is none.
+/// @param driver receives the names of the driver.
 BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver);

@@ -29,7 +29,7 @@ ForestDescription benchForest(const BenchStage& stage, int trees) {
     ForestDescription description;
     description.species = {reference};
     description.law = stage.law();
-    description.drawing.tiers = stage.way != BenchStage::INSTANCES_IN_FULL;
+    description.drawing.tiers = stage.method != BenchStage::INSTANCES_IN_FULL;
     for (int i = 0; i < trees; ++i) {
         TreePlacement tree;
         tree.position = placeInRows(static_cast<std::size_t>(i), static_cast<std::size_t>(trees), spacing);
@@ -50,7 +50,7 @@ osg::ref_ptr<osg::Geometry> emptyLines(bool buffered) {
     return lines;
 }
 
-/// The centre lines of `count` units from `first` on.
+/// Centre lines of `count` units, starting with `first`.
 osg::ref_ptr<osg::Geometry> unitLines(const Skeleton& skeleton, std::size_t first, std::size_t count,
                                       bool buffered) {
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
@@ -72,7 +72,7 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
         TreeNode& tree = *BranchwiseParts::tree(*forest.getBranchwise(), i);
-        osgUtil::IntersectionVisitor picking; // for which the tree makes its transforms
+        osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
         tree.traverse(picking);
         for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit) {
             BranchTransform& branch = *tree.getBranch(unit);
@@ -117,16 +117,34 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest&
 const std::vector<BenchStage>& benchStages() {
     using S = BenchStage;
     constexpr auto lines = S::BUFFERED_LINES, leaves = S::BARK_AND_LEAVES;
-    constexpr auto way = S::BRANCHWISE;
+    constexpr auto method = S::BRANCHWISE;
     constexpr auto cpu = BranchwiseForest::CPU_ANGLES, gpu = BranchwiseForest::GPU_ANGLES;
     static const std::vector<BenchStage> stages = {
-        {"cpu", "skeletons, angles on the CPU", S::LINES, way, "6.1", {10, 5, 3, 2}, cpu},
-        {"cpu-vbo", "the same in vertex buffers", lines, way, "6.2", {12, 5, 3, 2}, cpu},
-        {"gpu", "the same, angles on the GPU", lines, way, "6.3", {105, 60, 40, 31}, gpu},
-        {"gpu-skin", "with bark", S::BARK, way, "6.4", {90, 45, 36, 31}, gpu},
-        {"gpu-leaves", "with bark and a transform per leaf", leaves, way, "6.5", {32, 14, 9, 7}, gpu},
-        {"resident", "instances and tiers, the law modal", leaves, S::INSTANCES},
-        {"resident-full", "the same, every tree in full", leaves, S::INSTANCES_IN_FULL},
+        {"cpu", "skeletons, angles on the CPU", S::LINES, method, "6.1", {10, 5, 3, 2}, cpu},
+        {"cpu-vbo",
+         "skeletons in vertex buffers, angles on the CPU",
+         lines,
+         method,
+         "6.2",
+         {12, 5, 3, 2},
+         cpu},
+        {"gpu",
+         "skeletons in vertex buffers, angles on the GPU",
+         lines,
+         method,
+         "6.3",
+         {105, 60, 40, 31},
+         gpu},
+        {"gpu-skin", "bark, angles on the GPU", S::BARK, method, "6.4", {90, 45, 36, 31}, gpu},
+        {"gpu-leaves",
+         "bark and a transform per leaf, angles on the GPU",
+         leaves,
+         method,
+         "6.5",
+         {32, 14, 9, 7},
+         gpu},
+        {"resident", "instances and tiers, law modal", leaves, S::INSTANCES},
+        {"resident-full", "instances without tiers, law modal", leaves, S::INSTANCES_IN_FULL},
         {"osganimation-hw", "osgAnimation, skinned by a shader", leaves, S::HARDWARE_RIG},
         {"osganimation-sw", "osgAnimation, skinned by the CPU", leaves, S::SOFTWARE_RIG},
     };
@@ -139,8 +157,8 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     BenchScene scene;
     scene.model = placed.models().front();
     scene.still = stillTrees(stage, placed, scene.model);
-    if (stage.way == BenchStage::HARDWARE_RIG || stage.way == BenchStage::SOFTWARE_RIG) {
-        scene.moving = createRiggedTrees(placed, stage.way == BenchStage::HARDWARE_RIG);
+    if (stage.method == BenchStage::HARDWARE_RIG || stage.method == BenchStage::SOFTWARE_RIG) {
+        scene.moving = createRiggedTrees(placed, stage.method == BenchStage::HARDWARE_RIG);
         return scene;
     }
     scene.moving = scene.forest = new Forest(description);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What is measured at one step of the thesis' chapter 6, or beyond it.
+/// A stage of chapter 6 of the thesis, or a further one.
 struct BenchStage {
     enum Geometry {
         LINES,          ///< Skeletons of 1,952 points, sent by the CPU every frame.
@@ -18,10 +18,10 @@ struct BenchStage {
         BARK_AND_LEAVES
     };
 
-    enum Way {
+    enum Method {
         BRANCHWISE,        ///< Forest under the law `thesis`, angles as below.
-        INSTANCES,         ///< Forest under the law `modal`, as it comes: with tiers.
-        INSTANCES_IN_FULL, ///< The same without tiers.
+        INSTANCES,         ///< Forest under the law `modal` with its default tiers.
+        INSTANCES_IN_FULL, ///< The same without tiers of detail.
         HARDWARE_RIG,      ///< osgAnimation, skinned by a vertex shader.
         SOFTWARE_RIG       ///< osgAnimation, skinned by the CPU.
     };
@@ -29,33 +29,33 @@ struct BenchStage {
     std::string name;
     std::string title;
     Geometry geometry;
-    Way way;
-    std::string table{};          ///< Of the thesis; empty for a stage it does not have.
-    std::vector<int> thesisFps{}; ///< That table: frames a second for 1, 2, 3 and 4 trees.
+    Method method;
+    std::string table{};          ///< Table of the thesis; empty if the thesis does not have this stage.
+    std::vector<int> thesisFps{}; ///< Frames per second in that table, for 1, 2, 3 and 4 trees.
     osgTreeWind::BranchwiseForest::AngleSource angles = osgTreeWind::BranchwiseForest::GPU_ANGLES;
 
-    /// That moves the trees.
+    /// Law that moves the trees.
     osgTreeWind::MotionLaw law() const {
-        return way == BRANCHWISE ? osgTreeWind::MotionLaw::Thesis : osgTreeWind::MotionLaw::Modal;
+        return method == BRANCHWISE ? osgTreeWind::MotionLaw::Thesis : osgTreeWind::MotionLaw::Modal;
     }
 };
 
-/// All stages, those of the thesis first, in its order.
+/// All stages: first those of the thesis, in its order.
 const std::vector<BenchStage>& benchStages();
 
-/// The same trees twice, of which one is to be shown at a time.
+/// The same trees in motion and at rest; only one of the two is shown at a time.
 struct BenchScene {
     osg::ref_ptr<osg::Node> moving;
-    osg::ref_ptr<osgTreeWind::Forest> forest; ///< `moving`; null where it is none.
-    osg::ref_ptr<osg::Group> still; ///< At rest, in the fewest draws: one of bark and one of leaves a tree.
-    std::shared_ptr<const osgTreeWind::TreeModel> model; ///< Of all trees.
+    osg::ref_ptr<osgTreeWind::Forest> forest; ///< `moving` as a Forest; null if it is not one.
+    osg::ref_ptr<osg::Group> still;           ///< At rest, with two draw calls per tree: bark and leaves.
+    std::shared_ptr<const osgTreeWind::TreeModel> model; ///< Shape of all trees.
 };
 
-/// Reference trees of the thesis in rows, 6 m apart.
+/// Makes reference trees of the thesis in rows, 6 m apart.
 BenchScene createBenchScene(const BenchStage& stage, int trees);
 
-/// A wind for them in the form of the thesis' forestWind array (§4.2), which turns round every 30 steps, so
-/// that the trees sway about their rest.
+/// Wind in the form of the thesis' forestWind array (§4.2). It reverses every 30 steps, so that the trees
+/// sway about their rest position.
 class BenchWinds {
 public:
     BenchWinds();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-/// The value below which the part `p` (0 to 1) of the values lies, linear between values; NaN of none.
+/// Quantile `p` (0 to 1) with linear interpolation; NaN without values.
 inline double quantile(std::vector<double> values, double p) {
     if (values.empty())
         return std::nan("");
@@ -16,7 +16,7 @@ inline double quantile(std::vector<double> values, double p) {
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-/// values[i] / others[i]; the two are equally long.
+/// values[i] / others[i]; both must have the same length.
 inline std::vector<double> ratios(const std::vector<double>& values, const std::vector<double>& others) {
     std::vector<double> result;
     for (std::size_t i = 0; i < values.size(); ++i)

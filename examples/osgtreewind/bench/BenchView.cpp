@@ -8,7 +8,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -20,9 +20,9 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr int warmUpRounds = 4;
-constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
+constexpr std::size_t fewTrees = 100; // memory of such a forest is mostly that of its shapes
 
-/// What the process has of the allocator; 0 of another one than glibc's.
+/// Allocated memory of the process; 0 if the allocator is not glibc's.
 double allocatedBytes() {
     const struct mallinfo2 memory = mallinfo2();
     return static_cast<double>(memory.uordblks + memory.hblkhd);
@@ -31,7 +31,7 @@ double allocatedBytes() {
 const BenchStage& stageOfInstances() {
     const std::vector<BenchStage>& stages = benchStages();
     return *std::find_if(stages.begin(), stages.end(),
-                         [](const BenchStage& stage) { return stage.way == BenchStage::INSTANCES; });
+                         [](const BenchStage& stage) { return stage.method == BenchStage::INSTANCES; });
 }
 
 osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
@@ -53,7 +53,7 @@ osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, 
     return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), up);
 }
 
-/// A forest, and what it took to make it.
+/// Makes a forest and records time and memory.
 osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
     const double before = allocatedBytes();
     osg::ref_ptr<Forest> forest;
@@ -67,8 +67,8 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
         result.forestBytes = allocatedBytes() - before;
     const ForestSimulation& simulation = forest->getSimulation();
     result.trees = forest->getNumTrees();
-    result.shapes = SimulationParts::models(simulation).size();
-    if (const ModalMotion* modal = SimulationParts::modal(simulation)) {
+    result.shapes = SimulationAccess::models(simulation).size();
+    if (const ModalMotion* modal = SimulationAccess::modal(simulation)) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
         const BenchClock clock;
@@ -83,7 +83,8 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
 BenchView runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
                        BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
                        BenchDriver& driver) {
-    const auto context = valueOf(createOffscreenContext(settings.size.width, settings.size.height), Failed);
+    const auto context =
+        valueOrThrow(createOffscreenContext(settings.size.width, settings.size.height), Failed);
     BenchView result;
     result.forest = name;
     result.viewpoint = viewpoint;
@@ -119,7 +120,7 @@ BenchView runBenchView(const std::string& name, const std::function<ForestDescri
             viewer.measure(Full, time);
     }
     if (forest->getInstanced())
-        result.tiers = InstancedParts::trees(*forest->getInstanced())->listedTrees();
+        result.tiers = InstancedParts::trees(*forest->getInstanced())->treesByTier();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);
@@ -134,7 +135,7 @@ std::vector<BenchView> runBenchScale(const std::vector<int>& trees, const BenchS
         return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
     };
     BenchView few;
-    for (int i = 0; i < 2; ++i) { // the second time all is there that every forest shares
+    for (int i = 0; i < 2; ++i) { // the second run has all memory that forests share
         few = {};
         makeForest([] { return createWood(fewTrees); }, few);
     }

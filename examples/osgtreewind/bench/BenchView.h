@@ -8,40 +8,40 @@
 #include <array>
 #include <cmath>
 
-/// From where a forest is looked at.
+/// Viewpoint of a forest.
 enum class BenchViewpoint {
-    Over,  ///< Where `render --view above` looks from.
-    Home,  ///< Where osgviewer starts: from the south, level.
-    Inside ///< A person in its middle, who looks north.
+    Over,  ///< As `render --view above`.
+    Home,  ///< Start of osgviewer: level, from the south.
+    Inside ///< At eye level in the middle, looking north.
 };
 
-/// A whole forest drawn from a view of it, in turns with one reference tree that fills the view.
+/// Times of a forest in one view. Its frames alternate with frames of one reference tree that fills the view.
 struct BenchView {
-    std::string forest; ///< A file, or "made trees".
+    std::string forest; ///< Name of a file, or "made trees".
     BenchViewpoint viewpoint = BenchViewpoint::Over;
     std::size_t trees = 0, shapes = 0, archetypes = 0, archetypeBytes = 0;
-    // Load: from the description to the end of the first frame.
-    double forestSeconds = 0.0;     ///< A Forest out of the description.
-    double shapesSeconds = 0.0;     ///< Of that, about: meshes of all tiers, impostors painted.
-    double firstFrameSeconds = 0.0; ///< Shaders compile, buffers and textures go to the GPU.
-    /// Main memory that the Forest took, before anything was drawn; NaN where the allocator does not say.
+    // Loading: from the description to the end of the first frame.
+    double forestSeconds = 0.0;     ///< Making a Forest from the description.
+    double shapesSeconds = 0.0;     ///< Approximate part of it for meshes and impostors.
+    double firstFrameSeconds = 0.0; ///< Including shader compilation and uploads.
+    /// Memory of the Forest before drawing; NaN if the allocator does not report it.
     double forestBytes = std::nan("");
-    /// Of it a tree, beyond shapes and archetypes; NaN where not known or for too few trees.
+    /// Memory per tree without shapes and archetypes; NaN if unknown or for too few trees.
     double bytesPerTree = std::nan("");
     std::array<std::size_t, osgTreeWind::tierCount>
-        tiers{};                    ///< Trees drawn by tier; one across two counts twice.
-    BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
+        tiers{};                    ///< Trees drawn by tier; a tree that fades between two counts twice.
+    BenchTimes drawn, inFull, tree; ///< By round; `inFull` in every 10th round, or empty.
     static constexpr int roundsPerFull = 10;
 
     osgTreeWind::DrawnTrees drawnTrees() const { return osgTreeWind::DrawnTrees(tiers); }
     double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
 };
 
-/// @param make called once, for the description. @param inFull whether to draw it without tiers as well.
+/// Measures one view. @param make makes the description. @param inFull also draw the forest without tiers.
 BenchView runBenchView(const std::string& name, const std::function<osgTreeWind::ForestDescription()>& make,
                        BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
                        BenchDriver& driver);
 
-/// Woods of so many trees each (createWood()), with what each takes of main memory.
+/// Measures forests of createWood() with the given numbers of trees, and their memory.
 std::vector<BenchView> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
                                      BenchDriver& driver);

@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int lateFrames = 6; // until a timer query has answered
+constexpr int lateFrames = 6; // frames until a timer query has answered
 
 double aspectOf(const PictureSize& size) {
     return static_cast<double>(size.width) / size.height;

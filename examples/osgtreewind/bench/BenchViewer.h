@@ -9,37 +9,37 @@
 #include <string>
 #include <vector>
 
-/// How a frame spent its time; a number a frame, milliseconds.
+/// Times of frames, one number per frame, milliseconds.
 struct BenchTimes {
-    std::vector<double> frame;              ///< Whole frames, up to the end of the driver's work (glFinish).
-    std::vector<double> processor;          ///< Of all threads of the process in that time.
-    std::vector<double> update, cull, draw; ///< What osgViewer measured; draw includes the glFinish.
-    std::vector<double> gpu;                ///< Likewise; empty where there are no timer queries.
+    std::vector<double> frame;              ///< Whole frames including glFinish.
+    std::vector<double> processor;          ///< Processor time of all threads during the frame.
+    std::vector<double> update, cull, draw; ///< Measured by osgViewer; draw includes glFinish.
+    std::vector<double> gpu;                ///< Measured by osgViewer; empty without timer queries.
 };
 
-/// What OpenGL says of itself.
+/// Names of the OpenGL driver.
 struct BenchDriver {
     std::string vendor, renderer, version;
 };
 
-/// One of the scenes that are drawn in turns, and where it is looked at from.
+/// One of the scenes that are drawn in turns, and its view matrix.
 struct BenchVariant {
     osg::ref_ptr<osg::Node> node;
     osg::Matrixd view;
 };
 
-/// A viewer over several scenes below one sun, each drawn by itself.
+/// Viewer for several scenes under one sun, of which one is drawn at a time.
 class BenchViewer {
 public:
-    /// @param frames that are going to be drawn, at most. @param driver is filled in by the first of them.
+    /// @param frames maximum number of frames. @param driver is filled in by the first frame.
     BenchViewer(const PictureSize& size, osg::GraphicsContext& context, BenchDriver& driver,
                 std::vector<BenchVariant> variants, int frames);
 
-    /// Draws a variant while all others are hidden.
+    /// Draws a variant while the others are hidden.
     void draw(std::size_t variant, double time);
-    /// The same, timed for times().
+    /// Draws a variant and records its times.
     void measure(std::size_t variant, double time);
-    /// Of the frames measured, by variant. Draws one of them some more, as timer queries answer late.
+    /// Recorded times by variant. Draws `variant` a few more times, because timer queries answer late.
     std::vector<BenchTimes> times(std::size_t variant, double time);
 
 private:
@@ -47,12 +47,12 @@ private:
 
     std::vector<BenchVariant> _variants;
     std::vector<BenchTimes> _times;
-    std::vector<std::vector<unsigned>> _frames; ///< Numbers of those measured, by variant.
+    std::vector<std::vector<unsigned>> _frames; ///< Numbers of the measured frames, by variant.
     osgViewer::Viewer _viewer;
 };
 
-/// Vertical, degrees.
+/// Vertical field of view, degrees.
 constexpr double benchFieldOfView = 40.0;
 
-/// Where the stages look at their trees from: from the south-west, all of them in view.
+/// View of all trees from the south-west.
 osg::Matrixd benchView(const PictureSize& size, const osg::BoundingSphere& bound);

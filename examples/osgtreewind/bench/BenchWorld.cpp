@@ -19,7 +19,7 @@ namespace {
 constexpr double speed = BenchWorld::speed, height = 80.0; // metres above the highest foot
 constexpr int mostFramesToFirst = 1000;
 
-/// That the process has read by now, of files and whatever else.
+/// Bytes that the process has read so far.
 double bytesRead() {
     std::ifstream file("/proc/self/io");
     std::string key;
@@ -35,7 +35,7 @@ TilePager* pagerOf(Forest& forest) {
     return nullptr;
 }
 
-/// An ellipse about the middle of a box, half as long and wide.
+/// Flight along an ellipse around the middle of the world, half as long and wide as the world.
 class Flight {
 public:
     explicit Flight(const Forest& forest) {
@@ -60,10 +60,10 @@ private:
     osg::Vec2d _half;
 };
 
-/// How long something was missing at a stretch.
-class Stretch {
+/// Longest time for which something was missing without a break.
+class LongestGap {
 public:
-    void at(double time, bool missing) {
+    void update(double time, bool missing) {
         if (!missing)
             _since = time;
         _longest = std::max(_longest, time - _since);
@@ -100,18 +100,18 @@ BenchWorld runBenchWorld(const std::string& name, const ForestDescription& descr
     camera.getGraphicsContext()->makeCurrent();
     driver.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     camera.getGraphicsContext()->releaseContext();
-    for (int i = 0; i < mostFramesToFirst && (pager->nearestMissing() < result.range || i < 2); ++i)
+    for (int i = 0; i < mostFramesToFirst && (pager->nearestMissingDistance() < result.range || i < 2); ++i)
         drawing.frame(clock.seconds());
     result.firstPictureSeconds = clock.seconds();
 
     const BenchClock flown;
-    Stretch missing;
+    LongestGap missing;
     for (int i = 0; i < settings.frames; ++i) {
         camera.setViewMatrix(flight.view(speed * flown.seconds()));
         const BenchClock frame;
         drawing.frame(clock.seconds());
         result.frameMs.push_back(1000.0 * frame.seconds());
-        missing.at(flown.seconds(), pager->nearestMissing() < 0.5 * result.range);
+        missing.update(flown.seconds(), pager->nearestMissingDistance() < 0.5 * result.range);
         result.mostTrees = std::max(result.mostTrees, forest->getNumTrees());
         const double memory = residentBytes();
         result.mostBytes = std::max(result.mostBytes, memory);

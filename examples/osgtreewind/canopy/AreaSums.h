@@ -3,9 +3,9 @@
 
 namespace osgTreeWind {
 
-/// How much plant there is.
+/// Leaf area and drag area of plants.
 struct AreaSums {
-    double leaf = 0.0; ///< One side of leaves, m^2.
+    double leaf = 0.0; ///< One-sided leaf area, m^2.
     double drag = 0.0; ///< CdA of wood and leaves in a wind of 10 m/s, m^2.
 
     AreaSums& operator+=(const AreaSums& other) {

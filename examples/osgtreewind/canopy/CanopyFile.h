@@ -6,18 +6,18 @@
 #include <memory>
 #include <string>
 
-/// What a file says beside its numbers.
+/// Metadata of a canopy file.
 struct CanopyHead {
     osgTreeWind::CanopyGrid grid;
-    std::string crs;     ///< Of the grid, as ForestDescription has it; empty: none.
-    float season = 0.0f; ///< Of the year.
+    std::string crs;     ///< Map projection as in ForestDescription; empty if there is none.
+    float season = 0.0f; ///< As in species/Season.h.
 };
 
-/// A file that takes a canopy row by row, from the south.
+/// File to which a canopy is written row by row, from the south.
 class CanopyFile {
 public:
     virtual ~CanopyFile() = default;
-    /// False once there is a problem.
+    /// @return false after an error.
     virtual bool write(const osgTreeWind::CanopyRow& row) = 0;
     virtual bool close() = 0;
     virtual std::string problem() const = 0;
@@ -25,7 +25,7 @@ public:
 
 /// NetCDF in the format of PALM's static driver: `lad` and `cda` over zlad, y and x.
 std::unique_ptr<CanopyFile> createPalmCanopy(const std::string& path, const CanopyHead& head);
-/// NetCDF by the CF conventions: the same over z, y and x of the map.
+/// NetCDF after the CF conventions: the same arrays over z, y and x of the map.
 std::unique_ptr<CanopyFile> createCfCanopy(const std::string& path, const CanopyHead& head);
-/// A VTK image, .vti, with the same as data of its cells.
+/// VTK image (.vti) with the same arrays as cell data.
 std::unique_ptr<CanopyFile> createVtkCanopy(const std::string& path, const CanopyHead& head);

@@ -14,11 +14,11 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// All trees, and the heights they are between.
-TreeBox boxOfAll(const PlacedForest& forest) {
-    TreeBox all{glm::dvec3(nowhere), glm::dvec3(-nowhere)};
+/// Box around all trees.
+TreeBox boxOfAllTrees(const PlacedForest& forest) {
+    TreeBox all{glm::dvec3(infinity), glm::dvec3(-infinity)};
     for (const PlacedTree& tree : forest.trees) {
         if (!tree.alive)
             continue;
@@ -29,26 +29,27 @@ TreeBox boxOfAll(const PlacedForest& forest) {
     return all;
 }
 
-/// Of the trees that reach a grid, in its heights, of which only the columns count.
-glm::dvec2 heightsOn(const PlacedForest& forest, const CanopyGrid& grid) {
-    double low = nowhere, high = -nowhere;
+/// Lowest and highest point of the trees that reach the columns of a grid, as the grid counts heights.
+glm::dvec2 heightRange(const PlacedForest& forest, const CanopyGrid& grid) {
+    double low = infinity, high = -infinity;
     for (const PlacedTree& tree : forest.trees) {
         if (!tree.alive)
             continue;
         const TreeBox box = treeBox(forest, tree);
-        const CanopyFootprint print(grid, box);
-        if (print.isEmpty())
+        const CanopyFootprint footprint(grid, box);
+        if (footprint.isEmpty())
             continue;
         low = std::min(low, grid.aboveGround ? 0.0 : box.low.z);
-        high = std::max(high, grid.aboveGround
-                                  ? box.high.z - print.lowestGround(grid, forest.description().ground.get())
-                                  : box.high.z);
+        high =
+            std::max(high, grid.aboveGround
+                               ? box.high.z - footprint.lowestGround(grid, forest.description().ground.get())
+                               : box.high.z);
     }
     return low < high ? glm::dvec2(low, high) : glm::dvec2(0.0);
 }
 
-/// Whole cells from 0; one of width `cell` at least.
-void span(CanopyGrid& grid, int axis, double low, double high) {
+/// Sets corner and number of cells along an axis: whole cells counted from 0, at least one.
+void setCells(CanopyGrid& grid, int axis, double low, double high) {
     const double cell = grid.cell[axis], first = std::floor(low / cell);
     grid.low[axis] = first * cell;
     grid.cells[axis] = static_cast<int>(std::min(std::max(std::ceil(high / cell) - first, 1.0), 1e9));
@@ -82,11 +83,11 @@ std::int64_t CanopyGrid::index(int axis, double coordinate) const {
     return static_cast<std::int64_t>(std::clamp(at, -1e15, 1e15));
 }
 
-double CanopyGrid::groundOf(int column, int row, const Ground* ground, double otherwise) const {
+double CanopyGrid::groundHeight(int column, int row, const Ground* ground, double fallback) const {
     if (!ground)
-        return otherwise;
+        return fallback;
     const glm::dvec2 middle(low.x + (column + 0.5) * cell.x, low.y + (row + 0.5) * cell.y);
-    return ground->height(middle).value_or(otherwise);
+    return ground->height(middle).value_or(fallback);
 }
 
 TreeBox treeBox(const PlacedForest& forest, const PlacedTree& tree) {
@@ -95,11 +96,11 @@ TreeBox treeBox(const PlacedForest& forest, const PlacedTree& tree) {
     glm::vec3 low(0.0f), high(0.0f, 0.0f, reach[4]);
     for (const float x : {reach[0], -reach[1]})
         for (const float y : {reach[2], -reach[3]}) {
-            const glm::vec3 corner = turnHeading({x, y, 0.0f}, sine, cosine);
+            const glm::vec3 corner = rotateAboutZ({x, y, 0.0f}, sine, cosine);
             low = glm::min(low, corner);
             high = glm::max(high, corner);
         }
-    // Room for the rounding of floats.
+    // Margin for the rounding of floats.
     const glm::vec3 rounding =
         1e-4f * (high - low) * glm::vec3(1.0f, 1.0f, 0.0f) + glm::vec3(0, 0, 1e-4f * reach[4]);
     const glm::dvec3 foot = glm::dvec3(tree.position) + forest.description().origin;
@@ -121,7 +122,7 @@ double CanopyFootprint::lowestGround(const CanopyGrid& grid, const Ground* groun
     if (ground)
         for (int row = first.y; row <= last.y; ++row)
             for (int column = first.x; column <= last.x; ++column)
-                lowest = std::min(lowest, grid.groundOf(column, row, ground, foot));
+                lowest = std::min(lowest, grid.groundHeight(column, row, ground, foot));
     return lowest;
 }
 
@@ -140,16 +141,16 @@ Result<CanopyGrid> canopyGridOver(const PlacedForest& forest, const glm::dvec3& 
                 std::min(std::round((bounds->high[axis] - bounds->low[axis]) / cell[axis]), 1e9));
         }
     } else {
-        const TreeBox all = boxOfAll(forest);
+        const TreeBox all = boxOfAllTrees(forest);
         if (!(all.low.x <= all.high.x))
             return keyProblem("bounds", "expected x0, y0, x1 and y1 for a forest without trees");
-        span(grid, 0, all.low.x, all.high.x);
-        span(grid, 1, all.low.y, all.high.y);
+        setCells(grid, 0, all.low.x, all.high.x);
+        setCells(grid, 1, all.low.y, all.high.y);
     }
     if (Diagnostics problems = problemOfCount(grid); !problems.empty())
         return problems;
-    const glm::dvec2 heights = heightsOn(forest, grid);
-    span(grid, 2, heights.x, heights.y);
+    const glm::dvec2 heights = heightRange(forest, grid);
+    setCells(grid, 2, heights.x, heights.y);
     if (Diagnostics problems = problemOfCount(grid); !problems.empty())
         return problems;
     return grid;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyFile.h>
 
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/places/GridMapping.h>
 #include <osgTreeWind/species/Season.h>
 
@@ -17,7 +17,7 @@ using namespace osgTreeWind;
 
 constexpr float noPlants = -9999.0f;
 
-/// Middles of cells.
+/// Coordinates of the middles of cells.
 std::vector<double> middles(double low, double cell, int count) {
     std::vector<double> at;
     for (int i = 0; i < count; ++i)
@@ -25,13 +25,13 @@ std::vector<double> middles(double low, double cell, int count) {
     return at;
 }
 
-/// Noon of the day of a season (0: midwinter, 4: a year later), in a year that has no 29 February.
+/// Noon of the day of a season (0: midwinter, 4: a year later) in 2001, which has no 29 February.
 std::string dateOf(float season) {
     std::tm start{};
     start.tm_year = 101;
     start.tm_mday = 1;
     const double midwinterDay = 34.5; // noon of 4 February
-    const double day = midwinterDay + 0.25 * static_cast<double>(withinYear(season)) * 365.25;
+    const double day = midwinterDay + 0.25 * static_cast<double>(wrapSeason(season)) * 365.25;
     const std::time_t noon = timegm(&start) + 86400 * (static_cast<std::time_t>(day) % 365) + 43200;
     std::tm date{};
     char text[32];
@@ -43,12 +43,12 @@ std::optional<Crs> mapOf(const CanopyHead& head) {
     return head.crs.empty() || !crs ? std::nullopt : std::optional(crs.value());
 }
 
-/// Longitude and latitude of a place; without a map 0.
+/// Longitude and latitude of a place; 0 without a map projection.
 glm::dvec2 degreesOf(glm::dvec2 place, const std::optional<Crs>& map) {
     if (!map)
         return glm::dvec2(0.0);
-    const Result<CrsWay> way = CrsWay::between(*map, Crs::degrees());
-    return way && way.value().go(place) ? place : glm::dvec2(0.0);
+    const Result<CrsTransform> way = CrsTransform::between(*map, Crs::wgs84());
+    return way && way.value().apply(place) ? place : glm::dvec2(0.0);
 }
 
 class NetCdfCanopy final : public CanopyFile {
@@ -59,17 +59,18 @@ public:
         create(path);
         const CanopyGrid& grid = head.grid;
         const int levels = _cells.z + isPalm; // PALM's first level is the ground
-        const std::vector<int> dimensions = {dimension(isPalm ? "zlad" : "z", levels),
-                                             dimension("y", _cells.y), dimension("x", _cells.x)};
-        const int z = array(isPalm ? "zlad" : "z", NC_DOUBLE, {dimensions[0]}),
-                  y = array("y", NC_DOUBLE, {dimensions[1]}), x = array("x", NC_DOUBLE, {dimensions[2]});
+        const std::vector<int> dimensions = {defineDimension(isPalm ? "zlad" : "z", levels),
+                                             defineDimension("y", _cells.y), defineDimension("x", _cells.x)};
+        const int z = defineVariable(isPalm ? "zlad" : "z", NC_DOUBLE, {dimensions[0]}),
+                  y = defineVariable("y", NC_DOUBLE, {dimensions[1]}),
+                  x = defineVariable("x", NC_DOUBLE, {dimensions[2]});
         const std::optional<Crs> map = mapOf(head);
-        sayAxes(x, y, z, map && !isPalm);
-        const int crs = map ? sayMap(*map) : -1;
-        _leaf = field("lad", "leaf area density", dimensions, map.has_value());
-        _drag = field("cda", "drag area density: Cd A of a force 0.5 rho Cd A U^2, in a m3 of air",
-                      dimensions, map.has_value());
-        sayFile(head, map);
+        describeAxes(x, y, z, map && !isPalm);
+        const int crs = map ? defineMap(*map) : -1;
+        _leaf = defineField("lad", "leaf area density", dimensions, map.has_value());
+        _drag = defineField("cda", "drag area density: Cd A of a force 0.5 rho Cd A U^2, in a m3 of air",
+                            dimensions, map.has_value());
+        describeFile(head, map);
         call(nc_enddef);
         if (map)
             write(crs, {0.0});
@@ -83,14 +84,14 @@ public:
     }
 
     bool write(const CanopyRow& row) override {
-        put(_leaf, row.row, row.leaf, row);
-        put(_drag, row.row, row.drag, row);
+        writeRow(_leaf, row.row, row.leaf, row);
+        writeRow(_drag, row.row, row.drag, row);
         return _problem.empty();
     }
 
     bool close() override {
         if (_open)
-            keep(nc_close(_file));
+            check(nc_close(_file));
         _open = false;
         return _problem.empty();
     }
@@ -99,109 +100,110 @@ public:
 
 private:
     void create(const std::string& path) {
-        // The classic kind with long offsets, which all programs read; it holds 4 GiB an array.
+        // All programs read the classic format with long offsets; its arrays are limited to 4 GiB.
         const double bytes = sizeof(float) * static_cast<double>(_cells.x) * _cells.y * (_cells.z + 1);
-        keep(nc_create(path.c_str(), NC_CLOBBER | (bytes < 4.0e9 ? NC_64BIT_OFFSET : NC_64BIT_DATA), &_file));
+        check(
+            nc_create(path.c_str(), NC_CLOBBER | (bytes < 4.0e9 ? NC_64BIT_OFFSET : NC_64BIT_DATA), &_file));
         _open = _problem.empty();
         int before = 0;
-        call(nc_set_fill, NC_NOFILL, &before); // all of it is written
+        call(nc_set_fill, NC_NOFILL, &before); // every value will be written
     }
 
-    /// Only the first error.
-    void keep(int status) {
+    /// Remembers the first error.
+    void check(int status) {
         if (status != NC_NOERR && _problem.empty())
             _problem = nc_strerror(status);
     }
-    /// Nothing after an error.
+    /// Calls a function of the library, unless there was an error.
     template <typename Function, typename... Arguments>
     void call(Function function, Arguments... arguments) {
         if (_problem.empty())
-            keep(function(_file, arguments...));
+            check(function(_file, arguments...));
     }
 
-    int dimension(const char* name, int size) {
+    int defineDimension(const char* name, int size) {
         int id = 0;
         call(nc_def_dim, name, static_cast<std::size_t>(size), &id);
         return id;
     }
-    int array(const char* name, int type, const std::vector<int>& dimensions) {
+    int defineVariable(const char* name, int type, const std::vector<int>& dimensions) {
         int id = 0;
         call(nc_def_var, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id);
         return id;
     }
-    void say(int array, const char* name, const std::string& text) {
-        call(nc_put_att_text, array, name, text.size(), text.c_str());
+    void setAttribute(int variable, const char* name, const std::string& text) {
+        call(nc_put_att_text, variable, name, text.size(), text.c_str());
     }
-    void say(int array, const char* name, const std::vector<double>& numbers) {
-        call(nc_put_att_double, array, name, NC_DOUBLE, numbers.size(), numbers.data());
+    void setAttribute(int variable, const char* name, const std::vector<double>& numbers) {
+        call(nc_put_att_double, variable, name, NC_DOUBLE, numbers.size(), numbers.data());
     }
-    void write(int array, const std::vector<double>& numbers) {
-        call(nc_put_var_double, array, numbers.data());
+    void write(int variable, const std::vector<double>& numbers) {
+        call(nc_put_var_double, variable, numbers.data());
     }
 
-    void sayAxes(int x, int y, int z, bool onMap) {
-        for (const auto& [array, axis] : {std::pair(x, "x"), std::pair(y, "y")}) {
+    void describeAxes(int x, int y, int z, bool onMap) {
+        for (const auto& [variable, axis] : {std::pair(x, "x"), std::pair(y, "y")}) {
             const std::string name = axis;
-            say(array, "long_name",
-                _isPalm ? "distance to origin in " + name + "-direction"
-                        : name + " of the middle of the cell");
+            setAttribute(variable, "long_name",
+                         _isPalm ? "distance to origin in " + name + "-direction"
+                                 : name + " of the middle of the cell");
             if (onMap)
-                say(array, "standard_name", "projection_" + name + "_coordinate");
-            say(array, "units", "m");
-            say(array, "axis", name == "x" ? "X" : "Y");
+                setAttribute(variable, "standard_name", "projection_" + name + "_coordinate");
+            setAttribute(variable, "units", "m");
+            setAttribute(variable, "axis", name == "x" ? "X" : "Y");
         }
-        say(z, "long_name", _isPalm ? "height above ground" : "height of the middle of the cell");
-        say(z, "units", "m");
-        say(z, "axis", "Z");
-        say(z, "positive", "up");
+        setAttribute(z, "long_name", _isPalm ? "height above ground" : "height of the middle of the cell");
+        setAttribute(z, "units", "m");
+        setAttribute(z, "axis", "Z");
+        setAttribute(z, "positive", "up");
     }
 
-    int sayMap(const Crs& map) {
-        const int crs = array("crs", NC_DOUBLE, {});
+    int defineMap(const Crs& map) {
+        const int crs = defineVariable("crs", NC_DOUBLE, {});
         const Result<GridMapping> described = gridMappingOf(map);
         const GridMapping mapping = described ? described.value() : GridMapping();
-        say(crs, "long_name", "coordinate reference system");
+        setAttribute(crs, "long_name", "coordinate reference system");
         if (!mapping.name.empty())
-            say(crs, "grid_mapping_name", mapping.name);
+            setAttribute(crs, "grid_mapping_name", mapping.name);
         for (const auto& [name, numbers] : mapping.numbers)
-            say(crs, name.c_str(), numbers);
-        say(crs, "crs_wkt", mapping.wkt);
-        say(crs, "units", "m");
+            setAttribute(crs, name.c_str(), numbers);
+        setAttribute(crs, "crs_wkt", mapping.wkt);
+        setAttribute(crs, "units", "m");
         if (const std::string text = map.text(); text.rfind("EPSG:", 0) == 0)
-            say(crs, "epsg_code", text);
+            setAttribute(crs, "epsg_code", text);
         return crs;
     }
 
-    int field(const char* name, const char* words, const std::vector<int>& dimensions, bool onMap) {
-        const int id = array(name, NC_FLOAT, dimensions);
+    int defineField(const char* name, const char* words, const std::vector<int>& dimensions, bool onMap) {
+        const int id = defineVariable(name, NC_FLOAT, dimensions);
         if (_isPalm)
             call(nc_put_att_float, id, "_FillValue", NC_FLOAT, std::size_t(1), &noPlants);
-        say(id, "long_name", words);
-        say(id, "units", "m2 m-3");
+        setAttribute(id, "long_name", words);
+        setAttribute(id, "units", "m2 m-3");
         if (onMap)
-            say(id, "grid_mapping", "crs");
+            setAttribute(id, "grid_mapping", "crs");
         return id;
     }
 
-    void sayFile(const CanopyHead& head, const std::optional<Crs>& map) {
+    void describeFile(const CanopyHead& head, const std::optional<Crs>& map) {
         constexpr int file = NC_GLOBAL;
-        say(file, "Conventions", "CF-1.7");
-        say(file, "title", "Leaf area and drag area of a forest");
-        say(file, "source", "osgtreewind " OSGTREEWIND_VERSION);
+        setAttribute(file, "Conventions", "CF-1.7");
+        setAttribute(file, "title", "Leaf area and drag area of a forest");
+        setAttribute(file, "source", "osgtreewind " OSGTREEWIND_VERSION);
         if (!_isPalm)
             return;
         const glm::dvec2 degrees = degreesOf(head.grid.low, map);
-        say(file, "origin_x", std::vector{head.grid.low.x});
-        say(file, "origin_y", std::vector{head.grid.low.y});
-        say(file, "origin_z", std::vector{0.0});
-        say(file, "origin_lon", std::vector{degrees.x});
-        say(file, "origin_lat", std::vector{degrees.y});
-        say(file, "origin_time", dateOf(head.season));
-        say(file, "rotation_angle", std::vector{0.0});
+        setAttribute(file, "origin_x", std::vector{head.grid.low.x});
+        setAttribute(file, "origin_y", std::vector{head.grid.low.y});
+        setAttribute(file, "origin_z", std::vector{0.0});
+        setAttribute(file, "origin_lon", std::vector{degrees.x});
+        setAttribute(file, "origin_lat", std::vector{degrees.y});
+        setAttribute(file, "origin_time", dateOf(head.season));
+        setAttribute(file, "rotation_angle", std::vector{0.0});
     }
 
-    /// In PALM's files a column without plants has the fill value at each level.
-    void put(int array, int row, const Span<float>& densities, const CanopyRow& all) {
+    /// Writes a row of an array. In PALM's format a column without plants has the fill value at each level.
+    void writeRow(int variable, int row, const Span<float>& densities, const CanopyRow& all) {
         const auto width = static_cast<std::size_t>(_cells.x);
         const std::size_t levels = densities.size / width, ground = _isPalm ? 1 : 0;
         _levels.assign(ground * width, 0.0f);
@@ -215,7 +217,7 @@ private:
         }
         const std::size_t start[] = {0, static_cast<std::size_t>(row), 0},
                           count[] = {levels + ground, 1, width};
-        call(nc_put_vara_float, array, &start[0], &count[0], _levels.data());
+        call(nc_put_vara_float, variable, &start[0], &count[0], _levels.data());
     }
 
     glm::ivec3 _cells;

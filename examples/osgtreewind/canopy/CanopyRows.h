@@ -9,25 +9,25 @@
 
 namespace osgTreeWind {
 
-/// The cells of a grid that have the same y: all of the lowest level from west to east, then of the next.
+/// The cells of a grid with the same y: the lowest level from west to east, then the next level.
 struct CanopyRow {
-    int row = 0;      ///< From the south.
+    int row = 0;      ///< Counted from the south.
     Span<float> leaf; ///< Leaf area density, m^2/m^3.
     Span<float> drag; ///< CdA density, m^2/m^3.
 };
 
-/// What lies on a grid, and what of the forest's trees beyond its sides.
+/// Areas of the forest inside and outside a grid.
 struct CanopyTally {
     AreaSums within, beyond;
-    std::size_t trees = 0; ///< With something on the grid.
-    bool finished = true;  ///< No: it was stopped.
+    std::size_t trees = 0; ///< Number of trees with a part in the grid.
+    bool finished = true;  ///< False if it was stopped.
 };
 
-/// Bytes of main memory that spreadCanopy() is going to need: of as many rows as the widest tree reaches.
+/// Bytes of memory that spreadCanopy() needs: for as many rows as the widest tree covers.
 std::uint64_t canopyBytes(const PlacedForest& forest, const CanopyGrid& grid);
 
-/// Spreads the trees of a forest, as they stand at rest, over a grid.
-/// @param use called for each row, from the south; false stops.
+/// Distributes the areas of all trees at rest over a grid.
+/// @param use called for each row, from the south; returns false to stop.
 CanopyTally spreadCanopy(const PlacedForest& forest, const CanopyGrid& grid,
                          const std::function<bool(const CanopyRow&)>& use);
 

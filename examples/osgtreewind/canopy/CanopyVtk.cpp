@@ -23,7 +23,7 @@ const char* byteOrder() {
     return first ? "LittleEndian" : "BigEndian";
 }
 
-/// XML, and behind it the two arrays, each after its length in bytes.
+/// XML followed by the two arrays, each preceded by its length in bytes.
 class VtkCanopy : public CanopyFile {
 public:
     VtkCanopy(const std::string& path, const CanopyHead& head)
@@ -96,8 +96,8 @@ private:
     glm::ivec3 _cells;
     std::ofstream _file;
     std::string _problem;
-    std::uint64_t _bytes = 0;    ///< Of an array,
-    std::streampos _leaf, _drag; ///< and where they begin.
+    std::uint64_t _bytes = 0;    ///< Size of an array.
+    std::streampos _leaf, _drag; ///< Start of the arrays.
 };
 
 } // namespace

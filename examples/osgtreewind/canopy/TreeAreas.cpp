@@ -67,7 +67,7 @@ void TreeAreas::addLeaves(const PlacedTree& tree, const AreaSums& leaves) {
                            each * static_cast<double>(card.size)});
 }
 
-const std::vector<TreeAreas::Point>& TreeAreas::of(const PlacedTree& tree) {
+const std::vector<TreeAreas::Point>& TreeAreas::pointsOf(const PlacedTree& tree) {
     const std::vector<UnitLoad> loads = loadsOf(tree);
     _points.clear();
     addWood(tree, loads);
@@ -78,8 +78,8 @@ const std::vector<TreeAreas::Point>& TreeAreas::of(const PlacedTree& tree) {
         addLeaves(tree, leaves);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     for (Point& point : _points) {
-        point.place = turnHeading(point.place, sine, cosine);
-        point.place.z = std::max(point.place.z, 0.0f); // leaves that hang lower lie on the ground
+        point.place = rotateAboutZ(point.place, sine, cosine);
+        point.place.z = std::max(point.place.z, 0.0f); // leaves below the ground lie on it
     }
     return _points;
 }

@@ -9,35 +9,35 @@
 
 namespace osgTreeWind {
 
-/// Where a tree has its leaves and its drag, at rest: points with an area each, which add up to what
-/// makeUnitLoads() says of the tree. Leaves and the drag of the crown lie over the cards that are drawn, that
-/// of bare wood along it.
+/// Distributes the leaf area and drag area of a tree at rest over points. Their sums are those of
+/// makeUnitLoads(). Leaf area and the drag of the crown lie on the leaf cards that are drawn, the drag of
+/// bare wood along the wood.
 class TreeAreas {
 public:
-    /// A point of a tree: metres from its foot, x east, y north.
+    /// A point of a tree, metres from its foot, x east, y north.
     struct Point {
         glm::vec3 place{0.0f};
         AreaSums area;
     };
 
-    /// @param step the farthest that points of a branch are to be apart, metres.
+    /// @param step largest distance between points along a branch, metres.
     TreeAreas(const PlacedForest& forest, double step);
 
-    /// Of a tree of the forest, as many leaves as it bears now. Holds until the next call.
-    const std::vector<Point>& of(const PlacedTree& tree);
-    /// All of it together.
+    /// The points of a tree with its current leaves. Valid until the next call.
+    const std::vector<Point>& pointsOf(const PlacedTree& tree);
+    /// The areas of a whole tree.
     AreaSums sumOf(const PlacedTree& tree) const;
 
 private:
-    /// A quarter of a quad of a cluster of leaves.
+    /// A quarter of a quad of a leaf cluster.
     struct Card {
-        glm::vec3 anchor, offset; ///< Of the cluster; from there.
-        float size;               ///< What it has of the leaves, by the area of its cluster.
+        glm::vec3 anchor, offset; ///< Anchor of the cluster; offset from the anchor.
+        float size;               ///< Weight in the sum of all leaves, by the area of the cluster.
     };
-    /// Of a shape.
+    /// The cards of a shape.
     struct Cards {
         std::vector<Card> list;
-        double size = 0.0; ///< Of all.
+        double size = 0.0; ///< Sum of all.
     };
 
     const Cards& cardsOf(const PlacedTree& tree);
@@ -47,7 +47,7 @@ private:
 
     const PlacedForest& _forest;
     double _step;
-    std::vector<Cards> _cards; ///< By model; empty until a tree asks.
+    std::vector<Cards> _cards; ///< By model; filled on first use.
     std::vector<Point> _points;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 using namespace osgTreeWind;
 
-constexpr std::size_t mostTreesInFull = 20000; // memory and minutes grow with each of them
+constexpr std::size_t mostTreesInFull = 20000; // limits memory and time
 
 struct BenchOptions {
     std::string output, chart, size = "1280x720", backend = offscreenBackendName();
@@ -27,33 +27,34 @@ struct BenchOptions {
     std::string forest;
 };
 
-/// Keeps freed memory: page faults of the driver's buffers would be measured otherwise.
+/// Keeps freed memory in the process, so that page faults of driver buffers are not measured.
 void keepMemory() {
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
 }
 
-/// The SVG, and a PNG of it beside.
+/// Writes the SVG, and a PNG of it next to it.
 void writeChart(const std::string& path, const std::string& svg) {
-    writeOrEnd(path, svg);
+    writeOrThrow(path, svg);
     const std::string picture = osgDB::getNameLessExtension(path) + ".png";
     const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
     if (!image)
-        throw Ending{Failed, picture + ": cannot be written; expected the svg plugin of OpenSceneGraph"};
+        throw CommandError{Failed,
+                           picture + ": cannot be written: the svg plugin of OpenSceneGraph is missing"};
     writePicture(*image, picture);
 }
 
-// Stages of their own.
+// Stages that are not in benchStages().
 const std::string scaleStage = "scale", viewStage = "view", worldStage = "world";
 
-/// All but the view of a file and a flight, or that view only where a file is given.
-bool isAsked(const BenchOptions& options, const std::string& stage) {
+/// Whether to run a stage. Default: all stages except view and world, or only view if a forest is given.
+bool isRequested(const BenchOptions& options, const std::string& stage) {
     if (options.stages.empty())
         return stage != worldStage && (stage == viewStage) != options.forest.empty();
     return std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
 
-/// Of the forest in a file.
+/// Measures all views of the forest in a file.
 std::vector<BenchView> runBenchViews(const BenchOptions& options, const ForestDescription& forest,
                                      const BenchSettings& settings, BenchDriver& driver) {
     std::vector<BenchView> views;
@@ -65,11 +66,11 @@ std::vector<BenchView> runBenchViews(const BenchOptions& options, const ForestDe
     return views;
 }
 
-/// All that is asked for, said on standard output as it comes.
+/// Runs all requested stages and prints each result as soon as it is measured.
 void measure(const BenchOptions& options, const ForestDescription& forest, BenchConditions& conditions,
              BenchReport& report) {
     for (const BenchStage& stage : benchStages()) {
-        if (!isAsked(options, stage.name))
+        if (!isRequested(options, stage.name))
             continue;
         for (const int trees : options.trees) {
             BenchResult result = runBench(stage, trees, conditions.settings, conditions.driver);
@@ -79,31 +80,33 @@ void measure(const BenchOptions& options, const ForestDescription& forest, Bench
             report.results.push_back(std::move(result));
         }
     }
-    if (isAsked(options, scaleStage)) {
+    if (isRequested(options, scaleStage)) {
         report.scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
         printBenchViews(std::cout, conditions, report.scale);
     }
-    if (isAsked(options, viewStage)) {
+    if (isRequested(options, viewStage)) {
         report.views = runBenchViews(options, forest, conditions.settings, conditions.driver);
         printBenchViews(std::cout, conditions, report.views);
     }
-    if (isAsked(options, worldStage)) {
+    if (isRequested(options, worldStage)) {
         report.world = runBenchWorld(options.forest, forest, conditions.settings, conditions.driver);
         printBenchWorld(std::cout, conditions, *report.world);
     }
 }
 
-/// Of the file, as the stages need it; empty where they need none.
+/// The forest that the stages need; empty if they need none.
 ForestDescription load(const BenchOptions& options) {
-    const bool drawn = isAsked(options, viewStage), flown = isAsked(options, worldStage);
+    const bool drawn = isRequested(options, viewStage), flown = isRequested(options, worldStage);
     if ((drawn || flown) && options.forest.empty())
-        throw Ending{BadInput, "--stage " + (drawn ? viewStage : worldStage) + ": expected --forest FILE"};
+        throw CommandError{BadInput,
+                           "--stage " + (drawn ? viewStage : worldStage) + ": expected --forest FILE"};
     if (!flown)
         return drawn ? loadForest(options.forest, {}, true) : ForestDescription();
-    ForestDescription world = valueOf(readForestFile(options.forest));
+    ForestDescription world = valueOrThrow(readForestFile(options.forest));
     if (!world.tiles || options.stages.size() > 1)
-        throw Ending{BadInput,
-                     "--stage world: expected it alone, with a --forest in tiles (osgtreewind tile)"};
+        throw CommandError{
+            BadInput,
+            "--stage world: expected no other stage, and a --forest in tiles (made by osgtreewind tile)"};
     return world;
 }
 
@@ -114,19 +117,19 @@ void bench(const BenchOptions& options) {
     if (options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
     if (!options.chart.empty() && osgDB::getLowerCaseFileExtension(options.chart) != "svg")
-        throw Ending{BadInput, "--chart: expected a name that ends in .svg, found " + options.chart};
+        throw CommandError{BadInput, "--chart: expected a name that ends in .svg, found " + options.chart};
     const ForestDescription forest = load(options);
     for (const std::string& path : {options.output, options.chart})
-        if (!path.empty()) // before minutes of measuring
-            if (const WholeFile whole(path); !std::ofstream(whole.unfinished()))
-                endUnwritten(whole);
+        if (!path.empty()) // fail before minutes of measuring
+            if (const AtomicFile whole(path); !std::ofstream(whole.writePath()))
+                throwWriteError(whole);
 
     keepMemory();
     BenchConditions conditions = benchConditions(settings);
     BenchReport report;
     measure(options, forest, conditions, report);
     if (!options.output.empty())
-        writeOrEnd(options.output, benchReport(conditions, report).dump(2) + '\n');
+        writeOrThrow(options.output, benchReport(conditions, report).dump(2) + '\n');
     if (!options.chart.empty())
         writeChart(options.chart, benchChart(conditions, report.results));
 }
@@ -134,42 +137,44 @@ void bench(const BenchOptions& options) {
 } // namespace
 
 void addBenchCommand(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("bench", "Measure the stages of the thesis' chapter 6, and beyond");
+    CLI::App* command = app.add_subcommand(
+        "bench", "Measure drawing speed: the stages of chapter 6 of the thesis, and larger forests");
     auto options = std::make_shared<BenchOptions>();
     std::vector<std::string> names;
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
     names.insert(names.end(), {scaleStage, viewStage, worldStage});
-    command
-        ->add_option("--stage", options->stages, "Stages to measure; all but view and world when not given")
+    command->add_option("--stage", options->stages, "Stages to measure (default: all except view and world)")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
-    command->add_option("--trees", options->trees, "Numbers of reference trees")
+    command->add_option("--trees", options->trees, "Numbers of reference trees to measure")
         ->delimiter(',')
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command->add_option("--frames", options->frames, "Pairs of frames, one in motion and one at rest")
+    command
+        ->add_option("--frames", options->frames,
+                     "Number of frame pairs, one frame in motion and one at rest")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command
         ->add_option("--forest", options->forest,
-                     "A .treewind file: drawn by stage view, the only one then when none is given;\n"
-                     "flown through by stage world")
+                     "Forest for the stages view and world; without --stage only view is measured")
         ->type_name("FILE");
-    command
-        ->add_option("--scale-trees", options->scaleTrees, "Stage scale: trees of the woods that are drawn")
+    command->add_option("--scale-trees", options->scaleTrees, "Numbers of trees for the stage scale")
         ->delimiter(',')
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+    command->add_option("--size", options->size, "Width and height of the picture, pixels")
+        ->capture_default_str();
     command->add_option("-o,--output", options->output, "JSON file for the results (docs/results.md)");
-    command->add_option("--chart", options->chart, "SVG file for a chart; a PNG is put beside it");
+    command->add_option("--chart", options->chart, "SVG file for a chart; a PNG of it is written next to it");
     addBackendOption(*command, options->backend);
-    command->footer("fps = frames / seconds; times in milliseconds.\n"
-                    "Every stage is drawn in turns with the same trees at rest (static), so that what else\n"
-                    "the machine does falls on both; ratios are medians of such pairs.\n"
-                    "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
-                    "         osgtreewind bench --forest campus.treewind");
+    command->footer(
+        "Times are in milliseconds; fps is frames divided by seconds. Frames of each stage alternate with\n"
+        "frames of the same trees at rest (static), so other load on the machine affects both.\n"
+        "Ratios are medians over these pairs.\n"
+        "Examples:\n"
+        "  osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
+        "  osgtreewind bench --forest campus.treewind");
     command->callback([options] { bench(*options); });
 }

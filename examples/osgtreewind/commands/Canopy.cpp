@@ -4,8 +4,8 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/Progress.h>
 
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/MemoryLimit.h>
-#include <osgTreeWind/base/WholeFile.h>
 
 #include <osgDB/FileNameUtils>
 
@@ -49,7 +49,7 @@ std::unique_ptr<CanopyFile> create(const std::string& path, const std::string& f
                             : createPalmCanopy(path, head);
 }
 
-/// Of a canopy model, whose force is C lad U^2: half of CdA over the leaves; none without leaves.
+/// C of a canopy model with the force C lad U^2: half of CdA over the leaf area. Empty without leaves.
 std::optional<double> coefficientOf(const AreaSums& sums) {
     return sums.leaf > 0.0 ? std::optional(0.5 * sums.drag / sums.leaf) : std::nullopt;
 }
@@ -79,7 +79,7 @@ void print(const CanopyGrid& grid, const CanopyTally& tally) {
     text << "trees        " << tally.trees << "\nleaf area    " << tally.within.leaf << " m2\ndrag area    "
          << tally.within.drag << " m2 (CdA)\n";
     if (const auto coefficient = coefficientOf(tally.within))
-        text << "coefficient  " << *coefficient << " of a force C lad U^2: half of CdA over leaf area\n";
+        text << "coefficient  " << *coefficient << " (C of the force C lad U^2, half of CdA / leaf area)\n";
     text << "cells        " << grid.cells.x << " x " << grid.cells.y << " x " << grid.cells.z << ", of "
          << grid.cell.x << " x " << grid.cell.y << " x " << grid.cell.z << " m\n";
     text.precision(12);
@@ -88,31 +88,29 @@ void print(const CanopyGrid& grid, const CanopyTally& tally) {
     std::cout << text.str();
 }
 
-void noteWhatIsMissing(const CanopyOptions& options, const ForestDescription& forest,
-                       const CanopyTally& tally) {
+void printWarnings(const CanopyOptions& options, const ForestDescription& forest, const CanopyTally& tally) {
     const double all = tally.within.drag + tally.beyond.drag;
     if (tally.beyond.drag > 1e-9 * all)
         std::cerr << options.file << ": note: " << 100.0 * tally.beyond.drag / all
-                  << " % of the trees' drag area lies beyond --bounds\n";
+                  << " % of the trees' drag area is outside --bounds\n";
     if (formatOf(options) == "palm" && forest.crs.empty())
-        std::cerr << options.file
-                  << ": note: the forest has no crs: origin_lat and origin_lon are 0, and there is no crs in "
-                  << options.output << '\n';
+        std::cerr << options.file << ": note: the forest has no crs, so origin_lat and origin_lon are 0 and "
+                  << options.output << " has no variable crs\n";
 }
 
-/// Writes all of the file or nothing, and tells what is in it.
+/// Writes the file and prints a summary of it.
 void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
-    WholeFile whole(options.output);
+    AtomicFile whole(options.output);
     const auto file =
-        create(whole.unfinished(), formatOf(options), {grid, forest.description().crs, forest.season()});
+        create(whole.writePath(), formatOf(options), {grid, forest.description().crs, forest.season()});
     Progress progress("canopy", static_cast<std::size_t>(grid.cells.y));
     const CanopyTally tally = spreadCanopy(forest, grid, [&](const CanopyRow& row) {
         progress.advance();
         return file->write(row);
     });
-    if (!tally.finished || !file->close() || !whole.putInPlace())
-        endUnwritten(whole, file->problem());
-    noteWhatIsMissing(options, forest.description(), tally);
+    if (!tally.finished || !file->close() || !whole.commit())
+        throwWriteError(whole, file->problem());
+    printWarnings(options, forest.description(), tally);
     if (options.json)
         std::cout << toJson(grid, tally).dump(2) << '\n';
     else
@@ -121,9 +119,10 @@ void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const
 
 void run(const CanopyOptions& options) {
     if (formatOf(options).empty())
-        throw Ending{BadInput, "--output: expected a name that ends in .nc or .vti, or a --format, found " +
-                                   options.output};
-    checkIsFree(options.output);
+        throw CommandError{BadInput,
+                           "--output: expected a name that ends in .nc or .vti, or a --format, found " +
+                               options.output};
+    checkOutputPath(options.output);
     ForestDescription description = loadForest(options.file, options.tiles);
     description.season = options.season.value_or(description.season);
     const PlacedForest forest(std::move(description));
@@ -132,7 +131,7 @@ void run(const CanopyOptions& options) {
         grid ? problemOfMemory("--cell: cells of this size", canopyBytes(forest, grid.value()))
              : "--" + grid.problems().front().text();
     if (!problem.empty())
-        throw Ending{BadInput, options.file + ": " + problem};
+        throw CommandError{BadInput, options.file + ": " + problem};
     writeCanopy(options, forest, grid.value());
 }
 
@@ -140,12 +139,11 @@ void run(const CanopyOptions& options) {
 
 void addCanopyCommand(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("canopy", "Write leaf and drag area on a grid, for flow models (CFD)");
+        app.add_subcommand("canopy", "Write leaf area and drag area on a grid for flow models (CFD)");
     auto options = std::make_shared<CanopyOptions>();
-    command->add_option("file", options->file, "A .treewind file")->required();
-    command->add_option("-o,--output", options->output, "A file that ends in .nc or .vti")->required();
-    command
-        ->add_option("--cell", options->cell, "DX[,DY,DZ]: size of a cell, metres; one number: of all sides")
+    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
+    command->add_option("-o,--output", options->output, "Output file (.nc or .vti)")->required();
+    command->add_option("--cell", options->cell, "Size of a cell, m: DX,DY,DZ, or one number for all sides")
         ->delimiter(',')
         ->required()
         ->check(between(0.01, 1e6))
@@ -153,26 +151,26 @@ void addCanopyCommand(CLI::App& app) {
         ->allow_extra_args(false);
     command
         ->add_option("--bounds", options->bounds,
-                     "x0,y0,x1,y1: the part of the map that the grid covers, a whole number of cells; by "
-                     "default all trees")
+                     "Area of the grid on the map: X0,Y0,X1,Y1, a whole number of cells (default: all trees)")
         ->delimiter(',')
         ->check(between(-1e9, 1e9))
         ->expected(4)
         ->allow_extra_args(false);
     command
         ->add_option("--format", options->format,
-                     "palm (a static driver; of .nc), cf (plain CF NetCDF) or vtk (of .vti)")
+                     "Format: palm (PALM static driver, .nc), cf (CF NetCDF, .nc) or vtk (.vti); default: "
+                     "palm or vtk by the file ending")
         ->check(CLI::IsMember({"palm", "cf", "vtk"}));
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
-    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--json", options->json, "Print the result as JSON");
     command->footer(
-        "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights are above\n"
-        "the ground in palm, the world's in cf and vtk; docs/cfd.md says more.\n"
+        "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights count from\n"
+        "the ground in palm, and from the zero of the map in cf and vtk. See docs/cfd.md.\n"
         "Example: osgtreewind canopy forest.treewind -o canopy.nc --cell 2,2,1 --season summer");
     command->callback([options] {
         if (options->cell.size() == 2)
-            throw Ending{BadInput, "--cell: expected DX or DX,DY,DZ, found two numbers"};
+            throw CommandError{BadInput, "--cell: expected DX or DX,DY,DZ, found two numbers"};
         run(*options);
     });
 }

@@ -8,8 +8,8 @@
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/MeasureTree.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
@@ -38,8 +38,8 @@ Json toJson(const TreeCounts& counts, std::size_t trees) {
 Json toJson(const ScanReport& scan) {
     return {{"source", scan.source},
             {"cylinders", scan.cylinders},
-            {"taken", scan.taken},
-            {"pruned", scan.cylinders - scan.taken},
+            {"taken", scan.usedCylinders},
+            {"pruned", scan.cylinders - scan.usedCylinders},
             {"units", scan.units},
             {"shoots", scan.shoots},
             {"height", scan.height},
@@ -48,19 +48,19 @@ Json toJson(const ScanReport& scan) {
             {"woodVolume", scan.woodVolume}};
 }
 
-/// The trees at rest, in world coordinates.
+/// Box around the trees at rest, in world coordinates.
 Json boundsOf(const ForestDescription& forest) {
     if (forest.trees.empty())
         return nullptr;
     const ShapeFamilies families(forest);
-    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> natural; // by family and shape
+    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> ofShapes; // by family and shape
     glm::dvec3 low = forest.trees.front().position, high = low;
     for (const TreePlacement& tree : forest.trees) {
         TreeSize size = tree.size;
-        if (size.height <= 0.0f || size.crownWidth <= 0.0f) { // not given: in proportion to the shape
+        if (size.height <= 0.0f || size.crownWidth <= 0.0f) { // missing sizes follow from the shape
             const std::size_t family = families.indexOf(tree);
             const std::uint32_t shape = tree.seed % families.all()[family].shapes;
-            const auto [found, isNew] = natural.try_emplace({family, shape});
+            const auto [found, isNew] = ofShapes.try_emplace({family, shape});
             if (isNew)
                 found->second = measureTree(makeTreeModel(families.all()[family].tree, shape));
             const float height = size.height > 0.0f ? size.height : found->second.height;
@@ -75,12 +75,12 @@ Json boundsOf(const ForestDescription& forest) {
     return {{"low", vectorJson(low)}, {"high", vectorJson(high)}};
 }
 
-/// The map that the trees stand on, and whether the file says so or their data did.
+/// Map projection of the forest, and whether it was chosen from the data.
 Json crsOf(const ForestDescription& forest) {
     const Result<Crs> crs = Crs::parseMap(forest.crs);
     if (forest.crs.empty() || !crs)
         return nullptr;
-    return {{"text", forest.crs}, {"name", crs.value().name()}, {"chosen", forest.crsChosen}};
+    return {{"text", forest.crs}, {"name", crs.value().name()}, {"chosen", forest.crsFromInventory}};
 }
 
 Json windOf(const ForestDescription& forest) {
@@ -90,20 +90,21 @@ Json windOf(const ForestDescription& forest) {
     return {{"calm", !wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
 }
 
-/// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
+/// Bytes of vertex and index buffers (which grow with the shapes) and of state textures (which grow with the
+/// trees).
 Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
     constexpr std::uint64_t unitTexels = 32, leafTexel = 16;
     return {{"shapeBytes", geometryBytes(shapes)},
             {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
 }
 
-/// All trees of a species, and the shapes they have.
+/// Counts over all trees of a species, and over its shapes.
 struct SpeciesCounts {
     TreeCounts trees, shapes;
-    std::size_t count = 0; ///< Of trees.
+    std::size_t count = 0; ///< Number of trees.
 };
 
-/// By family and shape, counted on all cores.
+/// Counts of all shapes, by family and shape; uses all cores.
 std::vector<std::vector<TreeCounts>> countShapes(const ShapeFamilies& families) {
     std::vector<std::vector<TreeCounts>> counts;
     std::vector<std::pair<std::size_t, std::uint32_t>> all;
@@ -121,7 +122,7 @@ std::vector<std::vector<TreeCounts>> countShapes(const ShapeFamilies& families) 
 
 std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
     const ShapeFamilies families(forest);
-    std::vector<std::vector<std::size_t>> trees; // of each family and shape
+    std::vector<std::vector<std::size_t>> trees; // number of trees by family and shape
     for (const ShapeFamilies::Family& family : families.all())
         trees.emplace_back(family.shapes, 0);
     for (const TreePlacement& tree : forest.trees) {
@@ -175,7 +176,7 @@ Json describe(const ForestDescription& forest) {
     return info;
 }
 
-/// What became of the scans of a species.
+/// Prints a line for each scanned tree of a species.
 void printScans(const Json& species) {
     for (const Json& scan : species["scans"]) {
         const auto number = [&](const char* key) { return scan[key].get<double>(); };
@@ -224,13 +225,14 @@ void printTable(const Json& info) {
 } // namespace
 
 void addInfoCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
+    CLI::App* command = app.add_subcommand(
+        "info", "Print what a forest contains: trees, species, vertices, extent, wind and memory");
     auto file = std::make_shared<std::string>();
     auto trees = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    command->add_option("file", *file, "A .treewind file")->required();
-    command->add_flag("--json", *json, "Print JSON");
-    command->add_option("--trees", *trees, "Write every tree as it stands: a CSV file");
+    command->add_option("file", *file, "Forest or world to read (.treewind file)")->required();
+    command->add_flag("--json", *json, "Print the result as JSON");
+    command->add_option("--trees", *trees, "CSV file for a list of all trees with their sizes");
     auto tiles = std::make_shared<TileBox>();
     addTilesOption(*command, *tiles);
     command->footer("Example: osgtreewind info forest.treewind --json");

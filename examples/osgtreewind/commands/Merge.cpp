@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/WholeFile.h>
 
 #include <algorithm>
 #include <fstream>
@@ -24,31 +24,32 @@ struct MergeOptions {
     std::string output, world;
 };
 
-/// Tables of parts of a world, one below the other, or by time where rows have one.
+/// Joins the tables of parts of a world: in the order of the parts, or sorted by the column `time` if there
+/// is one.
 class MergedTable {
 public:
     explicit MergedTable(std::ostream& output) : _output(output) {}
 
-    /// All of a part. @return what keeps it from being one of them; empty where nothing does.
+    /// Adds the table of a part. @return why it cannot be added; empty on success.
     Diagnostics add(const std::string& file) {
         const Result<std::string> text = readTextFile(file);
         if (!text)
             return text.problems();
         Diagnostics problems;
-        const auto take = [&](const CsvTable& table, CsvTable::Row& row) {
-            if (problems.empty() && fits(table, problems))
-                takeRow(table, row, problems);
+        const auto addFittingRow = [&](const CsvTable& table, CsvTable::Row& row) {
+            if (problems.empty() && hasSameColumns(table, problems))
+                addRow(table, row, problems);
         };
-        const Result<CsvTable> read = readCsvRows(text.value(), file, ',', take);
+        const Result<CsvTable> read = readCsvRows(text.value(), file, ',', addFittingRow);
         if (!read)
             return read.problems();
         if (problems.empty())
-            fits(read.value(), problems); // a part may have no rows
+            hasSameColumns(read.value(), problems); // also for a part without rows
         ++_parts;
         return problems;
     }
 
-    /// Writes what waits for the last part. @return how many rows there are.
+    /// Writes the rows that are sorted by time. @return number of rows.
     std::size_t finish() {
         std::stable_sort(_byTime.begin(), _byTime.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -56,31 +57,34 @@ public:
             _output << line;
         return _rows;
     }
-    bool hasATreeARow() const { return !_columns.empty() && !_time; }
+    bool hasOneRowPerTree() const { return !_columns.empty() && !_time; }
 
 private:
-    /// The first part says which columns there are.
-    bool fits(const CsvTable& table, Diagnostics& problems) {
+    /// The first part sets the columns; all others must have the same ones.
+    bool hasSameColumns(const CsvTable& table, Diagnostics& problems) {
         if (_columns.empty()) {
             _time = table.column("time");
             const auto tree = table.column(_time ? "name" : "id");
             if (!tree)
-                return fails(problems, table,
-                             "expected a table of risk or of simulate --damage, found the columns " +
-                                 csvLine(table.columns));
+                return addProblem(problems, table,
+                                  "expected a table of risk or of simulate --damage, found the columns " +
+                                      csvLine(table.columns));
             _tree = *tree;
             _columns = table.columns;
             _output << csvLine(_columns);
         }
         return table.columns == _columns ||
-               fails(problems, table, "expected the columns of the first part, " + csvLine(_columns));
+               addProblem(problems, table, "expected the columns of the first part, " + csvLine(_columns));
     }
 
-    void takeRow(const CsvTable& table, const CsvTable::Row& row, Diagnostics& problems) {
+    void addRow(const CsvTable& table, const CsvTable::Row& row, Diagnostics& problems) {
         const std::string& tree = row.cells[_tree];
-        const auto [met, isNew] = _partOfTree.emplace(tree, _parts);
-        if (!isNew && !tree.empty() && (!_time || met->second != _parts))
-            fails(problems, table, "the tree " + tree + " is in another row already", row.line);
+        const auto [known, isNew] = _partOfTree.emplace(tree, _parts);
+        if (!isNew && !tree.empty() && (!_time || known->second != _parts))
+            addProblem(problems, table,
+                       "the tree " + tree +
+                           " already has a row; give each part once, without overlapping --tiles",
+                       row.line);
         ++_rows;
         if (!_time) {
             _output << csvLine(row.cells);
@@ -91,7 +95,8 @@ private:
         _byTime.emplace_back(time ? time.value() : 0.0, csvLine(row.cells));
     }
 
-    static bool fails(Diagnostics& problems, const CsvTable& table, std::string message, int line = 0) {
+    /// Always returns false.
+    static bool addProblem(Diagnostics& problems, const CsvTable& table, std::string message, int line = 0) {
         if (message.back() == '\n')
             message.pop_back();
         problems.push_back(fileProblem(table.file, message, line ? line : table.headerLine));
@@ -107,48 +112,51 @@ private:
     std::vector<std::pair<double, std::string>> _byTime;
 };
 
-/// How many trees a world has.
+/// Number of trees in a world.
 std::size_t treesOf(const std::string& world) {
-    const ForestDescription forest = valueOf(readForestFile(world));
+    const ForestDescription forest = valueOrThrow(readForestFile(world));
     if (!forest.tiles)
-        throw Ending{BadInput, world + ": expected a world, found a forest without tiles"};
+        throw CommandError{
+            BadInput, world + ": expected a world (made by osgtreewind tile), found a forest without tiles"};
     return forest.tiles->treeCount() - forest.tiles->removed.size() + forest.trees.size();
 }
 
 void run(const MergeOptions& options) {
     const std::size_t trees = options.world.empty() ? 0 : treesOf(options.world);
-    checkIsFree(options.output);
-    WholeFile whole(options.output);
-    std::ofstream output(whole.unfinished(), std::ios::binary);
+    checkOutputPath(options.output);
+    AtomicFile whole(options.output);
+    std::ofstream output(whole.writePath(), std::ios::binary);
     MergedTable table(output);
     for (const std::string& part : options.parts)
         if (const Diagnostics problems = table.add(part); !problems.empty())
-            throw Ending{BadInput, problems.front().text()};
+            throw CommandError{BadInput, problems.front().text()};
     const std::size_t rows = table.finish();
-    if (!options.world.empty() && (!table.hasATreeARow() || rows != trees))
-        throw Ending{BadInput, options.world + ": expected a row for each of its " + std::to_string(trees) +
-                                   " trees, found " +
-                                   (table.hasATreeARow() ? std::to_string(rows) : "a table of damage")};
+    if (!options.world.empty() && (!table.hasOneRowPerTree() || rows != trees))
+        throw CommandError{
+            BadInput, options.world + ": expected a row for each of its " + std::to_string(trees) +
+                          " trees, found " +
+                          (table.hasOneRowPerTree() ? std::to_string(rows) : "a table of simulate --damage")};
     output.close();
-    if (!output || !whole.putInPlace())
-        endUnwritten(whole);
+    if (!output || !whole.commit())
+        throwWriteError(whole);
     std::cout << rows << " rows in " << options.output << '\n';
 }
 
 } // namespace
 
 void addMergeCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("merge", "Put tables of parts of a world together");
+    CLI::App* command = app.add_subcommand("merge", "Merge the tables computed for parts of a world");
     auto options = std::make_shared<MergeOptions>();
     command
-        ->add_option("parts", options->parts, "CSV files of risk, or of simulate --damage, of --tiles each")
+        ->add_option("parts", options->parts,
+                     "CSV files of risk or of simulate --damage, one for each part (--tiles)")
         ->required();
-    command->add_option("-o,--output", options->output, "A CSV file")->required();
+    command->add_option("-o,--output", options->output, "Merged CSV file")->required();
     command->add_option("--world", options->world,
-                        "world.treewind: refuse tables of risk that lack some of its trees");
+                        "World file (world.treewind): refuse tables of risk that lack some of its trees");
     command->footer(
-        "Rows come in the order of the parts, those of simulate --damage by time. Parts have the same\n"
-        "columns, and no tree is in two of them.\n"
+        "Rows keep the order of the parts; rows of simulate --damage are sorted by time. All parts need\n"
+        "the same columns, and a tree may be in one part only.\n"
         "Example: osgtreewind merge 0.csv 1.csv 2.csv -o risk.csv --world world/world.treewind");
     command->callback([options] { run(*options); });
 }

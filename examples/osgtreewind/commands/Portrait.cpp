@@ -36,8 +36,7 @@ struct PortraitOptions {
     std::optional<float> season;
 };
 
-/// What it is shown grown in.
-const char* companyOf(const PortraitOptions& options) {
+const char* growingPlaceOf(const PortraitOptions& options) {
     return options.forest ? "a forest" : "the open";
 }
 
@@ -55,8 +54,8 @@ Json toJson(const Species& species, const TreeLooks& looks) {
             {"greenShare", rounded(looks.greenShare)}};
 }
 
-/// How finely the first shape is cut against the sky, as forests show it from some distances, beside single
-/// leaves in the same places.
+/// Fineness of the crown's edges for the first shape at several distances, as drawn and with single leaves in
+/// place of leaf cards.
 Json edgesJson(const Species& species) {
     const auto rounded = [](float value) {
         return std::round(10000.0 * static_cast<double>(value)) / 10000.0;
@@ -94,11 +93,11 @@ Json toJson(const PortraitMotion& motion) {
     return {{"flicker", rounded(motion.flicker)}, {"pops", pops}};
 }
 
-void print(const Species& species, const char* company, const TreeLooks& looks) {
+void print(const Species& species, const char* growingPlace, const TreeLooks& looks) {
     const auto line = [](const char* name, float value) {
         std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
     };
-    std::printf("%s\ngrown in %s\n", species.name.c_str(), company);
+    std::printf("%s\ngrown in %s\n", species.name.c_str(), growingPlace);
     line("skyThroughCrown, summer", looks.skyThroughCrownSummer);
     line("skyThroughCrown, winter", looks.skyThroughCrownWinter);
     line("crownOverStem", looks.crownOverStem);
@@ -110,7 +109,7 @@ void print(const Species& species, const char* company, const TreeLooks& looks) 
 }
 
 void portrait(const PortraitOptions& options) {
-    Species species = speciesCalled(options.species);
+    Species species = speciesByName(options.species);
     species.tree = growthOf(species, !options.forest);
     if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
@@ -121,7 +120,7 @@ void portrait(const PortraitOptions& options) {
     }
     const TreeLooks looks = measureLooks(species);
     Json json = toJson(species, looks);
-    json["grown"] = companyOf(options);
+    json["grown"] = growingPlaceOf(options);
     if (options.edges)
         json["edges"] = edgesJson(species);
     if (options.motion)
@@ -129,27 +128,29 @@ void portrait(const PortraitOptions& options) {
     if (options.json || options.edges || options.motion)
         std::cout << json.dump(2) << '\n';
     else
-        print(species, companyOf(options), looks);
+        print(species, growingPlaceOf(options), looks);
 }
 
 } // namespace
 
 void addPortraitCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("portrait", "Draw a species on a sheet, and measure its looks");
+    CLI::App* command =
+        app.add_subcommand("portrait", "Draw a sheet of pictures of a species and measure its appearance");
     auto options = std::make_shared<PortraitOptions>();
-    command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
+    command
+        ->add_option("species", options->species,
+                     "Built-in species, or FILE.treewind:NAME for a species of a file")
+        ->required();
     command->add_flag("--forest", options->forest,
-                      "As it grows in a forest, with what is left of its crown there; else as in the open");
-    command->add_flag("--json", options->json, "Print JSON");
-    command->add_flag(
-        "--edges", options->edges,
-        "Print JSON, also of how finely the crown is cut against the sky at 10, 20, 40 and 80 m, and "
-        "single leaves in its place: seconds");
+                      "Show the species as it grows in a forest (default: as it grows in the open)");
+    command->add_flag("--json", options->json, "Print the result as JSON");
+    command->add_flag("--edges", options->edges,
+                      "Print JSON that includes how fine the edges of the crown are at 10, 20, 40 and 80 m "
+                      "(takes seconds)");
     command->add_flag(
         "--motion", options->motion,
-        "Print JSON, also of how restless its picture is: flicker in a breeze at 40 m over that "
-        "of ever so many samples a pixel, and what changes from tier to tier: a minute");
-    command->add_option("-o,--output", options->output, "sheet.png; without it nothing is drawn")
+        "Print JSON that includes flicker in a breeze and changes between levels of detail (takes a minute)");
+    command->add_option("-o,--output", options->output, "PNG file for the sheet (default: no picture)")
         ->check([](const std::string& name) {
             return osgDB::getLowerCaseFileExtension(name) == "png"
                        ? std::string()
@@ -160,8 +161,9 @@ void addPortraitCommand(CLI::App& app) {
         ->capture_default_str();
     addSeasonOption(*command, options->season);
     addBackendOption(*command, options->backend);
-    command->footer(std::string(portraitLayout) +
-                    "\nThe numbers are means over three shapes; docs/species.md says what they should be.\n"
-                    "Example: osgtreewind portrait oak -o oak.png --json");
+    command->footer(
+        std::string(portraitLayout) +
+        "\nThe numbers are means over three shapes; docs/species.md compares them with measurements.\n"
+        "Example: osgtreewind portrait oak -o oak.png --json");
     command->callback([options] { portrait(*options); });
 }

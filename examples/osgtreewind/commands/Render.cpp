@@ -40,7 +40,7 @@ int samplesAcross(const RenderOptions& options) {
     return static_cast<int>(std::lround(std::sqrt(options.samples)));
 }
 
-/// The name with "%04d" or its like (the first, if there are several) replaced; as it is when there is none.
+/// Replaces the first "%04d" (or "%d", "%3d", ...) in the name by the frame number.
 std::string framePath(const std::string& pattern, int frame) {
     static const std::regex field("%(0?)([0-9]?)d");
     std::smatch match;
@@ -53,7 +53,7 @@ std::string framePath(const std::string& pattern, int frame) {
     return match.prefix().str() + number + match.suffix().str();
 }
 
-/// From where the options say (DefaultView.h).
+/// The view that the options ask for (DefaultView.h).
 ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens& lens) {
     const osg::BoundingSphere& bound = forest.getBound();
     const auto given = [](const std::vector<double>& v) { return osg::Vec3d(v[0], v[1], v[2]); };
@@ -65,24 +65,24 @@ ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens
     if (!options.eye.empty())
         return {given(options.eye), center};
     osg::Vec3d eye = defaultEye(center, bound.radius(), lens);
-    if (forest.getGround()) // above the hills between
+    if (forest.getGround()) // above the hills between camera and forest
         eye.z() = std::max(eye.z(), groundHeight(forest, {eye.x(), eye.y()}, eye.z()) + 0.1 * bound.radius());
     return {eye, center};
 }
 
 void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) {
-    const osg::Vec3d way = view.center - view.eye;
-    const bool vertical = way.x() == 0.0 && way.y() == 0.0;
+    const osg::Vec3d direction = view.center - view.eye;
+    const bool vertical = direction.x() == 0.0 && direction.y() == 0.0;
     camera.setViewMatrixAsLookAt(view.eye, view.center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
     camera.setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
 }
 
-/// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
-void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& options) {
+/// Simulates up to --start without drawing, with the same time steps as drawn frames.
+void simulateToStart(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& options) {
     const auto steps = static_cast<std::size_t>(std::llround(options.start * options.fps));
     osgUtil::UpdateVisitor visitor;
     visitor.setFrameStamp(&stamp);
-    Progress progress("run up", steps);
+    Progress progress("simulate to --start", steps);
     for (std::size_t i = 0; i < steps; ++i) {
         stamp.setFrameNumber(stamp.getFrameNumber() + 1);
         stamp.setSimulationTime(static_cast<double>(i) / options.fps);
@@ -95,35 +95,37 @@ bool isVideo(const RenderOptions& options) {
     return osgDB::getLowerCaseFileExtension(options.output) == "mp4";
 }
 
-/// Ends the command where there is something wrong with the name of the output.
+/// Throws CommandError for a wrong name of the output.
 void checkOutput(const RenderOptions& options) {
     if (options.frames > 1 && !isVideo(options) && framePath(options.output, 0) == options.output)
-        throw Ending{BadInput, "--output: " + std::to_string(options.frames) +
-                                   " frames need a name with %04d in it, or one that ends in .mp4"};
+        throw CommandError{
+            BadInput, "--output: " + std::to_string(options.frames) +
+                          " frames need a name with %04d (such as frame_%04d.png), or one that ends in .mp4"};
     if (isVideo(options) && !VideoWriter::available())
-        throw Ending{Failed,
-                     options.output +
-                         ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'"};
+        throw CommandError{
+            Failed,
+            options.output +
+                ": MP4 needs the program ffmpeg; install it, or render PNG frames with -o 'frame_%04d.png'"};
     if (!isVideo(options) && osgDB::getLowerCaseFileExtension(options.output) != "png")
-        throw Ending{BadInput,
-                     "--output: expected a name that ends in .png or .mp4, found " + options.output};
+        throw CommandError{BadInput,
+                           "--output: expected a name that ends in .png or .mp4, found " + options.output};
 }
 
-/// Has trees drawn by their stand-ins, whose leaves are shaded as a crown, in the next frame too.
+/// Keeps trees drawn by their stand-ins in the next frame; these have the shading of the crown.
 void keepStandIns(const BranchwiseForest& forest) {
     for (unsigned i = 0; i < forest.getNumTrees(); ++i)
-        BranchwiseParts::tree(forest, i)->getLod()->takeWanted();
+        BranchwiseParts::tree(forest, i)->getLod()->takeFullRequest();
 }
 
-/// @param posed by shaders in all frames; may be null.
+/// @param posed forest that shaders pose in all frames; may be null.
 void writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
-    std::optional<WholeFile> whole;
+    std::optional<AtomicFile> whole;
     std::optional<VideoWriter> movie;
     if (isVideo(options)) {
         whole.emplace(options.output);
-        movie.emplace(whole->unfinished(), options.width, options.height, options.fps);
+        movie.emplace(whole->writePath(), options.width, options.height, options.fps);
     }
-    const char* const quick = "PNG_COMPRESSION 1"; // a third of the time of the default
+    const char* const quick = "PNG_COMPRESSION 1"; // three times faster than the default
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
         if (posed)
@@ -132,11 +134,11 @@ void writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const 
         if (!movie)
             writePicture(image, framePath(options.output, frame), quick);
         else if (!movie->write(image))
-            endUnwritten(*whole);
+            throwWriteError(*whole);
         progress.advance();
     }
-    if (movie && (!movie->close() || !whole->putInPlace()))
-        endUnwritten(*whole);
+    if (movie && (!movie->close() || !whole->commit()))
+        throwWriteError(*whole);
 }
 
 void render(const RenderOptions& options) {
@@ -150,7 +152,7 @@ void render(const RenderOptions& options) {
     if (!description.ground)
         description.ground = groundThroughFeet(description);
     const osg::ref_ptr<Forest> forest =
-        valueOf(Forest::create(std::move(description)), BadInput, options.file);
+        valueOrThrow(Forest::create(std::move(description)), BadInput, options.file);
     const Lens lens{options.fov, static_cast<double>(options.width) / options.height};
     const ForestView view = viewOf(options, *forest, lens);
     osg::ref_ptr<osg::Group> scene =
@@ -166,25 +168,30 @@ void render(const RenderOptions& options) {
         if (options.pose != "scenegraph")
             posed = branchwise;
     } else if (!options.pose.empty())
-        throw Ending{BadInput, "--pose " + options.pose + ": for a law of a branch, not \"modal\""};
+        throw CommandError{
+            BadInput,
+            "--pose: expected a forest under the law \"thesis\" or \"thesis-smooth\", found \"modal\""};
     viewer.setSceneData(scene);
     viewer.realize();
-    runUp(*scene, *viewer.getFrameStamp(), options);
+    simulateToStart(*scene, *viewer.getFrameStamp(), options);
     writeFrames(drawing, posed, options);
 }
 
 void addViewOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--view", options.view,
-                    "eye: as a person stands before the forest; above: all of it from above its crowns;\n"
-                    "portrait: the tree nearest to its middle")
+                    "View: eye (at eye level before the forest), above (all of it, from above) or portrait "
+                    "(the tree nearest to the middle)")
         ->check(CLI::IsMember({"eye", "above", "portrait"}))
         ->capture_default_str();
-    command.add_option("--eye", options.eye, "Where the camera is instead: x,y,z in the scene, metres")
+    command
+        .add_option("--eye", options.eye, "Position of the camera instead of --view: X,Y,Z in the scene, m")
         ->delimiter(',')
         ->expected(3)
         ->check(between(-1e7, 1e7));
-    command.add_option("--center", options.center, "Where it looks")
+    command
+        .add_option("--center", options.center,
+                    "Point that the camera looks at: X,Y,Z in the scene, m (default: middle of the forest)")
         ->delimiter(',')
         ->expected(3)
         ->check(between(-1e7, 1e7));
@@ -196,21 +203,24 @@ void addViewOptions(CLI::App& command, RenderOptions& options) {
 } // namespace
 
 void addRenderCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("render", "Draw frames without a display");
+    CLI::App* command = app.add_subcommand("render", "Draw pictures or a video without a display");
     auto options = std::make_shared<RenderOptions>();
-    command->add_option("file", options->file, "A .treewind file")->required();
-    command->add_option("-o,--output", options->output, "out.png, frames_%04d.png or clip.mp4")
+    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "Output file: NAME.png, NAME_%04d.png for numbered frames, or NAME.mp4")
         ->capture_default_str();
-    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+    command->add_option("--size", options->size, "Width and height of the picture, pixels")
+        ->capture_default_str();
     command->add_option("--frames", options->frames, "Number of frames")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--fps", options->fps, "Frames a second of simulation time")
+    command->add_option("--fps", options->fps, "Frames per second of simulation time")
         ->check(between(0.001, 10000.0))
         ->capture_default_str();
     command
         ->add_option("--start", options->start,
-                     "Simulation time of the first frame, seconds; the forest moves there from rest")
+                     "Simulation time of the first frame, s; the forest starts at rest at time 0")
         ->check(between(0.0, 1e6))
         ->capture_default_str();
     addViewOptions(*command, *options);
@@ -219,17 +229,18 @@ void addRenderCommand(CLI::App& app) {
     addLightOptions(*command, options->light);
     command
         ->add_option("--samples", options->samples,
-                     "Samples a pixel, each with all that is drawn, for smooth edges: 1, 4, 9 or 16")
+                     "Samples per pixel for smooth edges; drawing time grows in proportion")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     addBackendOption(*command, options->backend);
-    command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
+    command
+        ->add_option("--tiers", options->tiers,
+                     "Levels of detail (law modal): off draws every tree in full (default: as in the file)")
         ->check(CLI::IsMember({"on", "off"}));
     command
-        ->add_option(
-            "--pose", options->pose,
-            "Under a law of a branch: where angles come from, and whether transforms move branches;\n"
-            "all as published when not given")
+        ->add_option("--pose", options->pose,
+                     "Branch motion (thesis laws): cpu or gpu computes the angles, scenegraph also moves "
+                     "branches by OSG transforms; default: cpu")
         ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}));
     command->footer(
         "The same file and arguments give the same pixels.\n"
@@ -239,7 +250,7 @@ void addRenderCommand(CLI::App& app) {
         options->width = size.width;
         options->height = size.height;
         if (!options->eye.empty() && options->eye == options->center)
-            throw CLI::ValidationError("--eye", "expected another place than --center");
+            throw CLI::ValidationError("--eye", "expected a point that differs from --center");
         render(*options);
     });
 }

@@ -4,9 +4,9 @@
 
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <examples/osgtreewind/storm/ForestStorm.h>
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/places/PointTable.h>
 #include <osgTreeWind/wind/WindDirection.h>
 
@@ -21,8 +21,8 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// Mean winds 10 m above open country: from where few trees fall to where few stand, m/s.
-constexpr double ladder[] = {12.0, 20.0, 34.0};
+/// Simulated mean winds 10 m above open country, m/s: few trees fall in the first, few stand in the last.
+constexpr double stormSpeeds[] = {12.0, 20.0, 34.0};
 
 struct RiskOptions {
     std::string file, output;
@@ -33,23 +33,23 @@ struct RiskOptions {
     TileBox tiles;
 };
 
-/// What comes of storms, by slot.
+/// Results of all storms, by slot.
 struct Risk {
-    std::vector<Storms> feet, boughs; ///< Moments at the foot; shares of what boughs bear.
+    std::vector<MomentsBySpeed> feet, boughs; ///< Moments at the foot; load over strength of boughs.
     std::vector<float> topWinds;
 };
 
-/// Of the first trees of the forest.
+/// Simulates the storms for the first `count` trees of the forest.
 Risk riskOf(const RiskOptions& options, const PlacedForest& forest, std::size_t count) {
-    std::vector<double> speeds(std::begin(ladder), std::end(ladder));
+    std::vector<double> speeds(std::begin(stormSpeeds), std::end(stormSpeeds));
     if (options.speed)
         speeds.push_back(*options.speed);
     const glm::vec3 toward = windVelocity({1.0, options.direction}, DirectionSense::From);
     const ForestStorm storm(forest, toward, ThreadPool::executor(), count);
-    Risk risk{std::vector<Storms>(count), std::vector<Storms>(count), storm.topWinds()};
+    Risk risk{std::vector<MomentsBySpeed>(count), std::vector<MomentsBySpeed>(count), storm.topWinds()};
     Progress progress("storms", speeds.size());
-    for (const double speed : speeds) { // of the same gusts, so that moments grow with the wind
-        const std::vector<ForestStorm::Loads> loads = storm.hourOf(speed, options.seed);
+    for (const double speed : speeds) { // with the same gusts, so that moments grow with the wind
+        const std::vector<ForestStorm::Loads> loads = storm.largestLoads(speed, options.seed);
         for (std::size_t slot = 0; slot < count; ++slot) {
             risk.feet[slot][speed] = loads[slot].foot;
             risk.boughs[slot][speed] = loads[slot].bough;
@@ -74,7 +74,7 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
     for (std::size_t slot = 0; slot < risk.feet.size(); ++slot) {
         const PlacedTree& tree = forest.trees[slot];
         const TreePlacement placement = forest.placementOf(slot);
-        const TreeSize size = forest.measured(tree);
+        const TreeSize size = forest.sizeOf(tree);
         const Species& species = forest.speciesOf(tree);
         const TreeStrength strength(forest.modelOf(tree), tree.scale, species);
         const CriticalSpeeds critical = criticalSpeeds(risk.feet[slot], strength);
@@ -116,56 +116,58 @@ bool writeCsv(const PointTable& table, const std::string& path) {
     return static_cast<bool>(output.flush());
 }
 
-/// Writes all of it or nothing.
 void write(const PointTable& table, const std::string& output) {
-    WholeFile whole(output);
+    AtomicFile whole(output);
     Diagnostics problems;
     const bool written = osgDB::getLowerCaseFileExtension(output) == "gpkg"
-                             ? (problems = writeGeoPackage(table, whole.unfinished())).empty()
-                             : writeCsv(table, whole.unfinished());
-    if (!written || !whole.putInPlace())
-        endUnwritten(whole, problems.empty() ? "" : problems.front().message);
+                             ? (problems = writeGeoPackage(table, whole.writePath())).empty()
+                             : writeCsv(table, whole.writePath());
+    if (!written || !whole.commit())
+        throwWriteError(whole, problems.empty() ? "" : problems.front().message);
     std::cout << table.rows.size() << " trees in " << output << '\n';
 }
 
 void run(const RiskOptions& options) {
     const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
     if (extension != "csv" && extension != "gpkg")
-        throw Ending{BadInput,
-                     "--output: expected a name that ends in .csv or .gpkg, found " + options.output};
-    checkIsFree(options.output);
+        throw CommandError{BadInput,
+                           "--output: expected a name that ends in .csv or .gpkg, found " + options.output};
+    checkOutputPath(options.output);
     ForestPart part = loadPart(options.file, options.tiles);
     part.forest.season = options.season.value_or(part.forest.season);
     const PlacedForest forest(std::move(part.forest));
-    write(tableOf(options, forest, riskOf(options, forest, part.wanted)), options.output);
+    write(tableOf(options, forest, riskOf(options, forest, part.requested)), options.output);
 }
 
 } // namespace
 
 void addRiskCommand(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("risk", "Write in which winds each tree overturns, breaks or loses boughs");
+    CLI::App* command = app.add_subcommand(
+        "risk", "Compute the wind speeds at which each tree is uprooted, breaks or loses boughs");
     auto options = std::make_shared<RiskOptions>();
-    command->add_option("file", options->file, "A .treewind file")->required();
-    command->add_option("-o,--output", options->output, "A file that ends in .csv or .gpkg")->required();
+    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
+    command->add_option("-o,--output", options->output, "Output file (.csv or .gpkg)")->required();
     command
-        ->add_option(
-            "--speed", options->speed,
-            "Mean wind of a storm 10 m above open country, m/s: adds the ratios of the largest moment "
-            "in an hour of it to those the tree bears")
+        ->add_option("--speed", options->speed,
+                     "Mean wind of a storm 10 m above open country, m/s: adds columns with load over "
+                     "strength of each tree")
         ->check(between(1.0, 80.0));
-    command->add_option("--direction", options->direction, "Where the wind comes from, degrees from north")
+    command
+        ->add_option("--direction", options->direction,
+                     "Direction that the wind comes from, degrees clockwise from north")
         ->check(between(-360.0, 360.0))
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
+    command->add_option("--seed", options->seed, "Seed of the gusts; the same seed gives the same wind")
+        ->capture_default_str();
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
     command->footer(
-        "Columns: id, species, place, height, diameter; uproot_ms, break_ms and bough_ms, the mean winds\n"
-        "10 m above open country in which the largest moment in an hour is what the roots, the stem and\n"
-        "the first of its boughs bear; top_wind, the mean wind at the top of the trees over that. An\n"
-        "empty cell: not known, or beyond 80 m/s.\n"
-        "What it reckons with and what not: docs/risk.md.\n"
+        "Columns: id, species, x, y, height_m, dbh_cm; uproot_ms, break_ms and bough_ms: mean wind 10 m\n"
+        "above open country, m/s, at which the largest moment in an hour reaches the strength of the roots,\n"
+        "of the stem and of the first bough; top_wind: mean wind at the top of the trees divided by the "
+        "wind\n"
+        "10 m above open country. A cell is empty if the value is unknown or above 80 m/s.\n"
+        "Assumptions and limits: docs/risk.md.\n"
         "Example: osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225");
     command->callback([options] { run(*options); });
 }

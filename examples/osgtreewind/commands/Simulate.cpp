@@ -6,7 +6,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 
 #include <glm/gtc/quaternion.hpp>
@@ -27,14 +27,14 @@ struct SimulateOptions {
     TileBox tiles;
 };
 
-/// Of the first trees.
+/// Writes a row for each unit of the first `count` trees.
 void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time,
                 bool tips) {
     UnitValues values;
     for (std::size_t t = 0; t < count; ++t) {
-        const PlacedTree& tree = SimulationParts::trees(simulation)[t];
+        const PlacedTree& tree = SimulationAccess::trees(simulation)[t];
         const std::vector<BranchUnit>& units =
-            SimulationParts::models(simulation)[tree.model]->skeleton.units;
+            SimulationAccess::models(simulation)[tree.model]->skeleton.units;
         const TreeMotion motion = simulation.motion(t, values);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {
@@ -52,33 +52,44 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t 
     }
 }
 
+const char* wordOf(DamageKind kind) {
+    switch (kind) {
+    case DamageKind::Uprooted:
+        return "uprooted";
+    case DamageKind::Snapped:
+        return "snapped";
+    case DamageKind::BoughTorn:
+        break;
+    }
+    return "bough";
+}
+
 void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time) {
     for (const TreeDamage& damage : simulation.damage()) {
         if (simulation.slotOf(damage.tree) >= count)
             continue;
-        const PlacedTree& tree = SimulationParts::trees(simulation)[simulation.slotOf(damage.tree)];
-        const char* const kind = damage.kind == DamageKind::Snapped ? "snapped" : "uprooted";
+        const PlacedTree& tree = SimulationAccess::trees(simulation)[simulation.slotOf(damage.tree)];
         std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
                      simulation.slotOf(damage.tree), csvCell(simulation.nameOf(damage.tree)).c_str(),
-                     csvCell(SimulationParts::forest(simulation).speciesOf(tree).name).c_str(), kind,
-                     damage.unit, static_cast<double>(damage.moment), static_cast<double>(damage.limit),
-                     static_cast<double>(damage.wind.x), static_cast<double>(damage.wind.y),
-                     static_cast<double>(damage.wind.z));
+                     csvCell(SimulationAccess::forest(simulation).speciesOf(tree).name).c_str(),
+                     wordOf(damage.kind), damage.unit, static_cast<double>(damage.moment),
+                     static_cast<double>(damage.limit), static_cast<double>(damage.wind.x),
+                     static_cast<double>(damage.wind.y), static_cast<double>(damage.wind.z));
     }
 }
 
 void simulate(const SimulateOptions& options) {
-    auto [description, wanted] = loadPart(options.file, options.tiles);
+    auto [description, requested] = loadPart(options.file, options.tiles);
     if (description.wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
-        description.trees.resize(wanted); // nothing shelters them
+        description.trees.resize(requested); // the others are only needed for shelter
     description.season = options.season.value_or(description.season);
     if (options.damage && description.law != MotionLaw::Modal)
-        throw Ending{BadInput, options.file + ": --damage expects a forest under the law \"modal\""};
+        throw CommandError{BadInput, options.file + ": --damage expects the law \"modal\" in [motion]"};
     description.damage = description.damage || options.damage;
     auto growing = std::make_optional<Progress>("grow", description.trees.size());
     SimulationOptions simulationOptions;
     simulationOptions.leaves = false;
-    simulationOptions.placed = [&] { growing->advance(); };
+    simulationOptions.onTreePlaced = [&] { growing->advance(); };
     ForestSimulation simulation(std::move(description), simulationOptions);
     growing.reset();
 
@@ -96,9 +107,9 @@ void simulate(const SimulateOptions& options) {
         simulation.advance(time);
         const WholeRow rows;
         if (options.damage)
-            writeDamage(out, simulation, wanted, time);
+            writeDamage(out, simulation, requested, time);
         else
-            writeFrame(out, simulation, wanted, time, options.tips);
+            writeFrame(out, simulation, requested, time, options.tips);
         if (out == stdout)
             std::fflush(out);
         progress.advance();
@@ -109,29 +120,31 @@ void simulate(const SimulateOptions& options) {
 } // namespace
 
 void addSimulateCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("simulate", "Compute the motion without graphics, as CSV");
+    CLI::App* command =
+        app.add_subcommand("simulate", "Compute the motion of every branch and write it as CSV");
     auto options = std::make_shared<SimulateOptions>();
-    command->add_option("file", options->file, "A .treewind file")->required();
-    command->add_option("--duration", options->duration, "Seconds to simulate, from time 0")
+    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
+    command->add_option("--duration", options->duration, "Simulated time, s, from time 0")
         ->check(between(0.0, 1e6))
         ->capture_default_str();
-    command->add_option("--fps", options->fps, "Steps a second")
+    command->add_option("--fps", options->fps, "Steps per second")
         ->check(between(1e-3, 1e5))
         ->capture_default_str();
-    command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
+    command->add_option("-o,--output", options->output, "Output file (CSV), or - for standard output")
         ->capture_default_str();
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
-    command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
-    command->add_flag(
-        "--damage", options->damage,
-        "Trees and boughs that the wind brings down instead, as with damage = true in [motion]");
+    command->add_flag("--tips", options->tips, "Add the position of each branch tip in the scene, m");
+    command->add_flag("--damage", options->damage,
+                      "Write the trees and boughs that the wind brings down instead (turns on damage in "
+                      "[motion]; law modal)");
     command->footer(
-        "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"
-        "(radians: angleXY and angleYZ of the thesis).\n"
-        "With --damage: time (s), tree, name, species, kind (uprooted, snapped, bough), unit about whose "
-        "base\n"
-        "it falls, moment and limit at the foot or at that base (N m), wind in the crown (m/s).\n"
+        "Columns: time (s), tree, unit, level, wind (m/s; x east, y north, z up), angle_a and angle_b\n"
+        "(radians; angleXY and angleYZ of the thesis).\n"
+        "Columns with --damage: time (s), tree, name, species, kind (uprooted, snapped or bough), unit (the\n"
+        "tree or bough falls about its base), moment and limit at the foot of the tree or at the base of "
+        "the\n"
+        "bough (N m), wind in the crown (m/s).\n"
         "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
     command->callback([options] { simulate(*options); });
 }

@@ -7,9 +7,9 @@
 
 #include <examples/osgtreewind/storm/StormTree.h>
 #include <examples/osgtreewind/storm/SwayFeatures.h>
+#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 
 #include <glm/geometric.hpp>
@@ -25,7 +25,7 @@ namespace {
 
 using namespace osgTreeWind;
 
-constexpr double settling = 60.0; // seconds before the first that counts
+constexpr double settlingTime = 60.0; // seconds before measuring starts
 
 struct StormOptions : OneTree {
     double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
@@ -34,21 +34,21 @@ struct StormOptions : OneTree {
     bool json = false, critical = true;
 };
 
-/// One of them, ready to be put into it.
+/// A tree with its options, ready to be simulated.
 struct StormJob {
     StormOptions options;
     Species species;
     TreePlacement tree;
 
     StormJob(const StormOptions& given, Species kind)
-        : options(given), species(std::move(kind)), tree(options.grown(species)) {
-        if (options.spacing == 0.0) // their crowns are as large as the ground: sqrt(pi / 4)
+        : options(given), species(std::move(kind)), tree(options.makePlacement(species)) {
+        if (options.spacing == 0.0) // crowns cover the ground: sqrt(pi / 4)
             options.spacing = 0.886 * options.crownWidth;
     }
 };
 
-/// Mean, deviation and largest of the way along and across the wind together.
-class Extent {
+/// Statistics of a vector along and across the wind: length of the mean, standard deviation, largest length.
+class VectorStatistics {
 public:
     void add(const glm::dvec2& value) {
         _sum += value;
@@ -69,12 +69,11 @@ private:
     std::size_t _count = 0;
 };
 
-void writeRow(std::FILE* trace, double time, const StormMoment& m) {
+void writeRow(std::FILE* trace, double time, const StormState& m) {
     std::fprintf(trace, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", time, m.wind.x, m.wind.y,
                  m.strain.x, m.strain.y, m.tilt.x, m.tilt.y, m.tip.x, m.tip.y);
 }
 
-/// Null where there are none.
 Json json(const std::optional<SwayFeatures>& features) {
     if (!features)
         return nullptr;
@@ -91,23 +90,22 @@ Json json(const std::optional<SwayFeatures>& features) {
     return object;
 }
 
-/// Null where it is not known, or faster than any wind.
 Json json(const std::optional<double>& speed) {
     return speed ? Json(*speed) : nullptr;
 }
 
-/// Puts the tree into its storm. @param trace null: none.
-Json measured(const StormJob& job, std::FILE* trace) {
+/// Simulates the storm. @param trace file for the trace; may be null.
+Json measureStorm(const StormJob& job, std::FILE* trace) {
     const StormOptions& options = job.options;
-    const Storm company{options.speed, options.open ? 0.0 : options.spacing, options.seed};
-    StormTree stormy(job.species, job.tree, company);
-    stormy.advance(settling);
-    Extent moment, push, tip;
+    const Storm storm{options.speed, options.open ? 0.0 : options.spacing, options.seed};
+    StormTree tree(job.species, job.tree, storm);
+    tree.advance(settlingTime);
+    VectorStatistics moment, push, tip;
     std::vector<glm::dvec2> strains;
     const auto rows = static_cast<std::size_t>(std::llround(options.duration / options.step));
     for (std::size_t row = 1; row <= rows; ++row) {
         const double time = options.step * static_cast<double>(row);
-        const StormMoment now = stormy.advance(settling + time);
+        const StormState now = tree.advance(settlingTime + time);
         moment.add(now.moment);
         push.add(now.push);
         tip.add(glm::dvec2(now.tip));
@@ -117,7 +115,7 @@ Json measured(const StormJob& job, std::FILE* trace) {
     }
     const std::optional<FreeSway> free = pullAndRelease(job.species, job.tree);
     const CriticalSpeeds critical =
-        options.critical ? criticalSpeedsOf(job.species, job.tree, company) : CriticalSpeeds();
+        options.critical ? criticalSpeedsOf(job.species, job.tree, storm) : CriticalSpeeds();
     return {
         {"species", job.species.name},
         {"dbh_cm", options.diameter},
@@ -135,12 +133,12 @@ Json measured(const StormJob& job, std::FILE* trace) {
 }
 
 void print(const Json& storm) {
-    const auto extent = [&](const char* name, const char* unit) {
+    const auto printStatistics = [&](const char* name, const char* unit) {
         const Json& of = storm[name];
         std::printf("%-6s %9.4g %9.4g %9.4g %s\n", name, of["mean"].get<double>(), of["sd"].get<double>(),
                     of["max"].get<double>(), unit);
     };
-    const auto critical = [&](const char* name) {
+    const auto printCritical = [&](const char* name) {
         const Json& speed = storm["critical"][name];
         if (speed.is_null())
             std::printf(" %9s", "-");
@@ -151,23 +149,23 @@ void print(const Json& storm) {
                 storm["dbh_cm"].get<double>(), storm["height_m"].get<double>(),
                 storm["spacing_m"].is_null() ? "in the open" : "in a stand", storm["speed_ms"].get<double>());
     std::printf("            mean        sd       max\n");
-    extent("moment", "N m at the ground");
-    extent("push", "N m of it by the air, without the weight that hangs over");
-    extent("tip", "m");
+    printStatistics("moment", "N m at the ground");
+    printStatistics("push", "N m of it from the air, without the overhanging weight");
+    printStatistics("tip", "m");
     std::printf("          uproot     break\ncritical");
-    critical("uproot");
-    critical("break");
+    printCritical("uproot");
+    printCritical("break");
     std::printf(" m/s at the top\n");
 }
 
 void storm(const StormOptions& options) {
-    const StormJob job(options, speciesCalled(options.species));
+    const StormJob job(options, speciesByName(options.species));
     std::optional<WholeTable> trace;
     if (!options.output.empty()) {
         trace.emplace(options.output);
         std::fprintf(trace->file(), "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
     }
-    const Json object = measured(job, trace ? trace->file() : nullptr);
+    const Json object = measureStorm(job, trace ? trace->file() : nullptr);
     if (trace)
         trace->finish();
     if (options.json)
@@ -176,7 +174,7 @@ void storm(const StormOptions& options) {
         print(object);
 }
 
-/// What a table has of each storm: the places in its object, which are called as they are, "moment_max".
+/// Columns of a table of storms, as JSON pointers. The column "/moment/max" is named "moment_max".
 const char* const stormColumns[] = {"/species",
                                     "/dbh_cm",
                                     "/height_m",
@@ -216,20 +214,20 @@ std::string headOfTable() {
 std::string rowOfTable(const Json& storm) {
     std::string row;
     for (const char* const column : stormColumns) {
-        const Json::json_pointer place(column);
-        const Json value = storm.contains(place) ? storm[place] : Json();
+        const Json::json_pointer pointer(column);
+        const Json value = storm.contains(pointer) ? storm[pointer] : Json();
         row += column == stormColumns[0] ? "" : ",";
         row += value.is_string() ? csvCell(value.get<std::string>()) : value.is_null() ? "" : value.dump();
     }
     return row + '\n';
 }
 
-void stormTable(const StormOptions& usual) {
-    const TreeTable table = TreeTable::read(usual.table);
+void stormTable(const StormOptions& defaults) {
+    const TreeTable table = TreeTable::read(defaults.table);
     std::vector<StormJob> jobs;
     std::vector<std::string> ids;
     for (const CsvTable::Row& row : table.rows()) {
-        StormOptions options = usual;
+        StormOptions options = defaults;
         table.read(row, options);
         table.read(row, "spacing_m", 0.1, 1000.0, options.spacing);
         table.read(row, "speed_ms", 0.0, 80.0, options.speed);
@@ -237,62 +235,64 @@ void stormTable(const StormOptions& usual) {
         ids.push_back(table.hasIds() ? csvCell(table.id(row)) + ',' : "");
     }
     std::vector<std::string> rows(jobs.size());
-    ThreadPool::executor()(jobs.size(),
-                           [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measured(jobs[i], nullptr)); });
+    ThreadPool::executor()(
+        jobs.size(), [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measureStorm(jobs[i], nullptr)); });
     std::string text = (table.hasIds() ? "id," : "") + headOfTable();
     for (const std::string& row : rows)
         text += row;
-    if (usual.output.empty()) {
+    if (defaults.output.empty()) {
         std::cout << text;
         return;
     }
-    writeOrEnd(usual.output, text);
+    writeOrThrow(defaults.output, text);
 }
 
 } // namespace
 
 void addStormCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
-        "storm", "Stand one tree in a storm, among its like or alone, and measure its sway");
+        "storm", "Simulate one tree in a storm, in a stand or alone, and measure its sway");
     auto options = std::make_shared<StormOptions>();
     addTreeOptions(*command, *options);
     command
         ->add_option("--spacing", options->spacing,
-                     "From tree to tree of the stand, m; without it their crowns just fill the ground")
+                     "Distance between the trees of the stand, m (default: the crowns just cover the ground)")
         ->check(between(0.1, 1000.0))
         ->excludes("--open");
     command
         ->add_option("--speed", options->speed,
-                     "Mean wind at the top of the canopy, with --open at the top of the tree, m/s")
+                     "Mean wind at the top of the canopy (with --open: at the top of the tree), m/s")
         ->check(between(0.0, 80.0))
         ->capture_default_str();
-    command->add_option("--duration", options->duration, "Seconds that count, after a minute that does not")
+    command->add_option("--duration", options->duration, "Measured time, s, after 60 s that are not measured")
         ->check(between(1.0, 1e6))
         ->capture_default_str();
-    command->add_option("--step", options->step, "Seconds from row to row of the trace")
+    command->add_option("--step", options->step, "Time step of the trace, s")
         ->check(between(1e-3, 0.125))
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
+    command->add_option("--seed", options->seed, "Seed of the gusts; the same seed gives the same wind")
+        ->capture_default_str();
     command->add_option("-o,--output", options->output,
-                        "CSV file for the trace of wind and sway; with --table for its rows");
-    CLI::Option* const json = command->add_flag("--json", options->json, "Print an object instead of lines");
-    command->add_flag("!--no-critical", options->critical, "Leave out critical winds, which take longest");
+                        "CSV file for the trace of wind and sway; with --table, for the results");
+    CLI::Option* const json = command->add_flag("--json", options->json, "Print the result as JSON");
+    command->add_flag("!--no-critical", options->critical,
+                      "Leave out the critical winds, which take most of the time");
     command
-        ->add_option(
-            "--table", options->table,
-            "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "
-            "crown_width_m, open, leaves, spacing_m, speed_ms, or what info --trees writes; prints one of "
-            "what --json says")
+        ->add_option("--table", options->table,
+                     "CSV file of trees to simulate, on all processors; prints a CSV table of the results")
         ->excludes(json);
     command->footer(
-        "The trace: time (s), wind at the top (m/s), strain of the wood at the foot of the trunk, tilt of "
-        "the\n"
-        "trunk at half its height (sine), shift of its top (m); x along the mean wind, y across it.\n"
-        "Features are those of the strain, from twenty minutes on, at steps of 1/8 s or other parts of 1/4 "
-        "s.\n"
-        "Critical: the mean winds at the top in which the largest moment in an hour is what roots and stem "
-        "bear;\n"
-        "the mean of three hours.\n"
+        "Columns of the trace: time (s), wind at the top (m/s), strain of the wood at the foot of the "
+        "trunk,\n"
+        "tilt of the trunk at half its height (sine), shift of its top (m); x along the mean wind, y "
+        "across.\n"
+        "Features describe the strain. They need 20 minutes or more, and a --step that divides 0.25 s.\n"
+        "Critical winds are mean winds at the top, m/s, at which the largest moment in an hour (mean of "
+        "three\n"
+        "hours) reaches the strength of the roots (uproot) and of the stem (break).\n"
+        "Columns of --table, all optional: species, dbh_cm, height_m, crown_width_m, open, leaves, "
+        "spacing_m,\n"
+        "speed_ms; the file of info --trees fits, too. Options fill in what the table leaves out.\n"
         "Example: osgtreewind storm --species \"Sitka spruce\" --dbh 24 --height 20 --speed 10 --json");
     command->callback([options] { options->table.empty() ? storm(*options) : stormTable(*options); });
 }

@@ -34,9 +34,9 @@ void listSpecies() {
     }
 }
 
-/// The tree that the options ask for; fills in what they leave open.
+/// The tree that the options ask for. Fills in the sizes that were not given.
 TreePlacement treeOf(SwayOptions& options, const Species& species) {
-    TreePlacement tree = options.grown(species);
+    TreePlacement tree = options.makePlacement(species);
     if (options.season)
         tree.leaves *= leafShare(species.appearance, *options.season);
     return tree;
@@ -71,20 +71,22 @@ void printLines(const SwayOptions& options, const Species& species, const FreeSw
 }
 
 void sway(SwayOptions options) {
-    const Species species = speciesCalled(options.species);
+    const Species species = speciesByName(options.species);
     const TreePlacement tree = treeOf(options, species);
     const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
     if (!free)
-        throw Ending{Failed, "the tree does not swing: three periods take more than ten minutes"};
+        throw CommandError{
+            Failed,
+            "the tree does not sway: it is damped critically, or three periods take more than ten minutes"};
     (options.json ? printObject : printLines)(options, species, *free, swayModes(species, tree));
 }
 
-/// A tree for each row; what a row or the table does not say is as in the options.
-void swayTable(const SwayOptions& usual) {
-    const TreeTable table = TreeTable::read(usual.table);
-    std::vector<std::pair<SwayOptions, Species>> trees; // all, before anything is printed
+/// Measures a tree for each row. The options fill in what the table leaves out.
+void swayTable(const SwayOptions& defaults) {
+    const TreeTable table = TreeTable::read(defaults.table);
+    std::vector<std::pair<SwayOptions, Species>> trees; // all rows are checked before anything is printed
     for (const CsvTable::Row& row : table.rows()) {
-        SwayOptions options = usual;
+        SwayOptions options = defaults;
         table.read(row, options);
         trees.emplace_back(options, table.species(row, options));
     }
@@ -97,7 +99,7 @@ void swayTable(const SwayOptions& usual) {
         if (free)
             std::printf("%.4f,%.4f\n", free->frequency, free->dampingRatio);
         else
-            std::printf(",\n"); // it does not swing
+            std::printf(",\n"); // the tree does not sway
     }
 }
 
@@ -105,24 +107,27 @@ void swayTable(const SwayOptions& usual) {
 
 void addSwayCommand(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("sway", "Pull one tree, let go in a calm and measure how it sways");
+        app.add_subcommand("sway", "Measure the natural frequency and the damping ratio of one tree");
     auto options = std::make_shared<SwayOptions>();
     addTreeOptions(*command, *options);
     addSeasonOption(*command, options->season);
-    command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
+    command
+        ->add_option("--pull", options->pull,
+                     "Displacement of the top of the trunk before release, as a share of its height")
         ->check(between(1e-4, 0.2))
         ->capture_default_str();
-    command->add_flag("--json", options->json, "Print an object instead of a line");
+    command->add_flag("--json", options->json, "Print the result as JSON");
     command->add_option(
         "--table", options->table,
-        "CSV file of trees: species, dbh_cm, height_m, crown_width_m, open, leaves, or what info --trees "
-        "writes; prints one "
-        "with their frequencies and damping ratios");
+        "CSV file of trees to measure; prints a CSV table with frequencies and damping ratios");
     auto list = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "List the built-in species and their sources");
     command->footer(
-        "The frequency is that of the top of the trunk; method and validation: docs/validation.md.\n"
-        "A crown that is not given follows the diameter, another size the shape of the species.\n"
+        "The tree is pulled at the top of its trunk and released in calm air; the frequency is that of the\n"
+        "top. Sizes that are not given follow from the others and from the species. Method and validation:\n"
+        "docs/validation.md.\n"
+        "Columns of --table, all optional: species, dbh_cm, height_m, crown_width_m, open, leaves; the file\n"
+        "of info --trees fits, too. Options fill in what the table leaves out.\n"
         "Example: osgtreewind sway --species oak --dbh 40 --height 18 --json");
     command->callback([options, list] {
         if (*list)

@@ -39,30 +39,30 @@ void print(const ForestTiles& tiles, bool json) {
 void cut(const TileOptions& options) {
     const auto forest = ForestStream::read(options.file, {options.output});
     if (!forest)
-        throw Ending{forest.problems().front().file == options.output ? Failed : BadInput,
-                     linesOf(forest.problems())};
+        throw CommandError{forest.problems().front().file == options.output ? Failed : BadInput,
+                           toString(forest.problems())};
     printNotes(options.file, forest.value().description().notes);
     if (forest.value().description().tiles)
-        throw Ending{BadInput, options.file + ": its trees are in tiles already"};
+        throw CommandError{BadInput, options.file + ": the forest is already in tiles"};
     std::error_code ignored;
     if (std::filesystem::equivalent(options.file, options.output + "/world.treewind", ignored))
-        throw Ending{BadInput,
-                     "--output: " + options.output + " would lose " + options.file + ", which is read"};
+        throw CommandError{BadInput, "--output: a world in " + options.output + " would overwrite " +
+                                         options.file + "; choose another folder"};
     TilingOptions tiling;
     tiling.size = options.size;
     tiling.range = options.range;
     tiling.executor = ThreadPool::executor(static_cast<unsigned>(options.threads));
-    print(valueOf(writeTiledForest(forest.value(), options.output, tiling), Failed), options.json);
+    print(valueOrThrow(writeTiledForest(forest.value(), options.output, tiling), Failed), options.json);
 }
 
-/// Of input that is no good nothing is left, not even a folder.
+/// Removes a new output folder if the input is bad.
 void run(const TileOptions& options) {
-    std::error_code ignored; // reading says so, where the folder is not there
+    std::error_code ignored; // a missing folder is reported when reading
     const bool isNew = std::filesystem::create_directories(options.output, ignored);
     try {
         cut(options);
-    } catch (const Ending& ending) {
-        if (ending.exitCode == BadInput && isNew)
+    } catch (const CommandError& error) {
+        if (error.exitCode == BadInput && isNew)
             std::filesystem::remove(options.output, ignored);
         throw;
     }
@@ -72,25 +72,28 @@ void run(const TileOptions& options) {
 
 void addTileCommand(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("tile", "Cut a forest into tiles that come and go with the camera");
+        app.add_subcommand("tile", "Split a forest into tiles that are loaded around the camera");
     auto options = std::make_shared<TileOptions>();
-    command->add_option("file", options->file, "A .treewind file")->required();
-    command->add_option("-o,--output", options->output, "The folder of the world, made anew")->required();
+    command->add_option("file", options->file, "Forest to split (.treewind file)")->required();
     command
-        ->add_option(
-            "--size", options->size,
-            "Side of a tile, metres; by default 1 km or so much less that a tile has some 2,000 trees")
+        ->add_option("-o,--output", options->output,
+                     "Folder for the world; a world that is there is replaced")
+        ->required();
+    command
+        ->add_option("--size", options->size,
+                     "Side of a tile, m (default: 1000, or less so that a tile has about 2,000 trees)")
         ->check(between(10, 100000));
     command
         ->add_option("--range", options->range,
-                     "From how far trees are there, metres; by default as far as some 50,000 are, from 1 to "
-                     "5 km")
+                     "Distance from the camera within which trees are loaded, m (default: 1000 to 5000, for "
+                     "about 50,000 trees)")
         ->check(between(10, 100000));
-    command->add_option("--parallel", options->threads, "Threads; by default one for each processor")
+    command->add_option("--parallel", options->threads, "Number of threads (default: one for each processor)")
         ->check(between(1, 1024));
-    command->add_flag("--json", options->json, "Print JSON");
-    command->footer("The folder holds world.treewind, which osgviewer and all commands open, and tiles/;\n"
-                    "docs/worlds.md says more.\n"
-                    "Example: osgtreewind tile region.treewind -o world --size 500");
+    command->add_flag("--json", options->json, "Print the result as JSON");
+    command->footer(
+        "The folder holds world.treewind, which osgviewer and the other commands open, and tiles/.\n"
+        "See docs/worlds.md.\n"
+        "Example: osgtreewind tile region.treewind -o world --size 500");
     command->callback([options] { run(*options); });
 }

@@ -7,9 +7,10 @@
 #include <iostream>
 
 void addValidateCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("validate", "List every problem of a file, with line and column");
+    CLI::App* command =
+        app.add_subcommand("validate", "Check a file and list its problems with line and column");
     auto file = std::make_shared<std::string>();
-    command->add_option("file", *file, "A .treewind file")->required();
+    command->add_option("file", *file, "Forest or world to check (.treewind file)")->required();
     command->footer("Example: osgtreewind validate forest.treewind");
     command->callback([file] {
         auto forest = osgTreeWind::readForestFile(*file);
@@ -22,12 +23,12 @@ void addValidateCommand(CLI::App& app) {
             std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
             return;
         }
-        constexpr std::size_t mostSaid = 10; // a world may lack a million tiles
+        constexpr std::size_t maxPrinted = 100; // a world may lack a million tiles
         const std::size_t count = problems.size();
-        problems.resize(std::min(count, mostSaid));
-        throw Ending{BadInput,
-                     linesOf(problems) + (count > mostSaid
-                                              ? "\nand " + std::to_string(count - mostSaid) + " problems more"
-                                              : std::string())};
+        problems.resize(std::min(count, maxPrinted));
+        throw CommandError{BadInput, toString(problems) +
+                                         (count > maxPrinted ? "\nand " + std::to_string(count - maxPrinted) +
+                                                                   " more problems"
+                                                             : std::string())};
     });
 }

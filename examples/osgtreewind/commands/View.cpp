@@ -40,22 +40,23 @@ struct ViewOptions {
     LightOptions light;
 };
 
-/// A forest, all that is around it, and what its handler shows.
-class Stage {
+/// The forest with its surroundings and the overlay of its handler.
+class ViewScene {
 public:
-    Stage(Forest* forest, ForestHandler* handler, const ForestView& view, const ViewOptions& options)
+    ViewScene(Forest* forest, ForestHandler* handler, const ForestView& view, const ViewOptions& options)
         : _forest(forest), _root(new osg::Group), _view(view), _light(options.light) {
         _root->addChild(handler->getOverlay());
         light();
     }
     osg::Group* root() const { return _root.get(); }
 
-    /// Turns the sky as the Earth does in that time, as long as the sun is up.
-    void turnSky(double hours) {
-        constexpr double latitude = 50.0, degreesAnHour = 15.0; // central Europe's; nobody says where this is
+    /// Moves the sun on by some hours, unless it would set.
+    void moveSun(double hours) {
+        constexpr double latitude = 50.0; // of central Europe: the place of the forest is unknown
+        constexpr double degreesPerHour = 15.0;
         const osg::Vec3d pole(0.0, std::cos(osg::DegreesToRadians(latitude)),
                               std::sin(osg::DegreesToRadians(latitude)));
-        const osg::Vec3 sun = osg::Quat(-osg::DegreesToRadians(degreesAnHour * hours), pole) * _light.toSun;
+        const osg::Vec3 sun = osg::Quat(-osg::DegreesToRadians(degreesPerHour * hours), pole) * _light.toSun;
         if (sun.z() < 0.05f)
             return;
         _light.toSun = sun;
@@ -75,13 +76,14 @@ private:
     LightOptions _light;
 };
 
-/// The keys that are this program's and not the forest's.
-class StageKeys : public osgGA::GUIEventHandler {
+/// The keys of this program, in addition to those of ForestHandler.
+class ViewKeys : public osgGA::GUIEventHandler {
 public:
-    StageKeys(Stage& stage, Forest* forest, ForestHandler* handler, osgGA::KeySwitchMatrixManipulator* ways,
-              std::string file, std::string save, ClipRecorder* recorder)
-        : _stage(stage), _forest(forest), _handler(handler), _ways(ways), _file(std::move(file)),
-          _save(std::move(save)), _recorder(recorder) {}
+    ViewKeys(ViewScene& scene, Forest* forest, ForestHandler* handler,
+             osgGA::KeySwitchMatrixManipulator* manipulators, std::string file, std::string save,
+             ClipRecorder* recorder)
+        : _scene(scene), _forest(forest), _handler(handler), _manipulators(manipulators),
+          _file(std::move(file)), _save(std::move(save)), _recorder(recorder) {}
 
     using osgGA::GUIEventHandler::handle;
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter&) override {
@@ -89,10 +91,10 @@ public:
             return false;
         switch (event.getKey()) {
         case 'k':
-            _stage.turnSky(0.5);
+            _scene.moveSun(0.5);
             return true;
         case 'K':
-            _stage.turnSky(-0.5);
+            _scene.moveSun(-0.5);
             return true;
         case 'w':
             write();
@@ -108,10 +110,10 @@ public:
         }
     }
     void getUsage(osg::ApplicationUsage& usage) const override {
-        usage.addKeyboardMouseBinding("View: k, K", "later, earlier in the day");
-        usage.addKeyboardMouseBinding("View: w", "write the forest as it is, to " + _save);
-        usage.addKeyboardMouseBinding("View: C", "begin or end a clip");
-        usage.addKeyboardMouseBinding("View: x", "ride on the branch that was clicked");
+        usage.addKeyboardMouseBinding("View: k, K", "move the sun half an hour later, earlier");
+        usage.addKeyboardMouseBinding("View: w", "save the forest as it is to " + _save);
+        usage.addKeyboardMouseBinding("View: C", "start or stop recording a video");
+        usage.addKeyboardMouseBinding("View: x", "follow the branch that was clicked");
     }
 
 private:
@@ -120,31 +122,31 @@ private:
         if (problems.empty())
             std::cout << "wrote " << _save << std::endl;
         else
-            std::cerr << linesOf(problems) << std::endl;
+            std::cerr << toString(problems) << std::endl;
     }
 
     void follow() {
         const Result<BranchTransform*> branch = _forest->branch(_handler->getTree(), _handler->getUnit());
         if (!branch)
             return;
-        osg::ref_ptr<osgGA::NodeTrackerManipulator> way = new osgGA::NodeTrackerManipulator;
-        way->setTrackNode(branch.value());
-        way->setTrackerMode(osgGA::NodeTrackerManipulator::NODE_CENTER);
-        way->setDistance(6.0);
-        _ways->addMatrixManipulator('4', "Branch", way);
-        _ways->selectMatrixManipulator(_ways->getNumMatrixManipulators() - 1);
+        osg::ref_ptr<osgGA::NodeTrackerManipulator> tracker = new osgGA::NodeTrackerManipulator;
+        tracker->setTrackNode(branch.value());
+        tracker->setTrackerMode(osgGA::NodeTrackerManipulator::NODE_CENTER);
+        tracker->setDistance(6.0);
+        _manipulators->addMatrixManipulator('4', "Branch", tracker);
+        _manipulators->selectMatrixManipulator(_manipulators->getNumMatrixManipulators() - 1);
     }
 
-    Stage& _stage;
+    ViewScene& _scene;
     osg::ref_ptr<Forest> _forest;
     osg::ref_ptr<ForestHandler> _handler;
-    osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> _ways;
+    osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> _manipulators;
     std::string _file, _save;
     osg::ref_ptr<ClipRecorder> _recorder;
 };
 
-/// Of a world's middle, or as a person stands before a forest.
-ForestView firstView(const Forest& forest, const Lens& lens, const osg::Vec3& sun) {
+/// View of the middle of a world, or of a forest at eye level.
+ForestView initialView(const Forest& forest, const Lens& lens, const osg::Vec3& sun) {
     constexpr double aboveGround = 40.0, ahead = 300.0; // metres
     if (!forest.getDescription().tiles)
         return viewAtEyeLevel(forest, lens, sun);
@@ -154,46 +156,47 @@ ForestView firstView(const Forest& forest, const Lens& lens, const osg::Vec3& su
     return {eye, eye + osg::Vec3d(0.0, ahead, -0.5 * aboveGround)};
 }
 
-osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> waysToLook(const ForestView& view) {
-    osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> ways = new osgGA::KeySwitchMatrixManipulator;
-    ways->addMatrixManipulator('1', "Around", new osgGA::TerrainManipulator);
-    ways->addMatrixManipulator('2', "Walk", new osgGA::FirstPersonManipulator);
-    ways->addMatrixManipulator('3', "Fly", new osgGA::FlightManipulator);
-    ways->setHomePosition(view.eye, view.center, osg::Z_AXIS);
-    return ways;
+osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> createManipulators(const ForestView& view) {
+    osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> manipulators = new osgGA::KeySwitchMatrixManipulator;
+    manipulators->addMatrixManipulator('1', "Around", new osgGA::TerrainManipulator);
+    manipulators->addMatrixManipulator('2', "Walk", new osgGA::FirstPersonManipulator);
+    manipulators->addMatrixManipulator('3', "Fly", new osgGA::FlightManipulator);
+    manipulators->setHomePosition(view.eye, view.center, osg::Z_AXIS);
+    return manipulators;
 }
 
 void show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
-        runOtherBackend("egl"); // windows need the system's OpenGL
+        runOtherBackend("egl"); // a window needs the OpenGL of the system
     auto description = readForestFile(options.file);
     if (!description)
-        throw Ending{BadInput, linesOf(description.problems())};
+        throw CommandError{BadInput, toString(description.problems())};
     printNotes(options.file, description.value().notes);
     description.value().season = options.season.value_or(description.value().season);
     if (!description.value().ground && !description.value().tiles)
         description.value().ground = groundThroughFeet(description.value());
     const osg::ref_ptr<Forest> forest =
-        valueOf(Forest::create(std::move(description.value())), BadInput, options.file);
+        valueOrThrow(Forest::create(std::move(description.value())), BadInput, options.file);
     const Lens lens{40.0, static_cast<double>(options.width) / options.height};
-    const ForestView view = firstView(*forest, lens, options.light.toSun);
+    const ForestView view = initialView(*forest, lens, options.light.toSun);
     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);
-    Stage stage(forest, handler, view, options);
-    const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> ways = waysToLook(view);
+    ViewScene scene(forest, handler, view, options);
+    const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> manipulators = createManipulators(view);
 
     const osg::ref_ptr<ClipRecorder> recorder = new ClipRecorder;
-    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8);   // the setting's shadows lie there,
-    osg::DisplaySettings::instance()->setMinimumNumStencilBits(8); // and where they do here
+    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8);   // soft shadows use alpha
+    osg::DisplaySettings::instance()->setMinimumNumStencilBits(8); // and stencil
     if (std::string samples; !osg::getEnvVar("OSG_MULTI_SAMPLES", samples))
         osg::DisplaySettings::instance()->setNumMultiSamples(4);
     osgViewer::Viewer viewer;
     viewer.setUpViewInWindow(60, 60, options.width, options.height);
     viewer.setLightingMode(osg::View::NO_LIGHT);
     viewer.getCamera()->setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
-    viewer.getCamera()->setNearFarRatio(1e-5); // 6 cm before the eye, with the ground's rim at 6 km
-    viewer.setCameraManipulator(ways);
+    viewer.getCamera()->setNearFarRatio(1e-5); // near plane 6 cm away with the edge of the ground at 6 km
+    viewer.setCameraManipulator(manipulators);
     viewer.addEventHandler(handler);
-    viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.file, options.save, recorder));
+    viewer.addEventHandler(
+        new ViewKeys(scene, forest, handler, manipulators, options.file, options.save, recorder));
     osg::ref_ptr<osgViewer::StatsHandler> statistics = new osgViewer::StatsHandler;
     addStatisticsLines(*statistics);
     viewer.addEventHandler(statistics);
@@ -202,10 +205,11 @@ void show(const ViewOptions& options) {
         new osgViewer::ScreenCaptureHandler(new osgViewer::ScreenCaptureHandler::WriteToFile(
             "view", "png", osgViewer::ScreenCaptureHandler::WriteToFile::SEQUENTIAL_NUMBER)));
     viewer.getCamera()->setPostDrawCallback(recorder);
-    viewer.setSceneData(stage.root());
+    viewer.setSceneData(scene.root());
     viewer.realize();
     if (!viewer.isRealized())
-        throw Ending{Failed, "view: no window opens here; osgtreewind render draws pictures without one"};
+        throw CommandError{Failed,
+                           "view: cannot open a window; osgtreewind render draws pictures without a display"};
     for (int frame = 0; !viewer.done() && (options.frames == 0 || frame < options.frames); ++frame)
         viewer.frame(handler->simulationTime(recorder->referenceTime(viewer.elapsedTime())));
 }
@@ -216,17 +220,19 @@ void addViewCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("view", "Show a forest in a window, with keys for wind and season");
     auto options = std::make_shared<ViewOptions>();
-    command->add_option("file", options->file, "A .treewind file, or a world's")->required();
-    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-    command->add_option("--frames", options->frames, "End after so many; 0: with escape")
+    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
+    command->add_option("--size", options->size, "Width and height of the window, pixels")
+        ->capture_default_str();
+    command->add_option("--frames", options->frames, "Number of frames to show; 0: until Escape is pressed")
         ->check(CLI::Range(0, 1000000000))
         ->capture_default_str();
-    command->add_option("--save", options->save,
-                        "Where the key w writes the forest as it is; by default FILE.edited.treewind, here");
+    command->add_option(
+        "--save", options->save,
+        "File that the key w saves the forest to (default: NAME.edited.treewind in the current folder)");
     addSeasonOption(*command, options->season);
     addLightOptions(*command, options->light);
-    command->footer("In the window: h shows the keys of the forest; s statistics, f full screen, c writes a "
-                    "picture,\n1, 2 and 3 are ways to look around, walk and fly, escape ends it.\n"
+    command->footer("Keys: h shows the keys of the forest, s statistics, f full screen, c takes a picture;\n"
+                    "1, 2 and 3 select looking around, walking and flying; Escape closes the window.\n"
                     "Example: osgtreewind view forest.treewind");
     command->callback([options] {
         const PictureSize size = parsePictureSize(options->size, 16384);

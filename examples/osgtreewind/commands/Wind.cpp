@@ -53,7 +53,6 @@ Json toJson(const WindSummary& summary) {
             {"notes", summary.notes}};
 }
 
-/// With as many digits as are worth reading.
 std::string text(double number, int digits) {
     std::ostringstream out;
     out << std::setprecision(digits) << number;
@@ -89,7 +88,7 @@ void print(const WindSummary& summary) {
         row("note") << note << '\n';
 }
 
-/// The wind with the map place `origin` at the scene's middle, where floats are exact.
+/// Reads the wind with `origin` as the origin of the scene, where floats are exact.
 WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
     WindFileOptions options;
     options.speedUnit = arguments.unit;
@@ -99,11 +98,11 @@ WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
     options.high = glm::dvec2(1000.0);
     options.asStored = arguments.crs.empty();
     const bool alone = arguments.files.size() == 1 && arguments.times.empty();
-    return valueOf(alone ? readWindFile(arguments.files.front(), options)
-                         : readWindFiles(arguments.files, arguments.times, options));
+    return valueOrThrow(alone ? readWindFile(arguments.files.front(), options)
+                              : readWindFiles(arguments.files, arguments.times, options));
 }
 
-/// Seconds of a wind's own time; nothing where its file does not say when that is.
+/// Seconds on the clock of the wind file; empty if the text is a date and the file has no dates.
 std::optional<double> secondsOf(const std::string& time, const WindSummary& summary) {
     if (const auto seconds = parseNumber(time))
         return seconds;
@@ -115,13 +114,14 @@ void printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
     const auto time = secondsOf(arguments.time, wind.summary);
     if (!time)
-        throw Ending{BadInput,
-                     "--time: expected seconds, or a date and time of a file that says its own; found " +
-                         arguments.time};
+        throw CommandError{BadInput,
+                           "--time: expected seconds, or a date and time if the file has dates; found " +
+                               arguments.time};
     const glm::dvec3 velocity = asField(wind.wind)->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
     if (!wind.covers(glm::dvec2(0.0)))
         std::cerr << arguments.files.front()
-                  << ": note: the place lies outside its grid; the wind at its edge holds\n";
+                  << ": note: the place is outside the grid of the file; this is the wind at the edge of the "
+                     "grid\n";
     if (arguments.json) {
         std::cout << Json{{"at", {at[0], at[1], at[2]}},
                           {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
@@ -164,41 +164,41 @@ void run(const WindArguments& arguments) {
 } // namespace
 
 void addWindCommand(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
+    CLI::App* command = app.add_subcommand("wind", "Print what a wind file contains, or the wind at a place");
     auto arguments = std::make_shared<WindArguments>();
     command
         ->add_option("file", arguments->files,
-                     "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several "
-                     "in the order of their times")
+                     "Wind files in order of time: ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, "
+                     "TOA5, QES XML or CSV")
         ->required();
     command
         ->add_option("--times", arguments->times,
-                     "t1,t2,...: seconds at which several files of one time each hold, if not when they say")
+                     "Times of several files, s: T1,T2,... (default: the times in the files)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    CLI::Option* at =
-        command
-            ->add_option(
-                "--at", arguments->at,
-                "x,y,z: the wind there. In the file's own coordinates, or on --crs; z in metres above what "
-                "the file's heights are above")
-            ->delimiter(',')
-            ->expected(3)
-            ->check(between(-1e15, 1e15))
-            ->allow_extra_args(false);
+    CLI::Option* at = command
+                          ->add_option("--at", arguments->at,
+                                       "Place to print the wind at: X,Y,Z in the coordinates of the file or "
+                                       "of --crs; Z in m, counted as in the file")
+                          ->delimiter(',')
+                          ->expected(3)
+                          ->check(between(-1e15, 1e15))
+                          ->allow_extra_args(false);
     command
         ->add_option("--time", arguments->time,
-                     "Seconds since the file's first time, or a date and time: 2017-10-26T15:00Z")
+                     "Time for --at: seconds since the first time of the file, or a date and time such as "
+                     "2017-10-26T15:00Z (default: 0)")
         ->needs(at);
     command
-        ->add_option("--crs", arguments->crs,
-                     "Map of --at, in metres: EPSG:32611, say; velocities are turned to it")
+        ->add_option(
+            "--crs", arguments->crs,
+            "Projected coordinate system of --at, such as EPSG:32611; velocities are turned to its axes")
         ->needs(at);
     command->add_option("--unit", arguments->unit,
-                        "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
-    command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
-    command->add_flag("--json", arguments->json, "Print JSON");
+                        "Unit of speeds if the file gives none: m/s, km/h, kn, mph or ft/s (default: m/s)");
+    command->add_option("-o,--output", arguments->picture,
+                        "PNG file for a picture: arrows over colours of speed");
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->footer("Example: osgtreewind wind wind.vtk --at 120,40,10");
     command->callback([arguments] { run(*arguments); });
 }

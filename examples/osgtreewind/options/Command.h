@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-// Each command adds itself to the program.
+// Each function adds one command to the program.
 void addInfoCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
@@ -27,31 +27,31 @@ void addCanopyCommand(CLI::App& app);
 void addMergeCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);
 
-/// Adds --season: a word, number or date (species/Season.h).
+/// Adds --season: a word, a number or a date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);
 
-/// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.
+/// Accepts finite numbers from `low` to `high`. (CLI::Range accepts "nan".)
 CLI::Validator between(double low, double high);
 
-/// Adds --tiles: which of a world's.
+/// Adds --tiles: the tiles of a world to read.
 void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
 
-/// Says on standard error what is worth knowing of a file.
+/// Prints notes about a file to standard error.
 void printNotes(const std::string& file, const std::vector<std::string>& notes);
 
-/// Ends the command where something stands at an output's place that is no file.
-void checkIsFree(const std::string& output);
+/// Throws CommandError if the output path exists and is not a regular file.
+void checkOutputPath(const std::string& output);
 
-/// Reads the forest in `file` and prints its notes on standard error. The command ends if it cannot be read.
-/// @param tiles of a world whose trees are wanted: there are no tiles in what comes out.
-/// @param withNodes it is going to be drawn, and there must be memory for that.
+/// Reads the forest in `file` and prints its notes to standard error. Throws CommandError on failure.
+/// @param tiles tiles of a world to load; the result has plain trees and no tiles.
+/// @param withNodes also check that there is enough memory to draw the forest.
 osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {},
                                           bool withNodes = false);
 
-/// What one run does of a world, so that many runs do all of it.
+/// The part of a world that one run computes.
 struct ForestPart {
     osgTreeWind::ForestDescription forest;
-    std::size_t wanted = 0; ///< Trees that are asked for, the first ones; others stand around them.
+    std::size_t requested = 0; ///< Number of requested trees. They come first; the others only shelter them.
 };
-/// As loadForest(), with the trees around those tiles that shelter trees in them.
+/// Like loadForest(), with the trees around the tiles that shelter trees in them.
 ForestPart loadPart(const std::string& file, const osgTreeWind::TileBox& tiles);

@@ -19,18 +19,18 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// "A,B", within ±`most`.
-std::optional<glm::dvec2> parsePair(const std::string& text, const glm::dvec2& most) {
+/// Parses "A,B" with |A| <= limit.x and |B| <= limit.y.
+std::optional<glm::dvec2> parsePair(const std::string& text, const glm::dvec2& limit) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos)
         return {};
     const auto first = parseNumber(text.substr(0, comma)), second = parseNumber(text.substr(comma + 1));
-    if (!first || !second || std::abs(*first) > most.x || std::abs(*second) > most.y)
+    if (!first || !second || std::abs(*first) > limit.x || std::abs(*second) > limit.y)
         return {};
     return glm::dvec2(*first, *second);
 }
 
-/// Azimuth and elevation, degrees.
+/// Azimuth and elevation of the sun, degrees.
 std::optional<glm::dvec2> parsePosition(const std::string& text) {
     const std::size_t at = text.find('@');
     if (at == std::string::npos)
@@ -51,28 +51,27 @@ osg::Vec3 parseSun(const std::string& text) {
                                    "2026-07-01T18:00Z@52.5,13.4",
                                    text));
     if (!(sun->y > 0.0))
-        throw CLI::ValidationError("--sun",
-                                   "expected the sun above the horizon, found it at an elevation of " +
-                                       numberText(std::round(10.0 * sun->y) / 10.0) + " degrees");
+        throw CLI::ValidationError("--sun", "expected the sun above the horizon, found an elevation of " +
+                                                numberText(std::round(10.0 * sun->y) / 10.0) + " degrees");
     const double azimuth = osg::DegreesToRadians(sun->x), elevation = osg::DegreesToRadians(sun->y);
     return osg::Vec3(osg::Vec3d(std::sin(azimuth) * std::cos(elevation),
                                 std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
 }
 
-/// @param names the usual one first; the help shows them in this order.
+/// Adds an option whose value is one of `names`. The first one is the default.
 template <typename Value>
 void addNamed(CLI::App& command, const char* option, Value& value,
               const std::vector<std::pair<std::string, Value>>& names, const char* help) {
     std::vector<std::string> words;
-    for (const auto& [name, meant] : names)
+    for (const auto& [name, named] : names)
         words.push_back(name);
     command
         .add_option_function<std::string>(
             option,
             [&value, names](const std::string& given) {
-                for (const auto& [name, meant] : names)
+                for (const auto& [name, named] : names)
                     if (name == given)
-                        value = meant;
+                        value = named;
             },
             help)
         ->check(CLI::IsMember(words))
@@ -84,17 +83,14 @@ void addNamed(CLI::App& command, const char* option, Value& value,
 void addLightOptions(CLI::App& command, LightOptions& options) {
     command.add_option_function<std::string>(
         "--sun", [&options](const std::string& text) { options.toSun = parseSun(text); },
-        "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "
-        "the\n"
-        "day is: TIME@LATITUDE,LONGITUDE as in 2026-07-01T18:00Z@52.5,13.4; half way up in the south-east "
-        "when\n"
-        "not given");
+        "Position of the sun: AZIMUTH,ELEVATION in degrees (azimuth clockwise from north, +y), or "
+        "TIME@LATITUDE,LONGITUDE such as 2026-07-01T18:00Z@52.5,13.4 (default: south-east, 48 degrees high)");
     addNamed<Weather>(command, "--sky", options.weather,
                       {{"fair", Weather::Fair}, {"overcast", Weather::Overcast}},
-                      "fair: blue with some clouds; overcast: grey, and without shadows");
+                      "Weather: fair (blue sky with some clouds) or overcast (grey sky, no visible shadows)");
     addNamed<Shadows>(
         command, "--shadows", options.shadows,
         {{"soft", Shadows::Soft}, {"on", Shadows::On}, {"off", Shadows::Off}},
-        "on: on ground and trees, and they move with the trees; soft: silhouettes on the ground, which\n"
-        "lean with the trees; a world has none of these");
+        "Shadows: soft (silhouettes of the trees on the ground; not for worlds), on (on ground and trees, "
+        "slower) or off");
 }

@@ -8,13 +8,13 @@ class App;
 }
 
 struct LightOptions {
-    osg::Vec3 toSun = Daylight::usualSun; ///< Of unit length, x east, y north and z up.
+    osg::Vec3 toSun = Daylight::usualSun; ///< Unit vector; x east, y north, z up.
     Weather weather = Weather::Fair;
     Shadows shadows = Shadows::Soft;
 
     Daylight day() const { return Daylight(toSun, weather); }
 };
 
-/// Adds --sun: "AZIMUTH,ELEVATION" in degrees, clockwise from north, or "TIME@LATITUDE,LONGITUDE", above the
-/// horizon; --sky and --shadows.
+/// Adds --sun, --sky and --shadows. The value of --sun is "AZIMUTH,ELEVATION" in degrees or
+/// "TIME@LATITUDE,LONGITUDE"; the sun must be above the horizon.
 void addLightOptions(CLI::App& command, LightOptions& options);

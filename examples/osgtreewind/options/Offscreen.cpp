@@ -14,13 +14,16 @@ PictureSize parsePictureSize(const std::string& text, int largest) {
         throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, found " + text);
     const PictureSize size{std::stoi(match[1]), std::stoi(match[2])};
     if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest)
-        throw CLI::ValidationError("--size",
-                                   "expected sides from 1 to " + std::to_string(largest) + ", found " + text);
+        throw CLI::ValidationError("--size", "expected a width and a height from 1 to " +
+                                                 std::to_string(largest) + " pixels, found " + text);
     return size;
 }
 
 void addBackendOption(CLI::App& command, std::string& backend) {
-    command.add_option("--backend", backend, "Where OpenGL comes from; osmesa where it was built")
+    command
+        .add_option("--backend", backend,
+                    "Source of OpenGL: osmesa (software) or egl (graphics card if there is one); default: "
+                    "osmesa if it was built")
         ->check(CLI::IsMember({"osmesa", "egl"}));
 }
 
@@ -29,7 +32,8 @@ void runOtherBackend(const std::string& backend) {
     const std::filesystem::path other =
         self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
     if (other == self)
-        throw Ending{Failed, "osgtreewind was built without the backend \"" + backend + "\""};
+        throw CommandError{Failed, "this osgtreewind was built without the backend \"" + backend +
+                                       "\"; choose the other --backend"};
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;
     for (std::string word; std::getline(file, word, '\0');)
@@ -39,5 +43,8 @@ void runOtherBackend(const std::string& backend) {
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execv(other.c_str(), arguments.data());
-    throw Ending{Failed, other.string() + ": cannot be run, so there is no backend \"" + backend + "\""};
+    throw CommandError{Failed,
+                       other.string() +
+                           ": cannot be run; it is the part of osgtreewind that draws with the backend \"" +
+                           backend + "\""};
 }

@@ -3,16 +3,15 @@
 
 #include <examples/osgtreewind/options/Command.h>
 
-// What the commands that draw without a display share.
+// Options of all commands that draw without a display.
 
-/// In pixels.
 struct PictureSize {
-    int width = 0, height = 0;
+    int width = 0, height = 0; ///< Pixels.
 };
 
-/// Reads "WIDTHxHEIGHT", sides from 1 to `largest`. Throws CLI::ValidationError for option --size.
+/// Parses "WIDTHxHEIGHT", each from 1 to `largest`. Throws CLI::ValidationError for the option --size.
 PictureSize parsePictureSize(const std::string& text, int largest);
 
 void addBackendOption(CLI::App& command, std::string& backend);
-/// Runs this command in the program that is linked with the other backend.
+/// Replaces this process by the program that is linked with the other backend, with the same arguments.
 [[noreturn]] void runOtherBackend(const std::string& backend);

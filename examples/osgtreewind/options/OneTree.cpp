@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/options/OneTree.h>
 
 #include <examples/osgtreewind/options/Command.h>
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
@@ -14,27 +14,28 @@
 
 using namespace osgTreeWind;
 
-Species speciesCalled(const std::string& name) {
+Species speciesByName(const std::string& name) {
     const std::size_t colon = name.rfind(".treewind:");
     if (colon == std::string::npos) {
         if (const std::optional<Species> species = findSpecies(name))
             return *species;
-        throw Ending{BadInput,
-                     "no built-in species \"" + name +
-                         "\"; osgtreewind sway --list names them, FILE.treewind:name takes one of a file"};
+        throw CommandError{BadInput,
+                           "no built-in species \"" + name +
+                               "\"; osgtreewind sway --list prints their names, FILE.treewind:NAME takes "
+                               "a species from a file"};
     }
-    static std::map<std::string, Species> read; // rows of a table name one file again and again
-    if (const auto known = read.find(name); known != read.end())
+    static std::map<std::string, Species> cache; // rows of a table often name the same species
+    if (const auto known = cache.find(name); known != cache.end())
         return known->second;
     const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
     const ForestDescription forest = loadForest(file);
     for (const Species& species : forest.species)
         if (species.name == own)
-            return read[name] = species;
-    throw Ending{BadInput, file + ": no species \"" + own + "\""};
+            return cache[name] = species;
+    throw CommandError{BadInput, file + ": no species \"" + own + "\" in this file"};
 }
 
-TreePlacement OneTree::grown(const Species& kind) {
+TreePlacement OneTree::makePlacement(const Species& kind) {
     TreePlacement tree;
     tree.size.height = static_cast<float>(height);
     tree.size.trunkDiameter = static_cast<float>(0.01 * diameter);
@@ -44,7 +45,7 @@ TreePlacement OneTree::grown(const Species& kind) {
     if (diameter > 0.0 && height > 0.0 && crownWidth > 0.0)
         return tree;
     const TreeModel model = makeTreeModel(growthOf(kind, open));
-    const TreeSize actual = measureTree(model, fitTree(model, wholeSize(tree.size, kind, tree.openGrown)));
+    const TreeSize actual = measureTree(model, fitTree(model, completeSize(tree.size, kind, tree.openGrown)));
     if (diameter == 0.0)
         diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
     if (height == 0.0)
@@ -55,15 +56,18 @@ TreePlacement OneTree::grown(const Species& kind) {
 }
 
 void addTreeOptions(CLI::App& command, OneTree& tree) {
-    command.add_option("--species", tree.species, "A built-in species by its name, or FILE.treewind:name")
+    command
+        .add_option("--species", tree.species,
+                    "Built-in species, or FILE.treewind:NAME for a species of a file")
         ->capture_default_str();
-    command.add_option("--dbh", tree.diameter, "Diameter of the trunk at breast height, cm")
+    command.add_option("--dbh", tree.diameter, "Stem diameter at breast height (DBH), cm")
         ->check(between(0.1, 2000.0));
     command.add_option("--height", tree.height, "Height of the tree, m")->check(between(0.1, 150.0));
     command.add_option("--crown-width", tree.crownWidth, "Mean width of the crown, m")
         ->check(between(0.1, 150.0));
-    command.add_flag("--open", tree.open, "It stands by itself: its crown is wider than in a forest");
-    command.add_option("--leaves", tree.leaves, "Share of its leaves that it bears, 0 to 1")
+    command.add_flag("--open", tree.open,
+                     "Tree grown alone in the open, with a wider crown than in a forest");
+    command.add_option("--leaves", tree.leaves, "Share of the leaves on the tree, from 0 (bare) to 1 (all)")
         ->check(between(0.0, 1.0))
         ->capture_default_str();
 }

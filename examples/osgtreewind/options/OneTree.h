@@ -7,18 +7,18 @@
 
 #include <string>
 
-/// A built-in species by its name, or FILE.treewind:name. The command ends if there is no such species.
-osgTreeWind::Species speciesCalled(const std::string& name);
+/// A built-in species, or FILE.treewind:NAME. Throws CommandError if there is no such species.
+osgTreeWind::Species speciesByName(const std::string& name);
 
-/// A tree as the words of a command ask for it.
+/// A tree described by command-line options.
 struct OneTree {
     std::string species = "broadleaf";
-    double diameter = 0.0, height = 0.0, crownWidth = 0.0; ///< cm and m; 0: not given.
-    double leaves = 1.0;                                   ///< Share that it bears.
+    double diameter = 0.0, height = 0.0, crownWidth = 0.0; ///< cm and m; 0 if not given.
+    double leaves = 1.0;                                   ///< Share of the leaves on the tree.
     bool open = false;
 
-    /// Its placement. Fills in the sizes that were not given, as the tree has them.
-    osgTreeWind::TreePlacement grown(const osgTreeWind::Species& kind);
+    /// Makes a placement, and sets the sizes that were not given to those of the resulting tree.
+    osgTreeWind::TreePlacement makePlacement(const osgTreeWind::Species& kind);
 };
 
 /// Adds --species, --dbh, --height, --crown-width, --open and --leaves.

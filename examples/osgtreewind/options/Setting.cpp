@@ -38,7 +38,7 @@ void lightBySky(osg::StateSet& state, const Daylight& day) {
     state.setDefine("FILM", "1.0");
 }
 
-/// What is drawn in a render bin.
+/// Group that is drawn in the given render bin.
 osg::ref_ptr<osg::Group> inBin(int bin, osg::Node* node) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->getOrCreateStateSet()->setRenderBinDetails(bin, "RenderBin");
@@ -46,7 +46,7 @@ osg::ref_ptr<osg::Group> inBin(int bin, osg::Node* node) {
     return group;
 }
 
-/// The same things without the sun, as far as the alpha that is there lacks 1, which it then is.
+/// Draws things without sunlight, blended by 1 - alpha of the picture; alpha is 1 afterwards.
 osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
     osg::ref_ptr<osg::Group> group = inBin(bin, things);
     osg::StateSet* state = group->getStateSet();
@@ -54,7 +54,7 @@ osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA, GL_ONE, GL_ZERO));
     state->setAttribute(new osg::ColorMask(true, true, true, true));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
-    osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil; // elsewhere it would change nothing
+    osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil; // skips pixels outside the shadows
     stencil->setFunction(osg::Stencil::EQUAL, shadowStencil, ~0u);
     state->setAttributeAndModes(stencil);
     return group;
@@ -65,12 +65,12 @@ osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
 osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& options) {
     const Daylight& day = options.day;
     osg::ref_ptr<osg::LightSource> sun = createSun(day);
-    const bool isOfTiles = forest.getDescription().tiles.has_value(); // whose trees come and go
+    const bool isOfTiles = forest.getDescription().tiles.has_value(); // soft shadows need trees that stay
     const Shadows shadows = options.shadows == Shadows::Soft && isOfTiles ? Shadows::Off : options.shadows;
     osg::ref_ptr<osg::Group> setting = shadows == Shadows::On
                                            ? osg::ref_ptr<osg::Group>(new SunShadows(&forest, day.toSun))
                                            : osg::ref_ptr<osg::Group>(new osg::Group);
-    // The picture is opaque, whatever is blended into it.
+    // Alpha of the picture is reserved for the shadows.
     osg::StateSet* state = setting->getOrCreateStateSet();
     state->setAttribute(new osg::ColorMask(true, true, true, false));
     lightBySky(*state, day);
@@ -89,11 +89,11 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     const GroundCover cover(forest);
     const osg::ref_ptr<osg::Node> ground = createGround(forest, cover);
     lawn->addChild(ground);
-    around->addChild(inBin(-4, ground)); // before all else
+    around->addChild(inBin(-4, ground));
     if (options.eye) {
         const osg::ref_ptr<osg::Geometry> tufts = createTufts(forest, cover, *options.eye);
         lawn->addChild(tufts);
-        around->addChild(inBin(-2, tufts)); // the shadows lie on the ground
+        around->addChild(inBin(-2, tufts)); // after the shadows on the ground
     }
     if (shadows == Shadows::Soft) {
         around->addChild(inBin(-3, createGroundShadows(forest, day.toSun, *setting)));

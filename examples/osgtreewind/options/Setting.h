@@ -11,15 +11,15 @@
 
 enum class Shadows {
     Off,
-    Soft, ///< A silhouette of each tree on the ground (GroundShadows.h), which leans with it.
-    On,   ///< Shadow maps (SunShadows.h): they move with the trees and fall on them too.
+    Soft, ///< Silhouette of each tree on the ground, which leans with the tree (GroundShadows.h).
+    On,   ///< Shadow maps of the moving trees, on ground and trees (SunShadows.h).
 };
 
 struct SettingOptions {
     Shadows shadows = Shadows::Soft;
     Daylight day = Daylight();
-    std::optional<osg::Vec3d> eye; ///< About which grass stands in tufts; none: nowhere.
+    std::optional<osg::Vec3d> eye; ///< Tufts of grass stand around this point; without it there are none.
 };
 
-/// Sky, sun, haze and grassland around a forest.
+/// Surrounds a forest with sky, sun, haze and grassland.
 osg::ref_ptr<osg::Group> createSetting(osgTreeWind::Forest& forest, const SettingOptions& options = {});

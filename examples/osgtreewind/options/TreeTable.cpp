@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/TreeTable.h>
 
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/InputFile.h>
-
-#include <sstream>
+#include <osgTreeWind/base/Number.h>
 
 using namespace osgTreeWind;
 
 TreeTable TreeTable::read(const std::string& path) {
     Result<std::ifstream> file = openInput(path);
-    return TreeTable(valueOf(file ? readCsvTable(file.value(), path) : Result<CsvTable>(file.problems())));
+    return TreeTable(
+        valueOrThrow(file ? readCsvTable(file.value(), path) : Result<CsvTable>(file.problems())));
 }
 
 void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
@@ -32,9 +32,9 @@ void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
 
 Species TreeTable::species(const CsvTable::Row& row, const OneTree& tree) const {
     try {
-        return speciesCalled(tree.species);
-    } catch (const Ending& ending) {
-        throw Ending{ending.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + ending.why};
+        return speciesByName(tree.species);
+    } catch (const CommandError& error) {
+        throw CommandError{error.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + error.message};
     }
 }
 
@@ -42,16 +42,16 @@ void TreeTable::read(const CsvTable::Row& row, const char* column, double low, d
                      double& value) const {
     if (!cell(row, column))
         return;
-    const double number = valueOf(_csv.number(row, *_csv.column(column)));
+    const double number = valueOrThrow(_csv.number(row, *_csv.column(column)));
     if (number < low || number > high) {
-        std::ostringstream why;
-        why << _csv.file << ':' << row.line << ": " << column << " is not within " << low << " to " << high;
-        throw Ending{BadInput, why.str()};
+        const std::string range = "a number from " + numberText(low) + " to " + numberText(high);
+        throw CommandError{BadInput, _csv.file + ':' + std::to_string(row.line) + ": " + column + ": " +
+                                         expectedFound(range, *cell(row, column))};
     }
     value = number;
 }
 
-/// Null where there is nothing.
+/// Null if the column is missing or the cell is empty.
 const std::string* TreeTable::cell(const CsvTable::Row& row, const char* column) const {
     const std::optional<std::size_t> found = _csv.column(column);
     return found && !row.cells[*found].empty() ? &row.cells[*found] : nullptr;

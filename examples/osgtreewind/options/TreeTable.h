@@ -7,24 +7,24 @@
 
 #include <string>
 
-/// A CSV file of trees, one a row. What a row or the file does not say is as it was before. What is not as it
-/// has to be ends the command.
+/// A CSV file with one tree per row. Missing columns and empty cells leave the previous values. Throws
+/// CommandError for invalid values.
 class TreeTable {
 public:
     static TreeTable read(const std::string& path);
 
     const std::vector<osgTreeWind::CsvTable::Row>& rows() const { return _csv.rows; }
 
-    /// species, dbh_cm, height_m, crown_width_m, open and leaves, or in metres as `info --trees` writes them:
-    /// trunk_diameter, height, crown_width.
+    /// Reads species, dbh_cm, height_m, crown_width_m, open and leaves, and the columns of `info --trees`:
+    /// trunk_diameter, height and crown_width in metres.
     void read(const osgTreeWind::CsvTable::Row& row, OneTree& tree) const;
-    /// The species that a tree of that row is said to be. One that is unknown ends the command.
+    /// The species of the tree in a row. Throws CommandError if it is unknown.
     osgTreeWind::Species species(const osgTreeWind::CsvTable::Row& row, const OneTree& tree) const;
-    /// The number in a column.
+    /// Reads the number in a column, from `low` to `high`.
     void read(const osgTreeWind::CsvTable::Row& row, const char* column, double low, double high,
               double& value) const;
 
-    /// Whether trees have an id, and that of one.
+    /// Whether the table has a column `id`.
     bool hasIds() const { return _csv.column("id").has_value(); }
     const std::string& id(const osgTreeWind::CsvTable::Row& row) const {
         return row.cells[*_csv.column("id")];

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
-/// Keys stay in the order in which they are written.
+/// JSON that keeps the order of its keys.
 using Json = nlohmann::ordered_json;
 
 inline Json vectorJson(const glm::dvec3& v) {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-/// A progress bar on standard error for work that takes longer than a second, when a person is watching.
+/// Progress bar on standard error, shown after one second if standard error is a terminal.
 class Progress {
 public:
     Progress(std::string what, std::size_t total);

@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/pictures/VideoWriter.h>
 
-#include <osgTreeWind/base/Unfinished.h>
+#include <osgTreeWind/base/TemporaryPath.h>
 
 #include <csignal>
 #include <thread>
@@ -13,25 +13,25 @@
 namespace {
 
 std::mutex& rowMutex() {
-    static std::mutex& mutex = *new std::mutex; // the thread may outlive main()
+    static std::mutex& mutex = *new std::mutex; // never destroyed: the signal thread may outlive main()
     return mutex;
 }
 
 } // namespace
 
-void endOnSignals() {
-    sigset_t ends;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &ends, nullptr); // in all threads to come
-    std::thread([ends] {
+void exitOnSignals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr); // inherited by all later threads
+    std::thread([signals] {
         int signal = 0;
-        while (sigwait(&ends, &signal) != 0)
+        while (sigwait(&signals, &signal) != 0)
             ;
         rowMutex().lock();
         VideoWriter::endAll();
-        osgTreeWind::Unfinished::removeAll();
+        osgTreeWind::TemporaryPath::removeAll();
         _exit(128 + signal);
     }).detach();
 }

@@ -3,11 +3,11 @@
 
 #include <mutex>
 
-/// From now on SIGINT and SIGTERM remove what is unfinished and end the program with 128 and their number.
-/// Call it before there are other threads.
-void endOnSignals();
+/// Makes SIGINT and SIGTERM remove unfinished files and exit with 128 + the signal number. Call it before
+/// other threads start.
+void exitOnSignals();
 
-/// While it lives no signal ends the program: a row that is printed is whole.
+/// Delays the exit on a signal during its lifetime, so that no row is cut off.
 class WholeRow {
 public:
     WholeRow();

@@ -5,6 +5,6 @@
 
 #include <string>
 
-/// Writes a CSV row for every tree as it stands: sizes that were given, and where they were not those of its
-/// shape, and which were. Ends the command where it cannot.
+/// Writes a CSV row for every tree: its given sizes, the sizes of its shape where none are given, and which
+/// sizes were given. Throws CommandError if the file cannot be written.
 void writeTrees(const osgTreeWind::ForestDescription& forest, const std::string& path);

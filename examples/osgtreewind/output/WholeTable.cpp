@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/output/WholeTable.h>
 
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 WholeTable::WholeTable(const std::string& path) {
     if (path == "-")
         return;
     _whole.emplace(path);
-    _file = std::fopen(_whole->unfinished().c_str(), "w");
+    _file = std::fopen(_whole->writePath().c_str(), "w");
     if (!_file)
-        endUnwritten(*_whole);
+        throwWriteError(*_whole);
 }
 
 WholeTable::~WholeTable() {
@@ -21,11 +21,11 @@ void WholeTable::finish() {
     const bool isGood = std::fflush(_file) == 0 && std::ferror(_file) == 0;
     if (!_whole) {
         if (!isGood)
-            throw Ending{Failed, "standard output: cannot be written"};
+            throw CommandError{Failed, "standard output: cannot be written"};
         return;
     }
     const bool isClosed = std::fclose(_file) == 0;
     _file = nullptr;
-    if (!isGood || !isClosed || !_whole->putInPlace())
-        endUnwritten(*_whole);
+    if (!isGood || !isClosed || !_whole->commit())
+        throwWriteError(*_whole);
 }

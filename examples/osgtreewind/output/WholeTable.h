@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/base/AtomicFile.h>
 
 #include <cstdio>
 #include <optional>
 #include <string>
 
-/// A table that is written row by row, into a file that is there when it is complete, or to standard output.
-/// Ends the command where it cannot be written.
+/// Table that is written row by row to standard output, or to a file that appears when it is complete. Throws
+/// CommandError on a write error.
 class WholeTable {
 public:
     /// @param path "-" for standard output.
@@ -21,6 +21,6 @@ public:
     void finish();
 
 private:
-    std::optional<osgTreeWind::WholeFile> _whole; ///< None: standard output.
+    std::optional<osgTreeWind::AtomicFile> _whole; ///< Empty for standard output.
     std::FILE* _file = stdout;
 };

@@ -8,16 +8,16 @@
 std::string ClipRecorder::toggle() {
     const std::lock_guard<std::mutex> lock(_mutex);
     if (!_path.empty()) {
-        const bool good = _writer && _writer->close() && _whole->putInPlace();
-        const std::string said = good ? "wrote " + _path + ", " + std::to_string(_frames) + " frames"
-                                      : _path + " could not be written";
+        const bool good = _writer && _writer->close() && _whole->commit();
+        const std::string message = good ? "wrote " + _path + ", " + std::to_string(_frames) + " frames"
+                                         : _path + ": cannot be written";
         _writer.reset();
         _whole.reset();
         _path.clear();
-        return said;
+        return message;
     }
     if (!VideoWriter::available())
-        return "no clip: there is no ffmpeg";
+        return "cannot record a video: ffmpeg is not installed";
     int number = 0;
     while (std::filesystem::exists(_path = "clip_" + std::to_string(number) + ".mp4"))
         ++number;
@@ -39,10 +39,10 @@ void ClipRecorder::operator()(osg::RenderInfo& info) const {
         return;
     const int width = static_cast<int>(viewport->width()), height = static_cast<int>(viewport->height());
     if (!_writer) {
-        _whole = std::make_unique<osgTreeWind::WholeFile>(_path);
-        _writer = std::make_unique<VideoWriter>(_whole->unfinished(), width, height, framesPerSecond);
+        _whole = std::make_unique<osgTreeWind::AtomicFile>(_path);
+        _writer = std::make_unique<VideoWriter>(_whole->writePath(), width, height, framesPerSecond);
     } else if (width != _image->s() || height != _image->t())
-        return; // a clip has one size
+        return; // the window was resized; a clip has one size
     _image->readPixels(static_cast<int>(viewport->x()), static_cast<int>(viewport->y()), width, height,
                        GL_RGBA, GL_UNSIGNED_BYTE);
     _frames += _writer->write(*_image);

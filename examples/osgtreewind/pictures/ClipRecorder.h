@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/pictures/VideoWriter.h>
 
-#include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/base/AtomicFile.h>
 
 #include <osg/Camera>
 #include <osg/Image>
@@ -12,23 +12,23 @@
 #include <mutex>
 #include <string>
 
-/// Writes what a window's camera draws into clips, without text over it. While it does, each frame is a
-/// twenty-fifth of a second, however long it takes.
+/// Records what the camera of a window draws, without its text, as MP4 clips. While it records, each frame
+/// advances the time by 1/25 s, however long it takes.
 class ClipRecorder : public osg::Camera::DrawCallback {
 public:
     static constexpr double framesPerSecond = 25.0;
 
-    /// Begins clip_0.mp4, clip_1.mp4, ... in the current folder, or ends it. @return what to tell a person.
+    /// Starts clip_0.mp4, clip_1.mp4, ... in the current folder, or stops it. @return message for the user.
     std::string toggle();
-    /// Of the next frame. @param elapsed seconds that have passed for the person.
+    /// Time of the next frame, s. @param elapsed real time since the start, s.
     double referenceTime(double elapsed);
 
     void operator()(osg::RenderInfo& info) const override;
 
 private:
-    mutable std::mutex _mutex; ///< Guards what follows: cameras may be drawn in a thread of theirs.
-    std::string _path;         ///< Of the clip; empty: there is none.
-    mutable std::unique_ptr<osgTreeWind::WholeFile> _whole;
+    mutable std::mutex _mutex; ///< Guards the members below: a camera may be drawn in its own thread.
+    std::string _path;         ///< Path of the current clip; empty if none is recorded.
+    mutable std::unique_ptr<osgTreeWind::AtomicFile> _whole;
     mutable std::unique_ptr<VideoWriter> _writer;
     mutable osg::ref_ptr<osg::Image> _image = new osg::Image;
     mutable int _frames = 0;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
+#include <glm/common.hpp>
 #include <glm/gtc/color_space.hpp>
 
 #include <array>
@@ -15,10 +16,10 @@
 
 namespace {
 
-/// Between sRGB bytes and linear light.
+/// Conversion between sRGB bytes and linear light.
 struct SrgbTables {
     std::array<float, 256> linear;
-    std::array<unsigned char, 16384> bytes; ///< By linear light, fine enough for the darkest byte.
+    std::array<unsigned char, 16384> bytes; ///< Indexed by linear light, finely enough for dark bytes.
 
     SrgbTables() {
         for (std::size_t i = 0; i < linear.size(); ++i)
@@ -34,15 +35,15 @@ struct SrgbTables {
     }
 };
 
-/// The mean light of factor x factor pixels. Edges of leaves are as smooth as all others without OpenGL's own
-/// samples. Both are of four bytes a pixel.
+/// Averages the linear light of factor x factor pixels. Unlike OpenGL's multisampling this also smooths the
+/// edges of leaf textures. Both images have four bytes per pixel.
 void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
     static const SrgbTables tables;
     const int width = to.s();
     const float share = 1.0f / static_cast<float>(factor * factor);
     osgTreeWind::ThreadPool::executor()(static_cast<std::size_t>(to.t()), [&](std::size_t row) {
         const int y = static_cast<int>(row);
-        unsigned char* target = to.data(0, y); // osg::Image works out where a pixel is at each call
+        unsigned char* target = to.data(0, y); // osg::Image::data() is slow per pixel
         std::vector<float> sums(static_cast<std::size_t>(3 * width), 0.0f);
         for (int i = 0; i < factor; ++i) {
             const unsigned char* pixel = from.data(0, y * factor + i);
@@ -64,15 +65,15 @@ void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
 OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross)
     : _samplesAcross(samplesAcross), _image(new osg::Image) {
     _image->allocateImage(width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    const auto context =
-        valueOf(osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross), Failed);
+    const auto context = valueOrThrow(
+        osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross), Failed);
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setKeyEventSetsDone(0);
     _viewer.setLightingMode(osg::View::NO_LIGHT);
     _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context);
     _viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
-    _viewer.getCamera()->setNearFarRatio(1e-5); // 6 cm before the eye, with the ground's rim at 6 km
-    // Pixels are those of the picture, not samples.
+    _viewer.getCamera()->setNearFarRatio(1e-5); // near plane 6 cm away with the edge of the ground at 6 km
+    // Levels of detail count picture pixels, not samples.
     _viewer.getCamera()->setLODScale(static_cast<float>(samplesAcross));
 }
 

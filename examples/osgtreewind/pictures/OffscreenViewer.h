@@ -6,11 +6,12 @@
 /// Draws pictures without a display.
 class OffscreenViewer {
 public:
-    /// Ends the command where there is no context. @param samplesAcross a pixel, whose means smooth edges.
+    /// Throws CommandError if there is no OpenGL context.
+    /// @param samplesAcross samples per pixel in each direction.
     OffscreenViewer(int width, int height, int samplesAcross);
 
     osgViewer::Viewer& viewer() { return _viewer; }
-    /// RGBA; until the next one.
+    /// Draws a frame. @return RGBA image, valid until the next call.
     osg::Image& frame(double time);
 
 private:

@@ -7,16 +7,16 @@
 
 namespace {
 
-constexpr int glyphWidth = 8, glyphHeight = 12; // of the font that needs no file
+constexpr int glyphWidth = 8, glyphHeight = 12; // of OSG's built-in font
 
-/// Bytes of coverage from the bottom up, or null for a space.
+/// Coverage of a letter, bottom row first; null for a space.
 const osgText::Glyph* glyphOf(char letter) {
     const osgText::FontResolution resolution(glyphWidth, glyphHeight);
     const auto font = osgText::Font::getDefaultFont();
     return letter == ' ' ? nullptr : font->getGlyph(resolution, static_cast<unsigned char>(letter));
 }
 
-/// Brings a pixel toward a grey. @param share of it.
+/// Blends a pixel with a grey. @param share weight of the grey, 0 to 255.
 void mixGrey(unsigned char* pixel, int grey, int share) {
     for (int channel = 0; channel < 3; ++channel)
         pixel[channel] = static_cast<unsigned char>((grey * share + pixel[channel] * (255 - share)) / 255);

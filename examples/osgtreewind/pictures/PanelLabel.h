@@ -5,6 +5,6 @@
 
 #include <string>
 
-/// Writes a line of ASCII into the upper left corner of an RGB or RGBA picture of bytes, white on a darker
-/// strip. Where it does not fit nothing is written.
+/// Writes a line of ASCII into the upper left corner of an 8-bit RGB or RGBA picture, white on a dark strip.
+/// Writes nothing if the text does not fit.
 void writeLabel(osg::Image& picture, const std::string& text);

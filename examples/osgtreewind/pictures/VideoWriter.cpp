@@ -28,7 +28,7 @@ Running& running() {
     return all;
 }
 
-/// Starts ffmpeg with one end of a pipe as its input. @return the other end; -1: it was not started.
+/// Starts ffmpeg with a pipe as its input. @return the end to write to, or -1 on failure.
 int startFfmpeg(const std::vector<std::string>& words, pid_t& program) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
@@ -56,7 +56,7 @@ bool VideoWriter::available() {
 }
 
 void VideoWriter::endAll() {
-    running().mutex.lock(); // for good: nothing more is started
+    running().mutex.lock(); // never unlocked, so that no other ffmpeg starts
     for (const pid_t program : running().programs) {
         kill(program, SIGKILL);
         waitpid(program, nullptr, 0);

@@ -7,12 +7,12 @@
 
 #include <sys/types.h>
 
-/// Writes frames as an MP4 through the ffmpeg program.
+/// Writes frames as an MP4 with the program ffmpeg.
 class VideoWriter {
 public:
     /// Whether ffmpeg is on the PATH.
     static bool available();
-    /// Ends the ffmpeg of every writer: their files stay unfinished.
+    /// Kills the ffmpeg of every writer; their files stay unfinished.
     static void endAll();
 
     VideoWriter(const std::string& path, int width, int height, double fps);
@@ -20,9 +20,9 @@ public:
     VideoWriter(const VideoWriter&) = delete;
     VideoWriter& operator=(const VideoWriter&) = delete;
 
-    /// Adds an RGBA image of the given size. @return false when ffmpeg has gone.
+    /// Adds an RGBA image of the given size. @return false if ffmpeg has exited.
     bool write(const osg::Image& image);
-    /// Ends the file. @return whether ffmpeg succeeded.
+    /// Finishes the file. @return whether ffmpeg succeeded.
     bool close();
 
 private:

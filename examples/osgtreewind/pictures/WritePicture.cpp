@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/pictures/WritePicture.h>
 
-#include <examples/osgtreewind/output/Ending.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
@@ -12,9 +12,9 @@ void writePicture(const osg::Image& picture, const std::string& path, const std:
     const std::string extension = osgDB::getLowerCaseFileExtension(path);
     osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
     const osg::ref_ptr<osgDB::Options> wanted = new osgDB::Options(options);
-    std::ostringstream bytes; // OSG does not tell when a disk is full
+    std::ostringstream bytes; // written in memory first: OSG does not report a full disk
     if (!writer || !writer->writeImage(picture, bytes, wanted.get()).success())
-        throw Ending{Failed, path + ": cannot be written; expected the " + extension +
-                                 " plugin of OpenSceneGraph, and a format that it writes"};
-    writeOrEnd(path, bytes.str());
+        throw CommandError{Failed, path + ": cannot be written: the " + extension +
+                                       " plugin of OpenSceneGraph is missing or does not write this picture"};
+    writeOrThrow(path, bytes.str());
 }

@@ -5,6 +5,6 @@
 
 #include <string>
 
-/// Writes a picture as a whole file, in the format of its extension. Ends the command where it cannot.
-/// @param options of OSG's writer, as "PNG_COMPRESSION 1".
+/// Writes a picture in the format of the file extension. Throws CommandError on failure.
+/// @param options for OSG's writer, such as "PNG_COMPRESSION 1".
 void writePicture(const osg::Image& picture, const std::string& path, const std::string& options = {});

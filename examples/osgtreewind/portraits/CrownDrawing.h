@@ -6,10 +6,10 @@
 
 #include <glm/geometric.hpp>
 
-/// Silhouettes of parts of a tree. `view(point)` takes a point of the tree, metres, to a picture, pixels.
+/// Draws silhouettes of parts of a tree. `view(point)` projects a point of the tree, metres, to pixels.
 namespace osgTreeWind {
 
-/// Calls visit(cluster, quad, corner, across, along) for every quad of every leaf cluster, metres.
+/// Calls visit(cluster, quad, corner, across, along) for every quad of every leaf cluster; metres.
 template <typename Visit>
 void forEachLeafQuad(const TreeModel& model, Visit visit) {
     for (std::size_t cluster = 0; cluster < model.leaves.size(); ++cluster) {
@@ -23,8 +23,7 @@ void forEachLeafQuad(const TreeModel& model, Visit visit) {
     }
 }
 
-/// A flat piece of which a mask is solid. @param mirrored whether `across` goes from right to left on the
-/// mask.
+/// Draws a flat piece through a mask. @param mirrored whether `across` runs from right to left on the mask.
 template <typename View>
 void drawPiece(const View& view, const glm::vec3& corner, const glm::vec3& across, const glm::vec3& along,
                const Silhouette::Mask& mask, Silhouette& silhouette, bool mirrored = false) {
@@ -36,7 +35,7 @@ void drawPiece(const View& view, const glm::vec3& corner, const glm::vec3& acros
         silhouette.draw(foot, right, up, mask);
 }
 
-/// @param pixels of a metre there.
+/// Draws the wood. @param pixels pixels per metre at a point.
 template <typename View, typename Pixels>
 void drawWood(const Skeleton& skeleton, const View& view, const Pixels& pixels, Silhouette& silhouette) {
     const Silhouette::Mask solid{1, {1}};

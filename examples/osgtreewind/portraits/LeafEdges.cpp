@@ -21,7 +21,7 @@ namespace {
 constexpr int samples = 2;
 constexpr int outlineMask = 32;
 
-/// A leaf within the rectangle about its outline.
+/// Mask of a leaf within the rectangle around its outline.
 struct BladeMask {
     Silhouette::Mask mask;
     glm::vec2 low{0.0f}, high{0.0f};
@@ -41,7 +41,7 @@ struct BladeMask {
     }
 
 private:
-    /// Even-odd, to the right of a half outline that its axis closes.
+    /// Even-odd test in the right half of the outline.
     static bool within(const LeafOutline& outline, const glm::vec2& p) {
         bool inside = false;
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
@@ -53,7 +53,7 @@ private:
     }
 };
 
-/// Boxes of a size that meet both leaf and sky.
+/// Number of boxes of a size that contain both leaf and sky.
 double boxesOnEdge(const Silhouette& picture, int size, int box) {
     double count = 0.0;
     for (int y = 0; y + box <= size; y += box)
@@ -90,7 +90,7 @@ LeafEdges measureEdges(const Silhouette& picture, int closing) {
     edges.edges = static_cast<float>(changes) / static_cast<float>(pixels);
     edges.skyRun = static_cast<float>(lengths[0]) / static_cast<float>(std::max<std::size_t>(runs[0], 1));
     edges.leafRun = static_cast<float>(lengths[1]) / static_cast<float>(std::max<std::size_t>(runs[1], 1));
-    // Least squares of logarithms.
+    // Least squares through the logarithms.
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     constexpr int sizes = 5;
     for (int i = 0; i < sizes; ++i) {

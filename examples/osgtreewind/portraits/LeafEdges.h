@@ -7,20 +7,20 @@
 
 namespace osgTreeWind {
 
-/// How finely the crown of a tree is cut against the sky: along the lines of a picture, within its closed
-/// outline.
+/// Fineness of the edges between leaves and sky, along the rows of a picture within the closed outline of the
+/// crown.
 struct LeafEdges {
-    float edges = 0.0f;   ///< Changes between leaf and sky, over pixels.
-    float leafRun = 0.0f; ///< Mean length of what is leaf between two of them, pixels,
-    float skyRun = 0.0f;  ///< and of what is sky.
-    float slope = 0.0f;   ///< Of the number of boxes that its edge meets, by their size from 1 to 16 pixels.
+    float edges = 0.0f;   ///< Changes between leaf and sky per pixel.
+    float leafRun = 0.0f; ///< Mean length of a run of leaf, pixels.
+    float skyRun = 0.0f;  ///< Mean length of a run of sky, pixels.
+    float slope = 0.0f;   ///< Box-counting dimension of the edge, from boxes of 1 to 16 pixels.
 };
 
-/// @param closing side of the square that closes the outline, pixels.
+/// Measures a picture. @param closing side of the square that closes the outline, pixels.
 LeafEdges measureEdges(const Silhouette& picture, int closing);
 
-/// A tree at rest as a camera sees it whose picture is 720 pixels high and 40 degrees, each of 2 x 2 samples,
-/// at eye level from some distance of its foot, in metres.
+/// A tree at rest, seen from eye level at a distance in metres by a camera with a picture of 720 pixels and
+/// 40 degrees in height, with 2 x 2 samples per pixel.
 class EdgePicture {
 public:
     static constexpr int width = 960;
@@ -28,13 +28,13 @@ public:
 
     EdgePicture(const TreeModel& model, const Appearance& appearance, float distance, float azimuth);
 
-    /// Of cards, finely filtered. @param reductions times that the tree is reduced, TreeDetail::reduced(); 0:
-    /// not.
+    /// Edges of the tree drawn with leaf cards. @param reductions how many times detail is reduced
+    /// (TreeDetail::reduced()).
     LeafEdges cards(int reductions) const;
-    /// Of as many single leaves in the same places, each tilted as it is painted.
+    /// Edges of the tree with single leaves in the places where leaves are painted on the cards.
     LeafEdges singleLeaves() const;
 
-    /// Where a point of the tree is, in samples, and how many a metre has there.
+    /// Position of a point of the tree in the picture, in samples.
     glm::vec2 operator()(const glm::vec3& point) const;
     float samplesPerMetre(const glm::vec3& point) const;
 

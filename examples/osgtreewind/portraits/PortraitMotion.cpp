@@ -6,7 +6,7 @@
 #include <examples/osgtreewind/portraits/LeafEdges.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -18,9 +18,9 @@ namespace {
 
 using namespace osgTreeWind;
 
-using Luminance = std::vector<double>; ///< By pixel, [0, 255].
+using Luminance = std::vector<double>; ///< Of each pixel, [0, 255].
 
-/// A box about a tree, from a distance.
+/// Draws a tree at a distance in a picture that just holds it.
 class TreeInView {
 public:
     TreeInView(const Species& species, double distance, int samplesAcross)
@@ -39,7 +39,7 @@ public:
         _viewer.viewer().setSceneData(createSetting(*_forest));
     }
 
-    /// @param seenAs height on the screen by which its tier is chosen, over what it is.
+    /// @param seenAs factor on the screen height by which the tier is chosen.
     Luminance frame(double time, double seenAs = 1.0) {
         _viewer.viewer().getCamera()->setLODScale(static_cast<float>(_samplesAcross / seenAs));
         const osg::Image& image = _viewer.frame(time);
@@ -62,7 +62,7 @@ private:
     }
     static TreeSize sizeOf(const Forest& forest) {
         const ForestSimulation& simulation = forest.getSimulation();
-        return SimulationParts::forest(simulation).measured(SimulationParts::trees(simulation).front());
+        return SimulationAccess::forest(simulation).sizeOf(SimulationAccess::trees(simulation).front());
     }
     int pixels(float metres) const {
         return static_cast<int>(std::lround(_perMetre * static_cast<double>(metres)));
@@ -75,12 +75,12 @@ private:
     OffscreenViewer _viewer;
 };
 
-/// Root mean square from frame to frame.
+/// Root mean square change of luminance from frame to frame.
 double changeOf(const Species& species, int samplesAcross) {
     constexpr int frames = 4;
     TreeInView tree(species, 40.0, samplesAcross);
     double time = 0.0, sum = 0.0;
-    for (; time < 2.5; time += 1.0) // it begins at rest
+    for (; time < 2.5; time += 1.0) // the tree starts at rest
         tree.frame(time);
     Luminance before = tree.frame(time);
     for (int i = 0; i < frames; ++i) {
@@ -93,7 +93,7 @@ double changeOf(const Species& species, int samplesAcross) {
     return std::sqrt(sum / frames);
 }
 
-/// Heights, whole pixels, below which the next tier begins.
+/// Screen heights, in whole pixels, below which the next tier begins.
 std::vector<double> thresholds() {
     const TreeTiers tiers;
     std::vector<double> heights;
@@ -114,7 +114,7 @@ PortraitMotion::Pop popAt(const Species& species, double height, double pixels) 
     const double distance = static_cast<double>(EdgePicture::pixelsPerMetreAt1m) * height / pixels;
     TreeInView tree(species, distance, 2);
     const auto seen = [&](double seenAs) {
-        tree.frame(0.0, seenAs); // what is seen for the first time is there from the next one on
+        tree.frame(0.0, seenAs); // what is seen for the first time appears in the next frame
         return tree.frame(0.0, seenAs);
     };
     const double blend = DrawingOptions().blend, nearer = 1.0 + 2.0 / 30.0 / distance;

@@ -5,20 +5,20 @@
 
 #include <vector>
 
-/// How restless the picture of a tree is, of 960 x 720 pixels and 40 degrees with 4 samples a pixel.
+/// Flicker in pictures of a moving tree: 960 x 720 pixels, 40 degrees, 4 samples per pixel.
 struct PortraitMotion {
     /// Change of luminance from one frame to the next (root mean square; 1/30 s, wind of 2 m/s, 40 m away)
-    /// over that of a picture with 64 samples a pixel: 1 where all of it is motion.
+    /// divided by the same change with 64 samples per pixel. 1 means that all change is motion.
     double flicker = 0.0;
-    /// Where one tier of detail gives way to the next: shares of a box about the tree whose luminance differs
-    /// by more than 16 of 255.
+    /// Change from one tier of detail to the next, as shares of the pixels around the tree whose luminance
+    /// differs by more than 16 of 255.
     struct Pop {
-        double pixels; ///< Height on the screen.
-        double apart;  ///< Between all of the one tier and all of the next,
-        double pop;    ///< and at most from frame to frame as one comes nearer by 2 m/s.
+        double pixels; ///< Height of the tree on the screen.
+        double apart;  ///< Difference between the two tiers.
+        double pop;    ///< Largest change in one frame when approaching at 2 m/s.
     };
     std::vector<Pop> pops;
 };
 
-/// Draws the first shape of a species. Ends the command where there is no graphics context.
+/// Draws and measures the first shape of a species. Throws CommandError if there is no OpenGL context.
 PortraitMotion measureMotion(const osgTreeWind::Species& species);

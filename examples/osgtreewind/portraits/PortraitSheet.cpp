@@ -5,7 +5,7 @@
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
@@ -19,11 +19,12 @@
 #include <string>
 
 const char* const portraitLayout =
-    "The sheet, from left to right:\n"
-    "  summer: bark at 3 m, leaves at 3 m, the tree lit from the front, from behind, its silhouette\n"
+    "Rows of the sheet, each from left to right:\n"
+    "  summer: bark at 3 m, leaves at 3 m, the tree with the sun behind the camera, against the sun, its "
+    "outline\n"
     "  winter: the same\n"
-    "  three shapes at 10, 50 and 200 m through the tiers, the tree in --season and in autumn\n"
-    "Each says what it is where that fits, from --panel 128 on.";
+    "  three shapes at 10, 50 and 200 m (with levels of detail), the tree in --season and in autumn\n"
+    "From --panel 128 on, each picture has a label.";
 
 namespace {
 
@@ -31,7 +32,7 @@ using namespace osgTreeWind;
 
 constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 
-/// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
+/// Size of a tree of usual height in a forest, by the laws of the species; empty if it has none.
 TreeSize forestSize(Species species) {
     species.height.spread = species.crown.spread = 0.0f;
     return usualHeight(species) > 0.0f && species.height.scale > 0.0f
@@ -39,7 +40,7 @@ TreeSize forestSize(Species species) {
                : TreeSize{};
 }
 
-/// Trees of different shapes side by side across the view, the first at the origin.
+/// Trees of different shapes side by side across the view; the first stands at the origin.
 osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool tiers) {
     ForestDescription forest;
     forest.species = {species};
@@ -63,12 +64,12 @@ osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool
 class Sheet {
 public:
     Sheet(const Species& species, bool openGrown, int panel)
-        : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
+        : _growingPlace(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
           _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
-        const PlacedTree& tree = SimulationParts::trees(_tree->getSimulation()).front();
-        _size = SimulationParts::forest(_tree->getSimulation()).measured(tree);
-        const auto& leaves = SimulationParts::models(_tree->getSimulation()).front()->leaves;
+        const PlacedTree& tree = SimulationAccess::trees(_tree->getSimulation()).front();
+        _size = SimulationAccess::forest(_tree->getSimulation()).sizeOf(tree);
+        const auto& leaves = SimulationAccess::models(_tree->getSimulation()).front()->leaves;
         for (const LeafCluster& leaf : leaves)
             _leaves +=
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());
@@ -83,17 +84,17 @@ public:
         far(50, 1);
         far(200, 2);
         _tree->setSeason(season);
-        whole(lit, nameOf(season), 3, 2);
+        whole(frontLit, nameOf(season), 3, 2);
         _tree->setSeason(midautumn);
-        whole(lit, "autumn", 4, 2);
+        whole(frontLit, "autumn", 4, 2);
         return _image;
     }
 
 private:
     static constexpr double fieldOfView = 36.0;
-    static inline const osg::Vec3d lit{0.36, -0.93,
-                                       0.0}; ///< Toward an eye that has the sun beside and behind it.
-    static inline const osg::Vec3d against{-0.67, 0.74, 0.0};
+    /// Directions to a camera that has the sun at its side and behind it, and to one that faces the sun.
+    static inline const osg::Vec3d frontLit{0.36, -0.93, 0.0};
+    static inline const osg::Vec3d backLit{-0.67, 0.74, 0.0};
 
     static std::string nameOf(float season) {
         std::ostringstream number;
@@ -103,20 +104,21 @@ private:
 
     void drawSeason(const std::string& name, float season, int row) {
         _tree->setSeason(season);
-        look(_treeSetting, lit * (3.0 + 0.5 * static_cast<double>(_size.trunkDiameter)) + up(1.6), up(1.9));
+        look(_treeSetting, frontLit * (3.0 + 0.5 * static_cast<double>(_size.trunkDiameter)) + up(1.6),
+             up(1.9));
         put(shot(), "bark, " + name, 0, row);
-        const osg::Vec3d edge = lit * (0.5 * static_cast<double>(_size.crownWidth));
-        look(_treeSetting, edge + lit * 3.0 + _leaves - up(1.0), edge * 0.8 + _leaves);
+        const osg::Vec3d edge = frontLit * (0.5 * static_cast<double>(_size.crownWidth));
+        look(_treeSetting, edge + frontLit * 3.0 + _leaves - up(1.0), edge * 0.8 + _leaves);
         put(shot(), "leaves, " + name, 1, row);
-        whole(lit, name + ", " + _company, 2, row);
-        whole(against, "against the sun", 3, row);
+        whole(frontLit, name + ", " + _growingPlace, 2, row);
+        whole(backLit, "against the sun", 3, row);
         silhouette(name, row);
     }
 
     void far(int metres, int column) {
         const double distance = metres;
         const double rise = std::min(0.45 * static_cast<double>(_size.height), 1.6 + 0.22 * distance);
-        look(_treesSetting, lit * distance + up(1.6), up(rise));
+        look(_treesSetting, frontLit * distance + up(1.6), up(rise));
         put(shot(), "at " + std::to_string(metres) + " m", column, 2);
     }
 
@@ -125,9 +127,9 @@ private:
         put(shot(), label, column, row);
     }
 
-    /// Black is what hides a white background and not a black one.
+    /// Subtracts a picture on black from one on white: only the tree becomes black.
     void silhouette(const std::string& name, int row) {
-        lookAtWhole(_tree, lit);
+        lookAtWhole(_tree, frontLit);
         osg::ref_ptr<osg::Image> white, black;
         for (osg::ref_ptr<osg::Image>* image : {&white, &black}) {
             const float grey = image == &white ? 1.0f : 0.0f;
@@ -157,7 +159,7 @@ private:
     }
 
     osg::Image& shot() {
-        _drawing.frame(0.0); // what is seen for the first time is there from the next one on
+        _drawing.frame(0.0); // what is seen for the first time appears in the next frame
         return _drawing.frame(0.0);
     }
 
@@ -170,13 +172,13 @@ private:
                                          static_cast<unsigned>((sheetRows - 1 - row) * panel.t() + y)));
     }
 
-    std::string _company;
+    std::string _growingPlace;
     OffscreenViewer _drawing;
     osg::ref_ptr<Forest> _tree, _trees;
     osg::ref_ptr<osg::Group> _treeSetting, _treesSetting;
     osg::ref_ptr<osg::Image> _image;
     TreeSize _size;
-    osg::Vec3d _leaves; ///< Middle of them.
+    osg::Vec3d _leaves; ///< Mean position of the leaves.
 };
 
 } // namespace

@@ -5,11 +5,12 @@
 
 #include <osg/Image>
 
-/// What pictures of a portrait are, for --help.
+/// Layout of the sheet, for --help.
 extern const char* const portraitLayout;
 
-/// Draws the sheet of a species. @param openGrown as it grows by itself; else as in a forest, of the sizes
-/// that its laws have for its height. @param panel width and height of each picture, pixels. @param season of
-/// the whole tree at the lower right. Ends the command where there is no graphics context.
+/// Draws the sheet of a species. Throws CommandError if there is no OpenGL context.
+/// @param openGrown grown in the open; otherwise as in a forest, with the sizes that the species' laws give
+/// for its usual height. @param panel width and height of each picture, pixels. @param season season of the
+/// last but one picture.
 osg::ref_ptr<osg::Image> drawPortrait(const osgTreeWind::Species& species, bool openGrown, int panel,
                                       float season);

@@ -25,8 +25,8 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int shapes = 3, azimuths = 3, viewPixels = 600;
-constexpr float fromBelow = 25.0f; ///< Degrees below the middle of the crown.
-constexpr int closingPart = 12;    ///< Of the crown's width, by which its outline is closed.
+constexpr float fromBelow = 25.0f; ///< Viewing angle from below, degrees.
+constexpr int closingPart = 12;    ///< The outline is closed by this part of the crown's width.
 
 /// A crown seen from one side.
 class CrownView {
@@ -51,7 +51,7 @@ public:
 
     glm::vec2 operator()(const glm::vec3& p) const { return _scale * (glm::vec2(_view(p)) - _low); }
 
-    /// @param mask that is to be taken of them.
+    /// @param mask member of LeafMasks to use.
     Silhouette leaves(const LeafMasks& masks, const Silhouette::Mask& (LeafMasks::*mask)(int) const) const {
         Silhouette silhouette(viewPixels);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
@@ -78,7 +78,7 @@ private:
     int _closing;
 };
 
-/// Shares of sky in summer and winter, of one model from all sides.
+/// Shares of sky in summer and winter, mean over all sides of a model.
 glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     glm::vec2 sum(0.0f);
     for (int i = 0; i < azimuths; ++i) {
@@ -95,7 +95,7 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     return sum / static_cast<float>(azimuths);
 }
 
-/// Mean angle from the horizontal of leaves on cards so inclined, all radians.
+/// Mean angle from the horizontal of the leaves on cards with an inclination, radians.
 float inclinationOf(float card, const LeafSpray& spray) {
     constexpr int ways = 8;
     double sum = 0.0, area = 0.0;
@@ -112,7 +112,7 @@ float inclinationOf(float card, const LeafSpray& spray) {
     return area > 0.0 ? static_cast<float>(sum / area) : card;
 }
 
-/// Area of all quads, and that times the mean inclination of the leaves on them in degrees.
+/// Area of all quads, and that area times the mean inclination of their leaves in degrees.
 glm::vec2 quadsOf(const TreeModel& model, const LeafSpray& spray) {
     constexpr int steps = 18;
     float areas[steps + 1] = {};
@@ -132,7 +132,7 @@ glm::vec2 quadsOf(const TreeModel& model, const LeafSpray& spray) {
     return sum;
 }
 
-/// Degrees, of a colour that is not grey.
+/// Hue in degrees of a colour that is not grey.
 float hueOf(const glm::vec3& c) {
     const float most = std::max({c.r, c.g, c.b}), chroma = most - std::min({c.r, c.g, c.b});
     const float sixth = most == c.r   ? (c.g - c.b) / chroma
@@ -141,13 +141,13 @@ float hueOf(const glm::vec3& c) {
     return 60.0f * glm::mod(sixth, 6.0f);
 }
 
-/// Hues and green shares of leaves in the sun and under the sky, as they reach the screen.
+/// Hues and green shares of lit leaves as they appear on the screen.
 struct LeafColors {
     std::vector<float> hues;
     double green = 0.0;
 
     void add(const TreeModel& model, const Appearance& appearance) {
-        // As `osgtreewind render` and shaders/light.glsl have them.
+        // The same light as in `osgtreewind render` and shaders/light.glsl.
         const glm::vec3 toSun = glm::normalize(glm::vec3(0.45f, -0.5f, 0.74f)), sun{1.5f, 1.4f, 1.18f},
                         ambient{0.34f, 0.39f, 0.47f};
         const glm::vec3 fromBelow = ambient * glm::vec3(0.75f, 0.72f, 0.62f),
@@ -167,7 +167,7 @@ struct LeafColors {
                 const glm::vec4 color = texel(*pictures.colors, x, y), light = texel(*pictures.normals, x, y);
                 if (color.a < 1.0f || light.a < 1.0f)
                     continue;
-                const glm::vec3 way = LightLobe::longest * (2.0f * glm::vec3(light) - 1.0f);
+                const glm::vec3 way = LightLobe::maxGradient * (2.0f * glm::vec3(light) - 1.0f);
                 const glm::vec3 sky = glm::mix(fromBelow, fromAbove, 0.5f + 0.5f * way.z);
                 const float sunny = 0.5f + 0.5f * glm::dot(way, toSun);
                 const glm::vec3 seen = glm::convertLinearToSRGB(

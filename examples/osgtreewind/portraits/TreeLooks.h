@@ -5,21 +5,21 @@
 
 namespace osgTreeWind {
 
-/// Numbers by which the looks of a species compare with measurements of trees.
+/// Appearance of a species in numbers that can be compared with measurements of trees.
 struct TreeLooks {
-    /// Share of the sky that shows within the crown's outline, from 25 degrees below its middle; in winter
-    /// through twigs and branches alone, within their outline. Compare Wilkinson 1992.
+    /// Share of the crown's outline through which the sky shows, seen from 25 degrees below its middle. In
+    /// winter only twigs and branches count. Compare Wilkinson 1992.
     float skyThroughCrownSummer = 0.0f, skyThroughCrownWinter = 0.0f;
-    float crownOverStem = 0.0f;   ///< Width of the crown over the diameter of the stem at breast height.
-    float leafInclination = 0.0f; ///< Mean over the area of leaves, degrees from the horizontal.
-    /// Of one side of the leaves as drawn, m^2; of needles over flatLeafArea().
+    float crownOverStem = 0.0f;   ///< Crown width over stem diameter at breast height.
+    float leafInclination = 0.0f; ///< Mean angle of the leaf area from the horizontal, degrees.
+    /// One-sided area of the leaves as drawn, m^2; for needles divided by flatLeafArea().
     float leafAreaDrawn = 0.0f;
-    float leafAreaMechanics = 0.0f; ///< What the laws of motion take it for, m^2.
-    float hueSpread = 0.0f;         ///< 10th to 90th percentile of a lit crown's leaves, degrees.
-    float greenShare = 0.0f;        ///< Mean of G / (R + G + B) over them, of sRGB values.
+    float leafAreaMechanics = 0.0f; ///< Leaf area in the laws of motion, m^2.
+    float hueSpread = 0.0f;         ///< Range of leaf hues in a lit crown, 10th to 90th percentile, degrees.
+    float greenShare = 0.0f;        ///< Mean of G / (R + G + B) of the leaves in a lit crown, sRGB.
 };
 
-/// Means over three shapes of the species as they grow, unscaled. Without graphics, in about a second.
+/// Measures the means over three unscaled shapes of a species. Needs no graphics; takes about a second.
 TreeLooks measureLooks(const Species& species);
 
 } // namespace osgTreeWind

@@ -13,9 +13,9 @@ namespace {
 using namespace osgTreeWind;
 
 constexpr int longSide = 960, shortSide = 240; // pixels
-constexpr int arrowCell = 32;                  // pixels from arrow to arrow
+constexpr int arrowCell = 32;                  // distance between arrows, pixels
 
-/// Viridis in five colours.
+/// Viridis, interpolated between five colours.
 glm::vec3 colourOf(double share) {
     static const glm::vec3 colours[] = {{0.267f, 0.005f, 0.329f},
                                         {0.229f, 0.322f, 0.546f},
@@ -28,7 +28,7 @@ glm::vec3 colourOf(double share) {
 }
 
 struct Canvas {
-    osg::ref_ptr<osg::Image> image = new osg::Image; ///< The lowest row first.
+    osg::ref_ptr<osg::Image> image = new osg::Image; ///< Lowest row first.
 
     explicit Canvas(const glm::ivec2& size) {
         image->allocateImage(size.x, size.y, 1, GL_RGB, GL_UNSIGNED_BYTE);
@@ -50,7 +50,7 @@ struct Canvas {
         }
     }
 
-    /// An arrow around its middle; a dot for no length.
+    /// Draws an arrow around its middle, or a dot for a length of 0.
     void arrow(const glm::vec2& middle, const glm::vec2& along, const glm::vec3& colour) {
         const glm::vec2 tip = middle + 0.5f * along, side(-along.y, along.x);
         line(middle - 0.5f * along, tip, colour);

@@ -6,10 +6,8 @@
 #include <osg/Image>
 #include <osg/ref_ptr>
 
-/// A map of a wind, north up: speed as colour, from dark blue (calm) to yellow (`fastest`), with arrows
-/// toward where the air goes. The lowest layer at time 0; of a plane along x or y, or a single point, what
-/// there is.
-/// @param low, high corners in the scene, metres.
-/// @param fastest m/s.
+/// Draws a map of the lowest layer of a wind at time 0, north up: colours from dark blue (calm) to yellow
+/// (`fastest`), and arrows in the direction of the air.
+/// @param low, high corners in the scene, metres. @param fastest m/s.
 osg::ref_ptr<osg::Image> drawArrows(const osgTreeWind::WindField& wind, const glm::dvec3& low,
                                     const glm::dvec3& high, double fastest);

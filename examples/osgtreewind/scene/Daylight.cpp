@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Illuminance of a clear day by the height of the sun, in klx (IES, Recommended Practice for the Calculation
+/// Illuminance on a clear day for an elevation of the sun, klx (IES, Recommended Practice for the Calculation
 /// of Daylight Availability, 1984).
 struct ClearDay {
     double sine, degrees;
@@ -29,37 +29,37 @@ struct ClearDay {
 
 Daylight::Daylight(const osg::Vec3& direction, Weather weather) : toSun(direction) {
     const ClearDay usual(usualSun), day(direction);
-    // An eye, or a camera, makes up for some of what is lost.
+    // The eye partly adapts to dimmer light.
     const double exposure = std::pow(usual.ground() / day.ground(), 0.3),
                  more = day.airMass() - usual.airMass();
-    const auto through = [&](double opticalDepth) {
+    const auto transmitted = [&](double opticalDepth) {
         return static_cast<float>(exposure * std::exp(-opticalDepth * more));
     };
     const auto skyLeft = static_cast<float>(exposure * day.sky() / usual.sky());
-    const float written = std::pow(skyLeft, 1.0f / 2.2f);
+    const float display = std::pow(skyLeft, 1.0f / 2.2f);
     if (weather == Weather::Overcast) {
-        sun = osg::Vec3(0.06f, 0.06f, 0.06f) * through(0.2);
+        sun = osg::Vec3(0.06f, 0.06f, 0.06f) * transmitted(0.2);
         sky = osg::Vec3(0.88f, 0.85f, 0.80f) * skyLeft; // shaders/light.glsl makes it bluer from above
         around = osg::Vec3(0.10f, 0.10f, 0.10f) * skyLeft;
-        zenith = osg::Vec3(0.80f, 0.82f, 0.85f) * written;
-        horizon = osg::Vec3(0.72f, 0.75f, 0.78f) * written;
-        haze = osg::Vec3(0.76f, 0.79f, 0.81f) * written;
-        cloudLight = osg::Vec3(0.88f, 0.89f, 0.91f) * written;
-        cloudShade = osg::Vec3(0.62f, 0.65f, 0.69f) * written;
+        zenith = osg::Vec3(0.80f, 0.82f, 0.85f) * display;
+        horizon = osg::Vec3(0.72f, 0.75f, 0.78f) * display;
+        haze = osg::Vec3(0.76f, 0.79f, 0.81f) * display;
+        cloudLight = osg::Vec3(0.88f, 0.89f, 0.91f) * display;
+        cloudShade = osg::Vec3(0.62f, 0.65f, 0.69f) * display;
         clouds = 1.0f;
         disc = 0.0f;
         return;
     }
-    sun = osg::Vec3(2.02f * through(0.13), 1.88f * through(0.21), 1.60f * through(0.33));
+    sun = osg::Vec3(2.02f * transmitted(0.13), 1.88f * transmitted(0.21), 1.60f * transmitted(0.33));
     sky = osg::Vec3(0.26f, 0.31f, 0.40f) * skyLeft;
     around = osg::Vec3(0.06f, 0.06f, 0.05f) * skyLeft;
 
     const auto low = static_cast<float>(std::clamp((25.0 - day.degrees) / 25.0, 0.0, 1.0));
-    zenith = mixed(osg::Vec3(0.24f, 0.44f, 0.74f), osg::Vec3(0.27f, 0.42f, 0.66f), low) * written;
-    horizon = mixed(osg::Vec3(0.60f, 0.75f, 0.90f), osg::Vec3(0.78f, 0.78f, 0.80f), low) * written;
-    haze = mixed(osg::Vec3(0.78f, 0.85f, 0.91f), osg::Vec3(0.95f, 0.84f, 0.72f), low) * written;
+    zenith = mixed(osg::Vec3(0.24f, 0.44f, 0.74f), osg::Vec3(0.27f, 0.42f, 0.66f), low) * display;
+    horizon = mixed(osg::Vec3(0.60f, 0.75f, 0.90f), osg::Vec3(0.78f, 0.78f, 0.80f), low) * display;
+    haze = mixed(osg::Vec3(0.78f, 0.85f, 0.91f), osg::Vec3(0.95f, 0.84f, 0.72f), low) * display;
     glow = mixed(osg::Vec3(0.18f, 0.15f, 0.10f), osg::Vec3(0.34f, 0.21f, 0.04f), low);
-    cloudLight = mixed(osg::Vec3(0.98f, 0.98f, 0.98f), osg::Vec3(1.0f, 0.90f, 0.78f), low) * written;
-    cloudShade = mixed(osg::Vec3(0.64f, 0.69f, 0.77f), osg::Vec3(0.60f, 0.58f, 0.64f), low) * written;
+    cloudLight = mixed(osg::Vec3(0.98f, 0.98f, 0.98f), osg::Vec3(1.0f, 0.90f, 0.78f), low) * display;
+    cloudShade = mixed(osg::Vec3(0.64f, 0.69f, 0.77f), osg::Vec3(0.60f, 0.58f, 0.64f), low) * display;
     clouds = 0.50f;
 }

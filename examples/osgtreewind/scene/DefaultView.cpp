@@ -4,7 +4,7 @@
 #include <examples/osgtreewind/scene/Daylight.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/Math>
 
@@ -15,28 +15,28 @@
 
 namespace {
 
-using osgTreeWind::Forest;
+using osgTreeWind::Forest, osgTreeWind::SimulationAccess;
 
 constexpr double eyeHeight = 1.6;
 
 struct Tree {
     osg::Vec3d foot;
-    double height, reach; ///< Of the crown from the trunk.
-    bool isOnLevel;       ///< Its foot is taken to be as high as any place.
+    double height, reach; ///< Height, and radius of the crown.
+    bool isOnLevel;       ///< The ground is level, so every place is as high as the foot.
 
     double topAbove(const osg::Vec3d& place) const {
         return isOnLevel ? height : foot.z() + height - place.z();
     }
 };
 
-/// Those nearest to the middle tree, nearest first.
+/// The trees nearest to the middle tree, nearest first.
 std::vector<Tree> middleTrees(const Forest& forest) {
     constexpr std::size_t most = 1500;
     const osg::Vec3d centre = forest.getBound().center();
     std::vector<Tree> trees;
-    for (const osgTreeWind::PlacedTree& tree : SimulationParts::trees(forest.getSimulation()))
+    for (const osgTreeWind::PlacedTree& tree : SimulationAccess::trees(forest.getSimulation()))
         if (tree.alive) {
-            const osgTreeWind::TreeSize size = SimulationParts::forest(forest.getSimulation()).measured(tree);
+            const osgTreeWind::TreeSize size = SimulationAccess::forest(forest.getSimulation()).sizeOf(tree);
             trees.push_back({osg::Vec3d(tree.position.x, tree.position.y, tree.position.z), size.height,
                              0.5 * size.crownWidth, !forest.getGround()});
         }
@@ -53,16 +53,16 @@ std::vector<Tree> middleTrees(const Forest& forest) {
     return trees;
 }
 
-/// A person who looks one way, level.
-class Onlooker {
+/// Rates level views in one direction.
+class ViewRating {
 public:
-    Onlooker(const Lens& lens)
+    ViewRating(const Lens& lens)
         : _tall(std::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView))), _wide(_tall * lens.aspect),
           _highest(std::tan(std::atan(0.72 * _tall) + std::atan(0.55 * _tall))) {}
 
-    /// How well the picture is filled, above 0; 0 where a tree is in the way or cut off at its top.
-    /// @param eye its z is that of the ground.
-    double look(const std::vector<Tree>& trees, const osg::Vec3d& eye, const osg::Vec2d& ahead) const {
+    /// How well trees fill the picture; 0 if a tree is in the way or its top is cut off.
+    /// @param eye z is the height of the ground.
+    double rate(const std::vector<Tree>& trees, const osg::Vec3d& eye, const osg::Vec2d& ahead) const {
         std::array<double, columns> skyline{};
         const osg::Vec2d right(ahead.y(), -ahead.x());
         double cutOff = 0.0;
@@ -92,17 +92,17 @@ public:
         return filled / (1.0 + 0.5 * cutOff);
     }
 
-    /// Toward which elevation to look so that ground, trees up to `top` (a tangent) and sky share the
-    /// picture.
+    /// Elevation to look at, as a tangent, so that the picture holds ground, trees up to `top` (a tangent)
+    /// and sky.
     double pitch(double top) const {
         const double middle = 0.5 * std::atan(top);
         return std::clamp(std::tan(middle), 0.2 * _tall, 0.55 * _tall);
     }
-    /// From where a tree is as high as it may be.
+    /// Smallest distance from which a tree is not cut off.
     double distanceOf(const Tree& tree) const {
         return std::max(tree.height - eyeHeight, 0.5) / _highest + 0.5 * tree.reach;
     }
-    /// @param part of the angle of view, positive to the left.
+    /// Turns a direction. @param part of the horizontal angle of view, positive to the left.
     osg::Vec2d turned(const osg::Vec2d& way, double part) const {
         const double angle = 2.0 * part * std::atan(_wide);
         return {way.x() * std::cos(angle) - way.y() * std::sin(angle),
@@ -114,8 +114,8 @@ private:
     static int columnOf(double across) {
         return std::clamp(static_cast<int>(0.5 * (across + 1.0) * columns), 0, columns - 1);
     }
-    double _tall, _wide; ///< Tangents of half the angles of view,
-    double _highest;     ///< and of the highest elevation that a tree may have.
+    double _tall, _wide; ///< Tangents of half the angles of view.
+    double _highest;     ///< Tangent of the highest elevation of a tree top.
 };
 
 osg::Vec2d toward(double azimuth) {
@@ -146,7 +146,7 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens, const osg::Vec
     const std::vector<Tree> trees = middleTrees(forest);
     if (trees.empty())
         return {osg::Vec3d(0.0, -10.0, eyeHeight), osg::Vec3d(0.0, 0.0, eyeHeight)};
-    const Onlooker onlooker(lens);
+    const ViewRating rating(lens);
     osg::Vec2d sunward(toSun.x(), toSun.y());
     sunward.normalize();
     double best = -1.0;
@@ -156,12 +156,12 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens, const osg::Vec
         for (int direction = 0; direction < directions; ++direction) {
             const osg::Vec2d way = toward(2.0 * osg::PI * direction / directions);
             const osg::Vec2d place =
-                osg::Vec2d(subject.foot.x(), subject.foot.y()) - way * (onlooker.distanceOf(subject) + 0.5);
+                osg::Vec2d(subject.foot.x(), subject.foot.y()) - way * (rating.distanceOf(subject) + 0.5);
             const osg::Vec3d stand(place, groundHeight(forest, place, subject.foot.z()));
-            for (const double aside : {0.0, -0.35, 0.35}) { // of the angle of view
-                const osg::Vec2d look = onlooker.turned(way, aside);
-                const double sunny = 1.0 - 0.2 * (way * sunward); // the sun behind the eye
-                const double seen = sunny * onlooker.look(trees, stand, look);
+            for (const double aside : {0.0, -0.35, 0.35}) { // share of the angle of view
+                const osg::Vec2d look = rating.turned(way, aside);
+                const double sunny = 1.0 - 0.2 * (way * sunward); // best with the sun behind the eye
+                const double seen = sunny * rating.rate(trees, stand, look);
                 if (seen > best + 1e-6) {
                     best = seen;
                     eye = place;
@@ -184,7 +184,7 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens, const osg::Vec
             top = std::max(top, (tree.topAbove(stand) - eyeHeight) / (way * ahead));
     }
     const osg::Vec3d from = stand + osg::Vec3d(0.0, 0.0, eyeHeight);
-    return {from, from + osg::Vec3d(ahead.x(), ahead.y(), onlooker.pitch(top)) * 10.0};
+    return {from, from + osg::Vec3d(ahead.x(), ahead.y(), rating.pitch(top)) * 10.0};
 }
 
 ForestView viewOfOneTree(const Forest& forest, const Lens& lens) {
@@ -198,7 +198,7 @@ ForestView viewOfOneTree(const Forest& forest, const Lens& lens) {
     double clearest = -1e9;
     osg::Vec2d away;
     for (int turn = 0; turn < 16; ++turn) {
-        const osg::Vec2d way = toward(osg::DegreesToRadians(-115.0 + 22.5 * turn)); // first from the south
+        const osg::Vec2d way = toward(osg::DegreesToRadians(-115.0 + 22.5 * turn)); // starting from the south
         double room = 4.0;
         for (std::size_t i = 1; i < trees.size(); ++i) {
             const osg::Vec2d other(trees[i].foot.x() - tree.foot.x(), trees[i].foot.y() - tree.foot.y());

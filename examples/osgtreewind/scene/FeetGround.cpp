@@ -17,7 +17,7 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// Between points by Franke and Little's weights of the nearest ones (Shepard's method, modified).
+/// Interpolates between the nearest points with the weights of Franke and Little (modified Shepard's method).
 class Surface {
 public:
     explicit Surface(const std::vector<glm::dvec3>& points) : _low(points.front()), _high(points.front()) {
@@ -34,7 +34,7 @@ public:
             _buckets[bucketOf(cellOf(point))].push_back(point);
     }
 
-    /// Beyond the points that at their edge goes over to their mean.
+    /// Beyond the points, the height at their edge fades into their mean.
     double height(double x, double y) const {
         const glm::dvec2 place = glm::clamp(glm::dvec2(x, y), _low, _high);
         const double beyond = glm::distance(place, glm::dvec2(x, y)),
@@ -63,7 +63,7 @@ private:
                 continue;
             std::nth_element(found.begin(), found.begin() + nearest, found.end());
             if (found[nearest].distance <= ring * _cell)
-                break; // none that is nearer is still to come
+                break; // further rings hold no nearer points
         }
         if (found.size() > nearest)
             std::nth_element(found.begin(), found.begin() + nearest, found.end());
@@ -87,7 +87,7 @@ private:
         return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(_cells.x) +
                static_cast<std::size_t>(cell.x);
     }
-    /// What lies in the cells of a ring about the middle.
+    /// Collects the points in a ring of cells around the middle.
     void collect(const glm::dvec2& place, const glm::ivec2& middle, int ring,
                  std::vector<Near>& found) const {
         const glm::ivec2 first = glm::max(middle - ring, 0), last = glm::min(middle + ring, _cells - 1);

@@ -3,6 +3,6 @@
 
 #include <osgTreeWind/forest/ForestDescription.h>
 
-/// A smooth ground through the feet of the trees of a forest, level beyond them: for one that has none, and
-/// whose trees do not all stand at height 0 of the scene; else null.
+/// A smooth ground through the feet of the trees, level beyond them. Null if the forest has a ground, or all
+/// trees stand at height 0 of the scene.
 osgTreeWind::GroundPtr groundThroughFeet(const osgTreeWind::ForestDescription& forest);

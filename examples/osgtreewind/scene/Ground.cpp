@@ -21,20 +21,20 @@ namespace {
 
 using osgTreeWind::Forest;
 
-constexpr int texels = 512; // of the ground's texture, each way
+constexpr int texels = 512; // width and height of the ground texture
 
-// A vertex has the light and the haze: both change little from one to the next, and fragments are many.
+// Light and haze are computed per vertex: they vary slowly, and there are many fragments.
 const char* groundVertexText = R"(
 out vec2 place;
-out vec4 haze;   // its colour, as written, and how much of the ground it leaves
-out float fine; // how much is left of what is small
+out vec4 haze;   // display colour of the haze, and share of the ground that stays visible
+out float fine; // visibility of fine detail
 #ifdef TUFTS
-out float rise, shade; // of a blade of grass, from its foot to its tip; own
+out float rise, shade; // position along a blade of grass, 0 to 1; random number of the blade
 uniform sampler2D tuftWind;
-uniform vec3 tuftWindPlace; // its corner, one over its size
+uniform vec3 tuftWindPlace; // corner, 1 / size
 uniform float osg_SimulationTime;
 
-/// How far the wind bends the tip of a blade from where it stands upright, metres.
+/// Displacement of the tip of a blade by the wind, metres.
 vec3 bent(vec2 foot, float height) {
     vec2 wind = texture(tuftWind, (foot - tuftWindPlace.xy) * tuftWindPlace.z).xy;
     float speed = length(wind);
@@ -52,12 +52,12 @@ vec3 sunLight;
 out vec3 sunOnIt;
 #endif
 uniform float sunOnGround;
-uniform vec4 rim;       // middle, half of its width each way
-uniform float rimStart; // part of the way to it from where on haze hides what is left
+uniform vec4 rim;       // middle of the ground, half of its widths
+uniform float rimStart; // haze hides the ground beyond this share of the way to its edge
 void main() {
     vec4 vertex = gl_Vertex;
 #ifdef LEVEL
-    vertex.xy += gl_ModelViewMatrixInverse[3].xy; // about the eye
+    vertex.xy += gl_ModelViewMatrixInverse[3].xy; // the disc follows the eye
 #endif
     place = vertex.xy;
 #ifdef TUFTS
@@ -72,7 +72,7 @@ void main() {
     vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
 #endif
     float facing = max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0);
-    facing = mix(0.2, 1.0, facing); // blades stand up
+    facing = mix(0.2, 1.0, facing); // upright blades catch light from the side
     sunLight = sunOnGround * facing * gl_LightSource[0].diffuse.rgb;
 #ifdef SHADOWED
     eyePosition = eye.xyz;
@@ -94,14 +94,14 @@ void main() {
     gl_Position = gl_ProjectionMatrix * eye;
 })";
 
-// Each scale is turned and in no simple ratio to the others, so that the texture does not show.
+// The texture is used at rotated scales without simple ratios, so that its repetition does not show.
 const char* groundFragmentText = R"(
 in vec2 place;
 in vec4 haze;
 in float fine;
 #ifdef TUFTS
 in float rise, shade;
-#define WORN 0.25 // what is left there is green
+#define WORN 0.25 // tufts on worn patches are greener than the patches
 #define LITTER 0.35
 #else
 #define WORN 0.45
@@ -113,11 +113,11 @@ in vec3 eyePosition;
 in vec3 sunOnIt;
 #endif
 uniform vec3 skyLight, litter;
-uniform vec3 season;             // factor on the colour of grass
+uniform vec3 season;             // factor for the colour of grass
 uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass
 #ifdef COVERED
-uniform sampler2D groundCover;   // red: crowns overhead, green: what the foot of a trunk leaves of the sky
-uniform vec4 coverPlace;         // its corner, one over its size
+uniform sampler2D groundCover;   // red: cover by crowns, green: sky hidden by trunks
+uniform vec4 coverPlace;         // corner, 1 / size
 #endif
 void main() {
     vec2 p = place;
@@ -152,7 +152,7 @@ float between(osgTreeWind::Random& random, float low, float high) {
     return low + (high - low) * random.uniform();
 }
 
-/// Strokes every way over each other, on a square that goes on into itself; in [0, 1].
+/// Paints strokes in all directions on a square that tiles seamlessly; values in [0, 1].
 std::vector<float> paintedBlades() {
     osgTreeWind::Random random(11);
     std::vector<float> values(texels * texels, 0.0f);
@@ -200,13 +200,13 @@ osg::ref_ptr<osg::Texture2D> groundTexture() {
     return texture;
 }
 
-/// Half as wide as the ground each way about its middle, and where haze begins to hide its rim.
+/// Middle and half widths of the ground, and where haze begins to hide its edge.
 struct Rim {
     osg::Vec2 middle, half;
     float start;
 };
 
-/// @param define lines of both shaders.
+/// @param define preprocessor lines for both shaders.
 osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     using osgTreeWind::shaderText;
     const std::string version = "#version 330 compatibility\n";
@@ -226,7 +226,7 @@ osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     return state;
 }
 
-/// The haze begins beyond the trees.
+/// Edge of the forest's ground; haze begins beyond the trees.
 Rim reliefRim(const Forest& forest) {
     const osgTreeWind::GroundArea area = forest.getDescription().ground->area();
     const osg::Vec3d origin = forest.getOrigin();
@@ -252,7 +252,7 @@ Rim levelRim(const Forest& forest) {
     return {{bound.center().x(), bound.center().y()}, {radius, radius}, 0.7f};
 }
 
-/// A disc about the eye, in rings that widen with the distance.
+/// Disc around the eye, in rings that widen with the distance.
 osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
     constexpr int spokes = 48, rings = 24;
     const float radius = rim.half.x();
@@ -280,11 +280,11 @@ osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
     ground->addPrimitiveSet(triangles);
     const osg::Vec3 middle(rim.middle, 0.0f), reach(radius, radius, 0.0f);
     ground->setInitialBound(osg::BoundingBox(middle - reach, middle + reach));
-    ground->setCullingActive(false); // it goes with the eye
+    ground->setCullingActive(false); // it follows the eye
     return ground;
 }
 
-/// What grass and litter look like in a season.
+/// Sets the colours of grass and litter for a season.
 void setSeasonColors(osg::StateSet& state, float season) {
     using osg::Vec3;
     struct Colors {
@@ -294,8 +294,8 @@ void setSeasonColors(osg::StateSet& state, float season) {
                                     {{0.95f, 1.10f, 0.80f}, {0.100f, 0.075f, 0.042f}},  // spring
                                     {{1.00f, 1.00f, 1.00f}, {0.075f, 0.062f, 0.034f}},  // summer
                                     {{1.15f, 0.95f, 0.90f}, {0.220f, 0.110f, 0.034f}}}; // autumn
-    const float from = std::floor(season), // of the year; a season itself lasts for half of its quarter
-        part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
+    // Colours change in the middle half of the interval between two seasons.
+    const float from = std::floor(season), part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
     const Colors &now = colors[static_cast<int>(from) & 3], &next = colors[(static_cast<int>(from) + 1) & 3];
     state.addUniform(new osg::Uniform("season", mixed(now.grass, next.grass, part)));
     state.addUniform(new osg::Uniform("litter", mixed(now.litter, next.litter, part)));
@@ -323,7 +323,7 @@ osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const GroundC
     if (!cover.isEmpty())
         defines += "#define COVERED\n";
     const osg::ref_ptr<osg::StateSet> state = grass(defines, isRelief ? reliefRim(forest) : levelRim(forest));
-    cover.setUniforms(*state, 7); // the forest and shadows take those below
+    cover.setUniforms(*state, 7); // lower units belong to the forest and its shadows
     setSeasonColors(*state, forest.getSeason());
     return state;
 }

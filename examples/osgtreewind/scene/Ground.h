@@ -11,19 +11,20 @@
 
 #include <string>
 
-/// Grassland around a forest and litter below it, lit by light 0 and under the fog and shadows of the scene
-/// (shaders/scene.glsl): on the ground that it has, or level at height 0. Haze hides its rim.
+/// Makes grassland around a forest and litter below it, on the forest's ground or level at height 0. It is
+/// lit by light 0 with the fog and shadows of the scene (shaders/scene.glsl). Haze hides its edge.
 osg::ref_ptr<osg::Node> createGround(const osgTreeWind::Forest& forest, const GroundCover& cover);
 
-/// How its grass looks. @param define TUFTS: a vertex is one of a blade of grass, with how far up that is, 0
-/// to 1, and a number of its own, as texture coordinates.
+/// State set of the grass. @param define "#define TUFTS": vertices are those of blades of grass. Their
+/// texture coordinates are the position along the blade (0 to 1), a random number and the height of the
+/// blade.
 osg::ref_ptr<osg::StateSet> createGrassState(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                              const std::string& define = "");
 
-/// What the sky gives the ground, and all of the sun.
+/// Sets the light of the sky on the ground, with full sunlight.
 void setGroundLight(osg::StateSet& state, const Daylight& day);
-/// The share of the sun's light that the ground below a state has.
+/// Share of the sunlight that reaches the ground.
 osg::ref_ptr<osg::Uniform> sunOnGround(float share);
 
-/// From the eye to the rim of level ground, metres.
+/// Distance from the eye to the edge of level ground, metres.
 float groundRadius(const osg::BoundingSphere& bound);

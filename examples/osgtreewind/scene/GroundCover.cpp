@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,14 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// A tree on the ground, metres.
+/// Outline of a tree on the ground, metres.
 struct Foot {
     osg::Vec2d place;
     double crown, trunk; ///< Radii.
-    double shade;        ///< Of the light that falls on its crown, what that keeps.
+    double shade;        ///< Share of the light that the crown absorbs.
 };
 
-/// How far from a tree its leaves come to lie, metres.
+/// Distance from the tree up to which fallen leaves lie, metres.
 double reachOf(const Foot& foot) {
     return 1.8 * foot.crown + 1.5;
 }
@@ -27,9 +27,9 @@ double reachOf(const Foot& foot) {
 std::vector<Foot> feetOf(const Forest& forest) {
     const ForestSimulation& simulation = forest.getSimulation();
     std::vector<Foot> feet;
-    for (const PlacedTree& tree : SimulationParts::trees(simulation))
+    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
         if (tree.alive) {
-            const TreeSize size = SimulationParts::forest(simulation).measured(tree);
+            const TreeSize size = SimulationAccess::forest(simulation).sizeOf(tree);
             feet.push_back({{tree.position.x, tree.position.y},
                             0.5 * size.crownWidth,
                             0.5 * size.trunkDiameter,
@@ -38,7 +38,7 @@ std::vector<Foot> feetOf(const Forest& forest) {
     return feet;
 }
 
-/// Adds to a channel of all texels about a place. @param covered share of what is left there, by the
+/// Increases a channel of the texels around a place. @param covered share of the remaining light, by
 /// distance.
 template <typename Covered>
 void paint(osg::Image& image, int channel, const osg::Vec2d& at, double radius, double cell,
@@ -49,7 +49,7 @@ void paint(osg::Image& image, int channel, const osg::Vec2d& at, double radius, 
     };
     const int left = first(at.x()), right = last(at.x(), image.s());
     for (int y = first(at.y()); y <= last(at.y(), image.t()); ++y) {
-        unsigned char* const row = image.data(0, y) + channel; // osg::Image is slow to say where
+        unsigned char* const row = image.data(0, y) + channel; // osg::Image::data() is slow per texel
         for (int x = left; x <= right; ++x) {
             const double away = (osg::Vec2d(cell * (x + 0.5), cell * (y + 0.5)) - at).length();
             unsigned char& texel = row[2 * x];

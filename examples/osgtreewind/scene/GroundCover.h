@@ -8,22 +8,22 @@
 #include <osg/Texture2D>
 #include <osg/Vec2d>
 
-/// What the trees of a forest do to the ground under them: where their crowns close over it, and what the
-/// feet of their trunks leave of the sky. It shows the trees as they stand when it is made. For a world,
-/// whose trees come and go, it is empty.
+/// Map of how trees cover the ground: where crowns close over it, and where trunks hide the sky. It shows the
+/// trees at the time of its construction. It is empty for worlds, because their trees are loaded and
+/// unloaded.
 class GroundCover {
 public:
     explicit GroundCover(const osgTreeWind::Forest& forest);
 
     bool isEmpty() const { return !_image; }
-    /// How far crowns hide the sky there, 0 to 1.
+    /// Share of the sky hidden by crowns at a place, 0 to 1.
     float crownsOver(const osg::Vec2d& place) const;
-    /// Sets `groundCover`, a texture, and `coverPlace` for the shaders of Ground.h, unless it is empty.
+    /// Sets the texture `groundCover` and the uniform `coverPlace` for the shaders of Ground.h, unless empty.
     void setUniforms(osg::StateSet& state, unsigned unit) const;
 
 private:
     osg::Vec2d _low;
     double _cell = 1.0;
-    osg::ref_ptr<osg::Image> _image; ///< Two bytes a texel.
+    osg::ref_ptr<osg::Image> _image; ///< Two bytes per texel.
     osg::ref_ptr<osg::Texture2D> _texture;
 };

@@ -6,7 +6,7 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -31,11 +31,12 @@ namespace {
 
 using namespace osgTreeWind;
 
-constexpr int silhouettePixels = 128, samplesPerPixel = 2; // of a silhouette, each way
+constexpr int silhouettePixels = 128, samplesPerPixel = 2; // of a silhouette, in each direction
 
-// gl_MultiTexCoord1: number of the tree, share of its height that this is the shadow of.
+// gl_MultiTexCoord1: number of the tree; height, as a share of the tree's, that casts this part of the
+// shadow.
 const char* shadowVertexText = R"(
-uniform sampler2D treeLeans; // of the tops, metres; whether the tree has come down
+uniform sampler2D treeLeans; // xy: lean of the top, metres; z: whether the tree has fallen
 out vec3 spot;
 void main() {
     spot = gl_MultiTexCoord0.xyz;
@@ -44,7 +45,7 @@ void main() {
     place.xy += pow(gl_MultiTexCoord1.y, LEAN_POWER) * lean.xy;
 #ifdef RELIEF
     vec4 eye = gl_ModelViewMatrix * place;
-    eye.xyz *= 1.0 - 0.004 - min(0.3 / length(eye.xyz), 0.5); // before the ground, however fine that is
+    eye.xyz *= 1.0 - 0.004 - min(0.3 / length(eye.xyz), 0.5); // in front of the ground at every level of detail
     gl_Position = gl_ProjectionMatrix * eye;
 #else
     gl_Position = gl_ModelViewProjectionMatrix * place;
@@ -61,34 +62,35 @@ void main() {
     float shade = textureLod(silhouettes, spot, lod).r;
     if (shade < 0.004)
         discard;
-    gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - 0.9 * shade); // crowns let some through
+    gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - 0.9 * shade); // crowns let some light through
 })";
 
-/// Along the ground, in the frame of a tree: across the light, and away from the sun.
-struct Fall {
+/// Projection along the sunlight to level ground, in the frame of a tree.
+struct ShadowProjection {
     glm::vec2 across, away;
-    float slope; ///< Metres away for a metre up.
+    float slope; ///< Metres away from the sun per metre of height.
 
     glm::vec2 operator()(const glm::vec3& p) const {
         return {glm::dot(glm::vec2(p), across), glm::dot(glm::vec2(p), away) + slope * p.z};
     }
 };
 
-/// A shape's shadow, and where it lies on the ground about the foot of a tree that is not scaled.
+/// Shadow of a shape, and its position on the ground relative to the foot of an unscaled tree.
 struct ShadowPicture {
     glm::vec2 low{0.0f}, high{1e-3f};
     osg::ref_ptr<osg::Image> image = new osg::Image;
 
-    ShadowPicture(const TreeModel& model, const Appearance& appearance, float leaves, const Fall& fall) {
+    ShadowPicture(const TreeModel& model, const Appearance& appearance, float leaves,
+                  const ShadowProjection& project) {
         const auto quads = [&](auto use) {
             for (std::size_t i = 0; i < model.leaves.size(); ++i)
                 for (std::size_t v = 0; v < model.leafMesh.size(); v += 4) {
                     const LeafCluster& leaf = model.leaves[i];
                     const auto at = [&](std::size_t corner) {
-                        return fall(leaf.anchor +
-                                    leaf.size * (leaf.orientation * model.leafMesh[v + corner].corner));
+                        return project(leaf.anchor +
+                                       leaf.size * (leaf.orientation * model.leafMesh[v + corner].corner));
                     };
-                    use(isBorne(i, leaves), at(0), at(1) - at(0), at(3) - at(0));
+                    use(isClusterBorne(i, leaves), at(0), at(1) - at(0), at(3) - at(0));
                 }
         };
         const auto cover = [&](const glm::vec2& p) {
@@ -100,7 +102,7 @@ struct ShadowPicture {
                 cover(p);
         });
         for (std::size_t unit = 0; unit < model.skeleton.units.size(); ++unit)
-            cover(fall(model.skeleton.point(unit, model.skeleton.ringsPerBranch - 1)));
+            cover(project(model.skeleton.point(unit, model.skeleton.ringsPerBranch - 1)));
         const glm::vec2 margin = 0.06f * (high - low);
         low -= margin;
         high += margin;
@@ -115,8 +117,8 @@ struct ShadowPicture {
         });
         for (std::size_t unit = 0; unit < model.skeleton.units.size(); ++unit)
             for (int ring = 0; ring + 1 < model.skeleton.ringsPerBranch; ++ring) {
-                const glm::vec2 start = fall(model.skeleton.point(unit, ring)),
-                                along = fall(model.skeleton.point(unit, ring + 1)) - start;
+                const glm::vec2 start = project(model.skeleton.point(unit, ring)),
+                                along = project(model.skeleton.point(unit, ring + 1)) - start;
                 const glm::vec2 side = model.skeleton.radius(unit, ring) * glm::vec2(along.y, -along.x) /
                                        glm::max(glm::length(along), 1e-6f);
                 black.draw(scale * (start - side - low), scale * (2.0f * side), scale * along, solid);
@@ -156,7 +158,7 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, 
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, texture);
     state->addUniform(new osg::Uniform("silhouettes", 0));
-    bindData(*state, "treeLeans", 1, leans.texture());
+    bindDataTexture(*state, "treeLeans", 1, leans.texture());
     state->setAttributeAndModes(
         new osg::BlendEquation(osg::BlendEquation::RGBA_MIN)); // shadows do not add up
     osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil;
@@ -169,15 +171,15 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, 
     return state;
 }
 
-/// Where light that would meet level ground about a foot meets the forest's own.
-class Landing {
+/// Moves points of a shadow from level ground at the foot of a tree to the forest's ground.
+class GroundProjection {
 public:
-    Landing(const Forest& forest, const glm::vec2& away, float slope)
+    GroundProjection(const Forest& forest, const glm::vec2& away, float slope)
         : _ground(forest.getDescription().ground), _origin(forest.getDescription().origin),
           _run(slope * away) {}
 
     bool isRelief() const { return _ground != nullptr; }
-    /// @param farthest that the ground may lie above or below, metres.
+    /// @param farthest largest height difference of the ground, metres.
     osg::Vec3 operator()(const glm::vec2& level, float height, float farthest) const {
         constexpr int steps = 8;
         float drop = 0.0f;
@@ -194,10 +196,10 @@ public:
 private:
     osgTreeWind::GroundPtr _ground;
     glm::dvec3 _origin;
-    glm::vec2 _run; ///< For a metre down.
+    glm::vec2 _run; ///< Horizontal displacement per metre of descent.
 };
 
-/// The triangles of a square in so many parts each way, corners in [0, 1].
+/// Triangles of the unit square, divided into columns and rows.
 std::vector<glm::vec2> squares(int columns, int rows) {
     std::vector<glm::vec2> corners;
     for (int y = 0; y < rows; ++y)
@@ -208,21 +210,21 @@ std::vector<glm::vec2> squares(int columns, int rows) {
     return corners;
 }
 
-/// Hands on how far the trees lean, once they have moved.
+/// Passes the lean of the trees to the shader after they have moved.
 class LeanUpdate : public osg::NodeCallback {
 public:
     LeanUpdate(const Forest& forest, DataTexture leans)
         : _forest(&forest), _leans(std::move(leans)),
-          _count(SimulationParts::trees(forest.getSimulation()).size()) {}
+          _count(SimulationAccess::trees(forest.getSimulation()).size()) {}
 
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         traverse(node, visitor);
         osg::ref_ptr<const Forest> forest;
         if (!_forest.lock(forest))
             return;
-        const ModalMotion* modal = SimulationParts::modal(forest->getSimulation());
-        const std::size_t trees = modal ? SimulationParts::trees(forest->getSimulation()).size() : 0;
-        for (std::size_t i = 0; i < std::min(trees, _count); ++i) { // others have come since
+        const ModalMotion* modal = SimulationAccess::modal(forest->getSimulation());
+        const std::size_t trees = modal ? SimulationAccess::trees(forest->getSimulation()).size() : 0;
+        for (std::size_t i = 0; i < std::min(trees, _count); ++i) { // trees added later have no shadow
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
             _leans.data()[4 * i + 1] = lean.y;
@@ -235,7 +237,7 @@ public:
 private:
     osg::observer_ptr<const Forest> _forest;
     DataTexture _leans;
-    std::size_t _count; ///< Of trees that have a shadow.
+    std::size_t _count; ///< Number of trees with a shadow.
 };
 
 } // namespace
@@ -249,38 +251,39 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     const auto turned = [](const glm::vec2& v, float by) {
         return glm::vec2(glm::cos(by) * v.x - glm::sin(by) * v.y, glm::sin(by) * v.x + glm::cos(by) * v.y);
     };
-    const float run = glm::length(level) / glm::max(sun.z(), 0.035f); // metres of shadow for one of height
-    const Landing landing(forest, away, run);
-    const auto trees = static_cast<float>(SimulationParts::trees(simulation).size());
+    const float run = glm::length(level) / glm::max(sun.z(), 0.035f); // metres of shadow per metre of height
+    const GroundProjection toGround(forest, away, run);
+    const auto trees = static_cast<float>(SimulationAccess::trees(simulation).size());
     const int fine = static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f));
-    const std::vector<glm::vec2> spotsOfOne = squares(landing.isRelief() ? fine : 1, fine);
-    std::map<std::uint32_t, std::size_t> pictureOf; // of a model, from its first tree
+    const std::vector<glm::vec2> spotsOfOne = squares(toGround.isRelief() ? fine : 1, fine);
+    std::map<std::uint32_t, std::size_t> pictureOf; // by model, drawn for its first tree
     std::vector<ShadowPicture> pictures;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> parts = new osg::Vec2Array;
-    for (std::size_t i = 0; i < SimulationParts::trees(simulation).size(); ++i) {
-        const PlacedTree& tree = SimulationParts::trees(simulation)[i];
+    for (std::size_t i = 0; i < SimulationAccess::trees(simulation).size(); ++i) {
+        const PlacedTree& tree = SimulationAccess::trees(simulation)[i];
         if (!tree.alive)
             continue;
         const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
         if (first) {
-            const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
-                            run * tree.scale.axes.z / tree.scale.axes.x};
-            pictures.emplace_back(*SimulationParts::models(simulation)[tree.model],
+            const ShadowProjection projection{turned(across, -tree.heading), turned(away, -tree.heading),
+                                              run * tree.scale.axes.z / tree.scale.axes.x};
+            pictures.emplace_back(*SimulationAccess::models(simulation)[tree.model],
                                   simulation.description().species[tree.species].appearance, tree.leaves,
-                                  fall);
+                                  projection);
         }
         const ShadowPicture& picture = pictures[found->second];
-        const float length = run * SimulationParts::forest(simulation).measured(tree).height,
+        const float length = run * SimulationAccess::forest(simulation).sizeOf(tree).height,
                     half = 0.5f * tree.scale.axes.x * (picture.high.x - picture.low.x);
         const float lying = length * length / (length * length + half * half);
         for (const glm::vec2& spot : spotsOfOne) {
             const glm::vec2 place = tree.scale.axes.x * glm::mix(picture.low, picture.high, spot);
             const glm::vec2 at = glm::vec2(tree.position) + place.x * across + place.y * away;
             corners->push_back(
-                landing(at, tree.position.z + 0.02f, tree.scale.axes.x * (picture.high.y - picture.low.y)));
+                toGround(at, tree.position.z + 0.02f, tree.scale.axes.x * (picture.high.y - picture.low.y)));
             spots->push_back({spot.x, spot.y, static_cast<float>(found->second)});
-            const float share = glm::mix(0.75f, place.y / glm::max(length, 1e-3f), lying); // as impostor.vert
+            const float share =
+                glm::mix(0.75f, place.y / glm::max(length, 1e-3f), lying); // as in impostor.vert
             parts->push_back({static_cast<float>(i), glm::clamp(share, 0.0f, 1.0f)});
         }
     }
@@ -291,8 +294,8 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     shadows->setTexCoordArray(0, spots);
     shadows->setTexCoordArray(1, parts);
     shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    const DataTexture leans("tree leans", SimulationParts::trees(simulation).size());
-    shadows->setStateSet(stateOf(pictures, landing.isRelief(), leans));
+    const DataTexture leans("tree leans", SimulationAccess::trees(simulation).size());
+    shadows->setStateSet(stateOf(pictures, toGround.isRelief(), leans));
     above.addUpdateCallback(new LeanUpdate(forest, leans));
     return shadows;
 }

@@ -8,18 +8,18 @@
 
 namespace osgTreeWind {
 
-/// What of the cards of a leaf texture is solid: leaves with their twigs, and twigs alone.
+/// Masks of a leaf texture: leaves with their twigs, and twigs alone.
 struct LeafMasks {
-    /// @param texture as of makeLeafAtlas().
+    /// @param texture made by makeLeafAtlas().
     explicit LeafMasks(const osg::Image& texture);
 
-    /// Of the cards of sprays.
+    /// Masks of the spray cards.
     const Silhouette::Mask& leaves(int variant) const { return _leaves[static_cast<std::size_t>(variant)]; }
     const Silhouette::Mask& twigs(int variant) const { return _twigs[static_cast<std::size_t>(variant)]; }
-    /// Share of a card of sprays that leaves cover without their twigs.
+    /// Share of a spray card that leaves cover, without twigs.
     float leafCoverage() const;
 
-    /// Where alpha of leaves, channel 3, or of twigs, 2, is solid.
+    /// Mask of a cell by its alpha. @param channel 3: leaves; 2: twigs.
     static Silhouette::Mask maskOf(const osg::Image& texture, const LeafAtlas::Cell& cell, int channel);
 
 private:

@@ -3,7 +3,7 @@
 
 #include <osg/Vec3>
 
-/// Of two colours, `part` of the second.
+/// Mixes two colours. @param part share of the second one.
 inline osg::Vec3 mixed(const osg::Vec3& a, const osg::Vec3& b, float part) {
     return a + (b - a) * part;
 }

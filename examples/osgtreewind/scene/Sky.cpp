@@ -22,9 +22,9 @@ using osgTreeWind::fractalNoise, osgTreeWind::valueNoise;
 
 const glm::ivec2 everywhere(1 << 20); // noise that does not repeat
 constexpr int texelsAround = 2048, texelsUp = 512;
-constexpr float lowest = -1.5f; // degrees of elevation at the foot of the texture; below it is haze
+constexpr float lowest = -1.5f; // elevation at the bottom of the texture, degrees; below it is haze
 
-/// Degrees. @param part of the texture, from its foot: more of it for what is low.
+/// Elevation in degrees. @param part position in the texture from its bottom; low elevations get more texels.
 float elevationAt(float part) {
     return lowest + (90.0f - lowest) * part * part;
 }
@@ -49,19 +49,19 @@ float smoothstep(float low, float high, float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-osg::Vec3 wayAt(float azimuth, float elevation) {
+osg::Vec3 directionAt(float azimuth, float elevation) {
     return {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
             std::sin(elevation)};
 }
 
-/// Heaps of cloud on one level, lit from the side of the sun.
+/// Cumulus clouds at one height, lit from the side of the sun.
 class Clouds {
 public:
     explicit Clouds(const Daylight& day) : _cover(day.clouds), _toSun(day.toSun) {}
 
-    /// How much of the sky they hide toward `way`, and how bright they are there, both 0 to 1.
-    std::pair<float, float> toward(const osg::Vec3& way) const {
-        const osg::Vec2 place = osg::Vec2(way.x(), way.y()) * (1.9f / (way.z() + 0.10f));
+    /// Cover and brightness of the clouds in a direction, both 0 to 1.
+    std::pair<float, float> toward(const osg::Vec3& direction) const {
+        const osg::Vec2 place = osg::Vec2(direction.x(), direction.y()) * (1.9f / (direction.z() + 0.10f));
         const float here = thickness(place, 6);
         if (!(here > 0.0f))
             return {0.0f, 1.0f};
@@ -85,7 +85,7 @@ private:
     osg::Vec3 _toSun;
 };
 
-/// How high the hills of a skyline stand, degrees: wooded ones, whose noise goes on around.
+/// Elevation of a skyline of wooded hills, degrees; seamless around the horizon.
 float skylineAt(float azimuth, int seed) {
     constexpr int waves = 7, trees = 512; // around
     const float turn = azimuth / static_cast<float>(2.0 * osg::PI);
@@ -96,9 +96,9 @@ float skylineAt(float azimuth, int seed) {
     return 3.4f * std::max(hills - 0.3f, 0.0f) + 0.12f * crowns;
 }
 
-/// With two skylines of hills, the farther one higher and nearer to the haze.
+/// Adds two skylines of hills; the farther one is higher and hazier.
 osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, float elevation) {
-    constexpr float highest = 3.0f; // more than skylineAt() has
+    constexpr float highest = 3.0f; // above any value of skylineAt()
     if (elevation > highest)
         return sky;
     const osg::Vec3 woods(0.16f, 0.22f, 0.15f);
@@ -110,17 +110,17 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
     return color;
 }
 
-/// The colour of the sky toward `way`, as it is written.
-osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& way) {
-    const float up = std::clamp(way.z(), 0.0f, 1.0f), toSun = std::max(way * day.toSun, 0.0f);
+/// Display colour of the sky in a direction.
+osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& direction) {
+    const float up = std::clamp(direction.z(), 0.0f, 1.0f), toSun = std::max(direction * day.toSun, 0.0f);
     osg::Vec3 color = mixed(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
     const osg::Vec3 light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
     color += light;
     color = mixed(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
-    if (way.z() > 0.0f) {
-        const auto [hidden, lit] = clouds.toward(way);
+    if (direction.z() > 0.0f) {
+        const auto [hidden, lit] = clouds.toward(direction);
         const osg::Vec3 cloud = mixed(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
-        color = mixed(color, cloud, hidden * smoothstep(0.015f, 0.14f, way.z()));
+        color = mixed(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
     }
     return mixed(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
 }
@@ -132,12 +132,12 @@ osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
     osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
         const float part = (static_cast<float>(row) + 0.5f) / texelsUp;
         const auto elevation = osg::DegreesToRadians(elevationAt(part));
-        unsigned char* texel = image->data(0, static_cast<int>(row)); // osg::Image is slow to say where
+        unsigned char* texel = image->data(0, static_cast<int>(row)); // osg::Image::data() is slow per texel
         for (int x = 0; x < texelsAround; ++x) {
             const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
-            const osg::Vec3 color = withHills(skyColor(day, clouds, wayAt(azimuth, elevation)), day, azimuth,
-                                              static_cast<float>(osg::RadiansToDegrees(elevation)));
-            // Even noise of one step: no bands.
+            const osg::Vec3 color = withHills(skyColor(day, clouds, directionAt(azimuth, elevation)), day,
+                                              azimuth, static_cast<float>(osg::RadiansToDegrees(elevation)));
+            // Noise of one step avoids visible bands.
             const float rough = valueNoise(glm::vec2(x, row), everywhere, 3);
             for (int i = 0; i < 3; ++i)
                 *texel++ = static_cast<unsigned char>(std::clamp(255.0f * color[i] + rough, 0.0f, 255.0f));
@@ -154,12 +154,12 @@ osg::ref_ptr<osg::Geometry> createDome() {
     constexpr int columns = 64, rows = 17;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> spots = new osg::Vec2Array;
-    for (int row = -1; row < rows; ++row) { // the first from straight below
+    for (int row = -1; row < rows; ++row) { // the first row is the nadir
         const float part = row < 0 ? 0.0f : static_cast<float>(row) / (rows - 1);
         const float degrees = row < 0 ? -90.0f : elevationAt(part);
         for (int column = 0; column <= columns; ++column) {
             const auto azimuth = static_cast<float>(2.0 * osg::PI * column / columns);
-            corners->push_back(wayAt(azimuth, static_cast<float>(osg::DegreesToRadians(degrees))));
+            corners->push_back(directionAt(azimuth, static_cast<float>(osg::DegreesToRadians(degrees))));
             spots->push_back({static_cast<float>(column) / columns, part});
         }
     }
@@ -205,8 +205,8 @@ osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, paintedSky(day));
     state->addUniform(new osg::Uniform("sky", 0));
-    state->setAttribute(new osg::ColorMask(true, true, true, true)); // over what shadows left in alpha
+    state->setAttribute(new osg::ColorMask(true, true, true, true)); // overwrites the alpha of shadows
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
-    state->setRenderBinDetails(10, "RenderBin"); // only what is still sky is shaded
+    state->setRenderBinDetails(10, "RenderBin"); // drawn late, so that only visible sky is shaded
     return sky;
 }

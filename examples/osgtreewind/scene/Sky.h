@@ -5,11 +5,11 @@
 
 #include <osg/Geometry>
 
-/// A dome that follows the eye, at any distance, behind all else: the colours of the day, its clouds and its
-/// sun, painted once into a texture.
+/// Sky dome behind everything else that follows the eye: colours of the day, clouds and sun, painted once
+/// into a texture.
 osg::ref_ptr<osg::Geometry> createSky(const Daylight& day);
 
-/// What the sun adds to haze, as it is written, by the way that one looks; GLSL, with the uniforms of
+/// GLSL function for the display colour that the sun adds to haze in a direction. It uses the uniforms of
 /// setGlow().
 extern const char* const glowText;
 void setGlow(osg::StateSet& state, const Daylight& day);

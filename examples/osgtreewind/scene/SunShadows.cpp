@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr int shadowTexels = 4096; // of a shadow map, each way
+constexpr int shadowTexels = 4096; // width and height of a shadow map
 
 osg::ref_ptr<osg::Texture2D> depthTexture() {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
@@ -22,16 +22,16 @@ osg::ref_ptr<osg::Texture2D> depthTexture() {
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_BORDER);
-    texture->setBorderColor(osg::Vec4(1, 1, 1, 1)); // what the sun does not see is lit
+    texture->setBorderColor(osg::Vec4(1, 1, 1, 1)); // everything outside the map is lit
     return texture;
 }
 
-/// The smallest sphere about what a camera sees up to a distance.
+/// Smallest sphere around the view of a camera up to a distance.
 osg::BoundingSphered sphereOf(const osg::CullStack& view, double reach) {
     const osg::Matrixd& projection = *view.getProjectionMatrix();
     const double wide = (1.0 + std::abs(projection(2, 0))) / projection(0, 0),
                  high = (1.0 + std::abs(projection(2, 1))) / projection(1, 1);
-    const double side = wide * wide + high * high; // of the square at a distance of 1
+    const double side = wide * wide + high * high; // squared half diagonal of the view at distance 1
     const double along = std::min(0.5 * (1.0 + side), 1.0);
     const osg::Vec3d middle(0.0, 0.0, -along * reach);
     const double radius = reach * std::hypot(1.0 - along, std::sqrt(side));
@@ -58,9 +58,9 @@ SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(ca
         map.camera->attach(osg::Camera::DEPTH_BUFFER, texture);
         map.camera->addChild(casters);
         osg::StateSet* state = map.camera->getOrCreateStateSet();
-        constexpr auto firm = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-        state->setAttribute(new osg::ColorMask(false, false, false, false), firm);
-        state->setAttributeAndModes(new osg::PolygonOffset(1.1f, 4.0f), firm);
+        constexpr auto overriding = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
+        state->setAttribute(new osg::ColorMask(false, false, false, false), overriding);
+        state->setAttributeAndModes(new osg::PolygonOffset(1.1f, 4.0f), overriding);
 
         map.planes->setMode(osg::TexGen::EYE_LINEAR);
         getOrCreateStateSet()->setTextureAttributeAndModes(unit, texture);
@@ -88,7 +88,7 @@ void SunShadows::follow(Map& map, const osg::CullStack& view) const {
     const double texel = 2.0 * seen.radius() / shadowTexels;
     const osg::Vec3d middle = seen.center() * camera.getViewMatrix();
     const double x = texel *
-                     std::round(middle.x() / texel), // edges of shadows stand still when the eye moves
+                     std::round(middle.x() / texel), // whole texels keep edges still when the eye moves
         y = texel * std::round(middle.y() / texel);
     camera.setProjectionMatrixAsOrtho(x - seen.radius(), x + seen.radius(), y - seen.radius(),
                                       y + seen.radius(), 1.0 - all.radius(), 1.0 + all.radius());

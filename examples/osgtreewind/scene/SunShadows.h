@@ -7,27 +7,26 @@
 
 #include <array>
 
-/// A group whose casters throw the sun's shadows on all that is in it. One shadow map holds what is near the
-/// eye, the other what is far; both follow the view. It stands at the scene's root, and is seen by one
-/// camera.
+/// Group on whose children the casters cast shadows of the sun, by a shadow map for the near part of the view
+/// and one for the far part. It must be the root of the scene, and only one camera may draw it.
 class SunShadows : public osg::Group {
 public:
     SunShadows(osg::Node* casters, const osg::Vec3& toSun);
 
-    /// The defines of shaders/scene.glsl, for what has no forest to set them.
+    /// Sets the defines of shaders/scene.glsl for nodes outside a forest.
     static void setDefines(osg::StateSet& state);
 
     void traverse(osg::NodeVisitor& visitor) override;
     void releaseGLObjects(osg::State* state) const override;
 
 private:
-    static constexpr int firstUnit = 1; ///< Of textures; a forest takes 0 and those from 4 on.
+    static constexpr int firstUnit = 1; ///< Texture unit; a forest uses 0, 4 and above.
 
-    /// What the sun sees of a part of the view.
+    /// Shadow map for a part of the view.
     struct Map {
         osg::ref_ptr<osg::Camera> camera = new osg::Camera;
         osg::ref_ptr<osg::TexGen> planes = new osg::TexGen;
-        double reach; ///< How far from the eye it is of use, metres.
+        double reach; ///< Largest distance from the eye that it covers, metres.
     };
     void follow(Map& map, const osg::CullStack& view) const;
 

@@ -19,17 +19,18 @@ namespace {
 
 constexpr double farthestTuft = 40.0, tuftSpacing = 0.34; // metres
 
-/// The blades of a tuft.
+/// Adds the blades of a tuft to the vertex arrays.
 class Tuft {
 public:
-    /// @param nearness 1 at the eye, 0 where there are none any more.
+    /// @param nearness 1 at the eye, 0 at the largest distance.
     Tuft(osg::Vec3Array& corners, osg::Vec3Array& coords, const osg::Vec3& foot, float nearness)
         : _corners(corners), _coords(coords), _foot(foot), _nearness(nearness) {}
 
     void add(osgTreeWind::Random& random) {
         const float angle = 6.2832f * random.uniform(), lean = 0.2f + 0.6f * random.uniform();
         const float height = (0.10f + 0.18f * random.uniform()) * std::sqrt(_nearness);
-        const float width = 0.004f + 0.02f * (1.0f - _nearness); // some pixels, far away as well
+        const float width =
+            0.004f + 0.02f * (1.0f - _nearness); // wider in the distance, to cover some pixels
         const osg::Vec3 way(std::cos(angle), std::sin(angle), 0.0f),
             side(-way.y() * width, way.x() * width, 0.0f);
         const osg::Vec3 foot = _foot + way * (0.07f * random.uniform());
@@ -49,7 +50,7 @@ private:
     float _nearness;
 };
 
-/// The wind over the tufts, frame by frame, in a texture.
+/// Writes the wind over the tufts into a texture in each frame.
 class TuftWind : public osg::DrawableUpdateCallback {
 public:
     TuftWind(const osgTreeWind::Forest& forest, const osg::Vec3d& eye) : _forest(&forest), _eye(eye) {
@@ -100,7 +101,8 @@ private:
 
     osg::ref_ptr<const osgTreeWind::Forest> _forest;
     osg::Vec3d _eye;
-    std::vector<osgTreeWind::WindPlace> _places; ///< A metre above the ground, west to east, then north.
+    /// One metre above the ground; west to east, then south to north.
+    std::vector<osgTreeWind::WindPlace> _places;
     osg::ref_ptr<osg::Image> _image = new osg::Image;
     unsigned _frame = ~0u;
 };

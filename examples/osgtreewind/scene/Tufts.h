@@ -7,7 +7,7 @@
 
 #include <osg/Geometry>
 
-/// Tufts of grass on the ground of a forest within 40 m of an eye. There are fewer and lower ones farther
-/// away, and few where crowns close. At a place stands the same tuft wherever the eye is.
+/// Tufts of grass on the ground within 40 m of the eye; fewer and lower with the distance, and few under
+/// closed crowns. Their positions do not depend on the eye.
 osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                         const osg::Vec3d& eye);

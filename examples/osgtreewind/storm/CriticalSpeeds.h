@@ -9,24 +9,26 @@
 
 namespace osgTreeWind {
 
-/// Mean winds in which the largest moment to be expected in an hour is what a tree bears, m/s.
+/// Mean winds, m/s, at which the largest moment expected in an hour reaches the strength of a tree.
 struct CriticalSpeeds {
     static constexpr double fastest = 80.0;
 
-    std::optional<double> uproot, breaking; ///< None: not known, or above `fastest`.
+    std::optional<double> uproot, breaking; ///< Empty if unknown or above `fastest`.
 };
 
-/// By the mean wind of an hour, m/s, the largest moment at the foot of a tree in it, N m.
-using Storms = std::map<double, double>;
+/// Largest load in an hour by the mean wind of that hour, m/s. The load is usually the moment at the foot, N
+/// m.
+using MomentsBySpeed = std::map<double, double>;
 
-/// From storms that there were, the one in which the load is a limit: on a line through the logarithms of the
-/// two nearest to a limit, of a slope within 0.7 to 3; of slope 2 where there is but one. None: there is no
-/// limit, or it is above CriticalSpeeds::fastest.
-std::optional<double> criticalSpeed(const Storms& storms, double limit);
-/// The same for roots and stem.
-CriticalSpeeds criticalSpeeds(const Storms& storms, const TreeStrength& strength);
+/// Interpolates the wind at which the load reaches a limit: on the line through the logarithms of the two
+/// storms nearest to it, with its slope clamped to 0.7 to 3, or with slope 2 if there is only one storm.
+/// Empty if there is no limit, or the wind is above CriticalSpeeds::fastest.
+std::optional<double> criticalSpeed(const MomentsBySpeed& moments, double limit);
+/// The same for the strength of roots and stem.
+CriticalSpeeds criticalSpeeds(const MomentsBySpeed& moments, const TreeStrength& strength);
 
-/// Looks for them with a few storms. @param storm the largest moment in an hour of a mean wind.
+/// Finds the critical speeds by simulating a few storms. @param storm largest moment in an hour of a mean
+/// wind.
 CriticalSpeeds findCriticalSpeeds(const std::function<double(double speed)>& storm,
                                   const TreeStrength& strength);
 

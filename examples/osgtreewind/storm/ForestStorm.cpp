@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/wind/WindSampler.h>
 
 #include <glm/geometric.hpp>
@@ -31,42 +31,43 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         if (slot >= most)
             continue;
         _slots.push_back(slot);
-        swaying.push_back(swayingTree(forest, tree, ModalLevel::Far));
-        const SwayingTree& form = swaying.back().form;
+        swaying.push_back(makeModalTree(forest, tree, ModalLevel::Far));
+        const TreeForm& form = swaying.back().form;
         const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
         _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
     }
-    const WindCanopy asked = forest.description().wind.canopy.value_or(WindCanopy());
-    const std::shared_ptr<CanopyMap> canopy = canopyOf(standing, asked);
-    canopy->refer(static_cast<float>(asked.reference));
+    const WindCanopy settings = forest.description().wind.canopy.value_or(WindCanopy());
+    const std::shared_ptr<CanopyMap> canopy = makeCanopy(standing, settings);
+    canopy->setReference(static_cast<float>(settings.reference));
     _canopy = canopy;
     auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
-    resting->stepTogether();
+    resting->stepFarTreesTogether();
     _resting = std::move(resting);
 }
 
-std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
+std::vector<ForestStorm::Loads> ForestStorm::largestLoads(double speed, std::uint32_t seed) const {
     auto above = std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed));
     above->canopy.emplace().seed = seed;
     const WindSampler wind(above, glm::dmat4(1.0), _canopy);
     ModalMotion motion(*_resting);
     for (std::size_t i = 0; i < _slots.size(); ++i)
-        motion.setCompany(i, wind.canopy()->companyAt(glm::vec2(_forest.trees[_slots[i]].position)));
-    motion.meet(&wind, 0.0);
+        motion.setNeighbourEffect(
+            i, wind.canopy()->neighbourEffectAt(glm::vec2(_forest.trees[_slots[i]].position)));
+    motion.sampleWind(&wind, 0.0);
     std::vector<float> leans(_slots.size(), 0.0f);
     std::vector<Loads> largest(_slots.size());
-    const auto meet = [&](std::size_t i) {
+    const auto updateLargest = [&](std::size_t i) {
         const float lean = glm::length(motion.lean(i));
-        if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
+        if (lean < 0.8f * leans[i]) // moments are largest near the largest lean
             return;
         leans[i] = std::max(leans[i], lean);
         float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
         motion.poseVector(i, vector);
-        const auto momentAt = [&](const HeldJoint& base) {
+        const auto momentAt = [&](const BreakableJoint& base) {
             return static_cast<double>(static_cast<float>(base.moment(motion, i, vector)));
         };
         largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
-        for (const HeldJoint& bough : _joints[i].boughs)
+        for (const BreakableJoint& bough : _joints[i].boughs)
             if (bough.limit > 0.0f)
                 largest[i].bough =
                     std::max(largest[i].bough, momentAt(bough) / static_cast<double>(bough.limit));
@@ -75,7 +76,7 @@ std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t 
     for (int i = 1; i <= steps; ++i) {
         motion.step(&wind, step * i, static_cast<float>(step));
         if (step * i > settling)
-            runInBatches(_executor, _slots.size(), meet);
+            runInBatches(_executor, _slots.size(), updateLargest);
     }
     std::vector<Loads> bySlot(_forest.trees.size());
     for (std::size_t i = 0; i < _slots.size(); ++i)
@@ -85,12 +86,12 @@ std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t 
 
 std::vector<float> ForestStorm::topWinds() const {
     std::vector<float> winds(_forest.trees.size(), 0.0f);
-    const LogProfile open = openCountry(10.0);
+    const LogProfile open = openCountryProfile(10.0);
     for (const std::size_t slot : _slots) {
         const PlacedTree& tree = _forest.trees[slot];
-        const CanopyAt stand = _canopy->at(glm::vec2(tree.position - _canopy->fetch * _toward), 10.0f);
-        const double above = open.factor(_canopy->reference) * static_cast<double>(stand.top),
-                     alone = open.factor(_forest.measured(tree).height);
+        const CanopySample stand = _canopy->at(glm::vec2(tree.position - _canopy->fetch * _toward), 10.0f);
+        const double above = open.factor(_canopy->reference) * static_cast<double>(stand.topSpeedRatio),
+                     alone = open.factor(_forest.sizeOf(tree).height);
         winds[slot] = static_cast<float>(alone + static_cast<double>(stand.closure) * (above - alone));
     }
     return winds;

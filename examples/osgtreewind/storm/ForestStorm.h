@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/damage/HeldJoint.h>
+#include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/wind/CanopyMap.h>
 
 #include <cstdint>
@@ -13,42 +13,42 @@
 
 namespace osgTreeWind {
 
-/// A forest in hours of storm: every tree among those that stand around it, under the law `modal` as trees
-/// far away are taken.
+/// Simulates storms of one hour over a forest. Trees shelter each other and move under the law `modal` at the
+/// level of detail of far trees.
 ///
-/// Winds are means over open country (OpenCountry.h), 10 m above the ground, as weather services give them.
-/// From WindCanopy::reference down they go on into the forest's own stands, or into the one that its
-/// description gives.
+/// Wind speeds are means 10 m above open country (OpenCountry.h), as weather services give them. Below
+/// WindCanopy::reference the wind follows the stands of the forest, or the canopy that its description gives.
 class ForestStorm {
 public:
-    /// @param forest must outlive it. @param toward of the wind, horizontal, of length 1.
-    /// @param most of its trees sway, the first ones; the others shelter them.
+    /// @param forest must outlive this object. @param toward horizontal unit vector along the wind.
+    /// @param most number of trees that sway, the first ones; the others only shelter them.
     ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
-    /// The largest of an hour; 0 where no tree sways.
+    /// Largest loads of a tree in an hour; 0 for trees that do not sway.
     struct Loads {
-        double foot = 0.0;  ///< Moment at the foot, N m.
-        double bough = 0.0; ///< Of the moment at the base of a bough, over what it bears (thickestBoughs()).
+        double foot = 0.0; ///< Moment at the foot, N m.
+        double bough =
+            0.0; ///< Moment at the base of a bough over the strength of the bough (thickestBoughs()).
     };
-    /// By slot. @param speed m/s, above 0. @param seed of its gusts.
-    std::vector<Loads> hourOf(double speed, std::uint32_t seed) const;
+    /// Simulates an hour. @return loads by slot. @param speed m/s, above 0. @param seed of the gusts.
+    std::vector<Loads> largestLoads(double speed, std::uint32_t seed) const;
 
-    /// Per slot: the mean wind at the top of the stand that the tree is part of, at the top of the tree in
-    /// the open, over that of the storm.
+    /// Mean wind at the top of the stand around a tree (in the open: at the top of the tree) over the mean
+    /// wind of the storm, by slot.
     std::vector<float> topWinds() const;
 
 private:
     const PlacedForest& _forest;
     glm::vec3 _toward;
     Executor _executor;
-    std::vector<std::size_t> _slots; ///< Of the trees that sway.
+    std::vector<std::size_t> _slots; ///< Slots of the trees that sway.
     struct Joints {
-        HeldJoint foot;
-        std::vector<HeldJoint> boughs;
+        BreakableJoint foot;
+        std::vector<BreakableJoint> boughs;
     };
-    std::vector<Joints> _joints;                 ///< Of these trees.
-    std::shared_ptr<const ModalMotion> _resting; ///< Of the trees, in that order.
+    std::vector<Joints> _joints;                 ///< Joints of the trees in `_slots`.
+    std::shared_ptr<const ModalMotion> _resting; ///< Motion of the trees in `_slots`, at rest.
     std::shared_ptr<const CanopyMap> _canopy;
 };
 

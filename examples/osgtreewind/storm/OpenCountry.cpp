@@ -8,13 +8,13 @@
 
 namespace osgTreeWind {
 
-LogProfile openCountry(double height) {
+LogProfile openCountryProfile(double height) {
     return {height, 0.03};
 }
 
 WindFieldPtr openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed) {
     GustWind::Parameters gusts;
-    gusts.profile = openCountry(height);
+    gusts.profile = openCountryProfile(height);
     gusts.mean = mean;
     gusts.intensity = std::min(2.4 * 0.4 / std::log(height / gusts.profile->roughness), 1.0);
     gusts.seed = seed;

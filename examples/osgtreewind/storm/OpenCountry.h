@@ -10,11 +10,11 @@
 
 namespace osgTreeWind {
 
-/// Of the wind over short grass, z0 3 cm (Wieringa 1993), by that at a height, metres.
-LogProfile openCountry(double height);
+/// Wind profile over short grass, z0 = 3 cm (Wieringa 1993), relative to the wind at a height, metres.
+LogProfile openCountryProfile(double height);
 
-/// Gusts over it: the deviation along the wind is 2.4 u* (Panofsky and Dutton 1984).
-/// @param mean at that height (metres, from 0.1 on), horizontal, m/s, at most 200.
+/// Gusty wind over short grass. The standard deviation along the wind is 2.4 u* (Panofsky and Dutton 1984).
+/// @param height metres, at least 0.1. @param mean mean wind at that height, horizontal, m/s, at most 200.
 WindFieldPtr openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed);
 
 } // namespace osgTreeWind

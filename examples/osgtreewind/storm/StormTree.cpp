@@ -2,11 +2,11 @@
 #include <examples/osgtreewind/storm/StormTree.h>
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
-#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
-#include <osgTreeWind/motion/sway/CalmTree.h>
+#include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
@@ -21,13 +21,13 @@ namespace {
 
 constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
 
-CanopyTree standTree(const PlacedForest& forest) {
+CanopyTree canopyTreeOf(const PlacedForest& forest) {
     const PlacedTree& tree = forest.trees.front();
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
 WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
-    const CanopyTree tree = standTree(forest);
+    const CanopyTree tree = canopyTreeOf(forest);
     const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
     if (!(storm.spacing > 0.0))
         return WindSampler(std::make_shared<Wind>(
@@ -35,16 +35,17 @@ WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
     auto wind = std::make_shared<Wind>(std::make_shared<UniformWind>(mean));
     wind->canopy.emplace().seed = storm.seed;
     const auto spacing = static_cast<float>(storm.spacing);
-    auto stand = canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing));
-    stand->refer(tree.height);
+    auto stand = makeUniformCanopy({tree}, tree.height, tree.frontalArea / (spacing * spacing));
+    stand->setReference(tree.height);
     return WindSampler(wind, glm::dmat4(1.0), stand);
 }
 
 } // namespace
 
 StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
-    : _forest(loneTree(species, given)),
-      _motion({swayingTree(_forest, _forest.trees.front())}, 1.0f, {}, true), _wind(windOf(_forest, storm)) {
+    : _forest(makeSingleTreeForest(species, given)),
+      _motion({makeModalTree(_forest, _forest.trees.front())}, 1.0f, {}, true),
+      _wind(windOf(_forest, storm)) {
     const PlacedTree& tree = _forest.trees.front();
     const TreeModel& model = _forest.modelOf(tree);
     const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
@@ -61,8 +62,8 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
     _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
                       diameter);
     if (_wind.canopy())
-        _motion.setCompany(0, _wind.canopy()->companyAt(glm::vec2(0.0f)));
-    _motion.meet(&_wind, 0.0);
+        _motion.setNeighbourEffect(0, _wind.canopy()->neighbourEffectAt(glm::vec2(0.0f)));
+    _motion.sampleWind(&_wind, 0.0);
 }
 
 void StormTree::advance(double time, const std::function<void()>& stepped) {
@@ -87,7 +88,7 @@ TreeStrength StormTree::strength() const {
     return {_forest.modelOf(tree), tree.scale, _forest.speciesOf(tree)};
 }
 
-StormMoment StormTree::advance(double time) {
+StormState StormTree::advance(double time) {
     advance(time, [] {});
     const PlacedTree& tree = _forest.trees.front();
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
@@ -96,12 +97,12 @@ StormMoment StormTree::advance(double time) {
     std::vector<glm::quat> rotations(count);
     std::vector<UnitPose> poses(count);
     _motion.angles(0, angles.data());
-    swingPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+    composeModalPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
     const auto turned = [&](std::size_t unit) {
         const glm::vec3 up(0.0f, 0.0f, 1.0f);
         return glm::vec2(poses[unit].rotation * up - up);
     };
-    StormMoment now;
+    StormState now;
     const glm::dvec2 foot(turned(0));
     const double sine = std::min(glm::length(foot), 1.0);
     now.moment = foot * (static_cast<double>(_foot.stiffness) * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
@@ -124,9 +125,9 @@ CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tre
     const auto largest = [&](double speed) {
         double mean = 0.0;
         for (std::uint32_t i = 0; i < hours; ++i) {
-            StormTree stormy(species, tree, {speed, storm.spacing, storm.seed + i});
-            stormy.advance(settling);
-            mean += stormy.largestMoment(settling + hour) / hours;
+            StormTree stormTree(species, tree, {speed, storm.spacing, storm.seed + i});
+            stormTree.advance(settling);
+            mean += stormTree.largestMoment(settling + hour) / hours;
         }
         return mean;
     };

@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/damage/HeldJoint.h>
+#include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/WindSampler.h>
@@ -16,34 +16,34 @@
 
 namespace osgTreeWind {
 
-/// A wind to stand in, and in what company.
+/// The wind around a single tree, and the stand that it belongs to.
 struct Storm {
-    double speed = 10.0;  ///< Mean at the top of the canopy, in the open at the top of the tree, m/s.
-    double spacing = 0.0; ///< Of a stand of trees alike, metres; 0: in the open.
+    double speed = 10.0;  ///< Mean wind at the top of the canopy (in the open: of the tree), m/s.
+    double spacing = 0.0; ///< Distance between trees of a uniform stand, metres; 0 for a tree in the open.
     std::uint32_t seed = 1;
 };
 
-/// A tree at one moment.
-struct StormMoment {
-    glm::vec2 wind{0.0f}; ///< At the top, free of the tree, m/s.
-    /// Of its weight and the air on what holds it to the ground, by where it turns, N m.
+/// State of the tree at one time.
+struct StormState {
+    glm::vec2 wind{0.0f}; ///< At the top, undisturbed by the tree, m/s.
+    /// Moment of weight and air at the foot, N m; its direction is that in which the tree turns.
     glm::dvec2 moment{0.0};
-    glm::dvec2 push{0.0};   ///< That of the air alone: without the weight of what hangs over.
-    glm::dvec2 strain{0.0}; ///< Of the wood at the foot of the trunk.
-    glm::vec2 tilt{0.0f};   ///< Of the trunk at half its height, sine.
-    glm::vec2 tip{0.0f};    ///< How far the top of the trunk is from where it rests, metres.
+    glm::dvec2 push{0.0};   ///< Moment of the air alone, without the overhanging weight, N m.
+    glm::dvec2 strain{0.0}; ///< Strain of the wood at the foot of the trunk.
+    glm::vec2 tilt{0.0f};   ///< Sine of the tilt of the trunk at half its height.
+    glm::vec2 tip{0.0f};    ///< Displacement of the top of the trunk, metres.
 };
 
-/// One tree under the law `modal`, with modes of its own, in a storm from the west.
+/// One tree under the law `modal`, with its own modes, in a storm from the west.
 class StormTree {
 public:
-    /// @param tree its size, seed, leaves and room; species and place do not count.
+    /// @param tree size, seed, leaves and openGrown are used; species and position are ignored.
     StormTree(const Species& species, const TreePlacement& tree, const Storm& storm);
 
-    /// Moves on to `time` > the last (seconds, 0 at first), in small steps.
-    StormMoment advance(double time);
+    /// Simulates up to `time`, seconds, in small steps. It must be later than the last one; the first is 0.
+    StormState advance(double time);
 
-    /// Likewise. @return the largest moment on the way, N m.
+    /// Simulates up to `time`. @return the largest moment at the foot on the way, N m.
     double largestMoment(double time);
     TreeStrength strength() const;
 
@@ -54,13 +54,13 @@ private:
     ModalMotion _motion;
     WindSampler _wind;
     std::vector<JointTree::Point> _weights;
-    HeldJoint _foot;
+    BreakableJoint _foot;
     double _time = 0.0, _strain = 0.0;
-    std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.
+    std::size_t _middle = 0, _top = 0; ///< Units of the trunk.
 };
 
-/// Those of a tree in a storm of that company, whatever its speed: the largest moment to be expected in an
-/// hour is the mean of the largest ones in three hours, with seeds from `seed` on.
+/// Critical speeds of a tree. The speed of `storm` is ignored. The largest moment expected in an hour is the
+/// mean of the largest moments of three hours, with the seeds `seed`, `seed` + 1 and `seed` + 2.
 CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tree, const Storm& storm);
 
 } // namespace osgTreeWind

@@ -17,9 +17,9 @@ constexpr double rate = 4.0; // Hz
 
 using Series = Eigen::VectorXd;
 
-/// Every `step`th, with what is too quick for that taken away: a Kaiser window of 5 on ten steps to each
+/// Keeps every `step`th sample after a low-pass filter: a Kaiser window with beta = 5 over ten steps to each
 /// side.
-Series thinned(const Series& x, int step) {
+Series downsampled(const Series& x, int step) {
     if (step == 1)
         return x;
     const int half = 10 * step;
@@ -40,7 +40,7 @@ Series thinned(const Series& x, int step) {
     return result;
 }
 
-/// A Butterworth filter of second order at 600 s, forward and backward.
+/// Removes drift by a high-pass Butterworth filter of second order at 600 s, forward and backward.
 Series withoutDrift(const Series& x) {
     const double w = std::tan(glm::pi<double>() / 600.0 / rate), a0 = 1.0 + std::sqrt(2.0) * w + w * w;
     const double a1 = 2.0 * (w * w - 1.0) / a0, a2 = (1.0 - std::sqrt(2.0) * w + w * w) / a0;
@@ -48,7 +48,7 @@ Series withoutDrift(const Series& x) {
     Series y(x.size() + 2 * edge);
     y << (2.0 * x[0] - x.segment(1, edge).reverse().array()).matrix(), x,
         (2.0 * x[x.size() - 1] - x.segment(x.size() - edge - 1, edge).reverse().array()).matrix();
-    for (int way = 0; way < 2; ++way) {
+    for (int pass = 0; pass < 2; ++pass) {
         double first = -y[0] / a0, second = y[0] / a0;
         for (double& value : y) {
             const double in = value, out = in / a0 + first;
@@ -61,7 +61,7 @@ Series withoutDrift(const Series& x) {
     return y.segment(edge, x.size());
 }
 
-/// Power by frequency (Welch): Hann windows that overlap by half.
+/// Power spectrum by Welch's method: Hann windows that overlap by half.
 struct PowerSpectrum {
     double step; ///< Hz
     Series power;
@@ -85,7 +85,7 @@ struct PowerSpectrum {
         power *= 2.0 / (std::max(count, 1) * rate * window.squaredNorm());
     }
     double frequency(Eigen::Index i) const { return step * static_cast<double>(i); }
-    /// Of frequencies from `low` to below `high`.
+    /// Power at frequencies from `low` to below `high`.
     double sum(double low, double high) const {
         double sum = 0.0;
         for (Eigen::Index i = 0; i < power.size(); ++i)
@@ -103,12 +103,12 @@ double noiseOf(const PowerSpectrum& spectrum) {
     return 0.5 * (powers[(powers.size() - 1) / 2] + powers[powers.size() / 2]);
 }
 
-/// Logarithm of what sways by A q^b / ((1 - q^2)^2 + (2 zeta q)^2), q = f / f0, over noise.
+/// Fits the logarithm of A q^b / ((1 - q^2)^2 + (2 zeta q)^2) + noise, with q = f / f0, to a spectrum.
 struct Oscillator {
     std::vector<double> frequencies, logs;
     double noise;
 
-    /// @param p ln A, b, ln f0, ln zeta.
+    /// @param p ln A, b, ln f0 and ln zeta.
     Series residuals(const Eigen::Vector4d& p) const {
         Series r(static_cast<Eigen::Index>(logs.size()));
         for (std::size_t i = 0; i < logs.size(); ++i) {
@@ -120,7 +120,7 @@ struct Oscillator {
         return r;
     }
 
-    /// The least squares from there on (Levenberg and Marquardt).
+    /// Least squares by Levenberg and Marquardt, starting at `p`.
     Eigen::Vector4d fitted(Eigen::Vector4d p) const {
         double damping = 1e-3;
         Series r = residuals(p);
@@ -150,7 +150,7 @@ struct Oscillator {
     }
 };
 
-/// Finds the sway near `frequency`.
+/// Finds the peak of the sway near `frequency` and sets its frequency, damping and signal-to-noise ratio.
 void addSway(const PowerSpectrum& spectrum, double frequency, SwayFeatures& found) {
     Eigen::Index peak = 0;
     double highest = -1.0;
@@ -179,7 +179,7 @@ void addSway(const PowerSpectrum& spectrum, double frequency, SwayFeatures& foun
     }
 }
 
-/// Between two in order where it falls between them, as numpy has it.
+/// Percentile with linear interpolation, as in numpy.
 double percentile(Series x, double share) {
     std::sort(x.begin(), x.end());
     const double at = share * static_cast<double>(x.size() - 1);
@@ -202,7 +202,7 @@ std::optional<SwayFeatures> swayFeatures(const std::vector<glm::dvec2>& series, 
         for (std::size_t i = 0; i < series.size(); ++i)
             x[static_cast<Eigen::Index>(i)] = series[i][axis];
         x.array() -= x.mean();
-        x = withoutDrift(thinned(x, step));
+        x = withoutDrift(downsampled(x, step));
         both.conservativeResize(x.size(), 2);
         both.col(axis) = x.array() - x.mean();
     }

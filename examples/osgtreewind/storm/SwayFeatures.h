@@ -8,23 +8,24 @@
 
 namespace osgTreeWind {
 
-/// How a tree sways in a wind, in numbers free of units: of any of bending strain, tilt and displacement.
+/// Features of how a tree sways in a wind, computed from its bending strain, tilt or displacement.
 ///
-/// The series is brought to 4 Hz, drifts over ten minutes and more are taken away, and its first principal
-/// component, turned so that its skewness is positive, is looked at.
+/// The series is resampled to 4 Hz, drifts of ten minutes and more are removed, and the features are those of
+/// its first principal component, with the sign that makes the skewness positive.
 struct SwayFeatures {
     double alongOverAcross = 0.0;  ///< Variance of the first principal component over that of the second.
-    double signalToNoise = 0.0;    ///< Peak of the spectrum over what is there from 1.7 to 1.95 Hz.
-    double frequency = 0.0;        ///< Of the sway, Hz.
-    std::optional<double> damping; ///< Ratio, by an oscillator fitted to the spectrum around the sway.
-    double share = 0.0;            ///< Of the variance, within half an octave of the sway.
+    double signalToNoise = 0.0;    ///< Peak of the spectrum over its level from 1.7 to 1.95 Hz.
+    double frequency = 0.0;        ///< Frequency of the sway, Hz.
+    std::optional<double> damping; ///< Damping ratio of an oscillator fitted to the spectrum near the sway.
+    double share = 0.0;            ///< Share of the variance within half an octave of the sway.
     double skewness = 0.0, kurtosis = 0.0;
     double peak = 0.0; ///< 99.9th percentile over the standard deviation.
 };
 
-/// @param series at even steps. @param rate of it, Hz, a multiple of 4. @param frequency where the sway is
-/// looked for, Hz. @return nothing where the series is shorter than 20 minutes, or the sway is not between
-/// 0.02 and 2 Hz.
+/// @param series samples along and across the wind, evenly spaced. @param rate samples per second, a multiple
+/// of 4.
+/// @param frequency expected frequency of the sway, Hz. @return nothing if the series is shorter than 20
+/// minutes or constant, or the frequency is not between 0.02 and 2 Hz.
 std::optional<SwayFeatures> swayFeatures(const std::vector<glm::dvec2>& series, double rate,
                                          double frequency);
 

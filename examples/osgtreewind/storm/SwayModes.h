@@ -7,17 +7,16 @@
 
 namespace osgTreeWind {
 
-/// A way in which a whole tree sways under the law `modal`.
+/// A mode of sway of a whole tree under the law `modal`.
 struct SwayMode {
-    double frequency = 0.0; ///< With its weight, Hz.
-    /// In a calm, let go where the tip that moves most, of the trunk or of a branch, is off by a hundredth of
-    /// the trunk's height; 1 (critical) for a mode that does not swing.
+    double frequency = 0.0; ///< Hz, including the effect of weight.
+    /// Damping ratio in calm air, released where the tip of trunk or branches that moves most is displaced by
+    /// 1 % of the trunk's height; 1 (critical) for a mode that does not swing.
     double dampingRatio = 0.0;
-    double share = 0.0; ///< Of the energy of all modes under gusts, kept or not.
+    double share = 0.0; ///< Share of the energy of all modes under gusts, dropped modes included.
 };
 
-/// The modes in which a tree sways, those with most energy under gusts first.
-/// @param tree as for pullAndRelease().
+/// The modes of a tree, sorted by their energy under gusts. @param tree as for pullAndRelease().
 std::vector<SwayMode> swayModes(const Species& species, const TreePlacement& tree);
 
 } // namespace osgTreeWind

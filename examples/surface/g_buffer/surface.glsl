@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Albedo and normals, for a host that lights its scene when all of it is drawn.
+// Albedo and normals, for a host with deferred lighting.
 
 #ifdef VERTEX_SHADER
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Depth as the logarithm of the distance, for a host that draws from centimetres to the horizon of a planet. Its own
-// shaders write the same; the uniform is set on the root of the scene.
+// Logarithmic depth, for a host that draws from centimetres to the horizon of a planet. The host's shaders write the same
+// depth, and it sets the uniform on the root of the scene.
 
 uniform float farthest; // metres
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A colour a tree, 24 bits of its own number, for a host that wants to know which tree each pixel shows.
+// One colour per tree, from 24 bits of its number, for a host that identifies the tree of a pixel.
 
 #ifdef VERTEX_SHADER
 
@@ -16,7 +16,7 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 flat in float hostTree;
 
 void paintSurface(vec3 color, vec3 albedo) {
-    uint id = 1u + uint(hostTree * 16777214.0); // 0 is where no tree is
+    uint id = 1u + uint(hostTree * 16777214.0); // 0: no tree
     gl_FragColor = vec4(vec3(id >> 16, id >> 8 & 255u, id & 255u) / 255.0, 1.0);
 }
 

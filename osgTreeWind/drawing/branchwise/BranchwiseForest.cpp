@@ -5,8 +5,8 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/GLExtensions>
 #include <osg/Notify>
@@ -25,11 +25,11 @@ std::shared_ptr<ForestSimulation> noTrees() {
 
 } // namespace
 
-/// Finds out, when it is first drawn, whether a context can run the angle passes: draw into RGBA32F textures
-/// and read textures in vertex shaders, as OpenGL 3.3 does, of which GLSL 3.30 is. Draws nothing.
+/// Tests in its first draw whether the context can run the angle passes: render to RGBA32F textures and read
+/// textures in vertex shaders, which OpenGL 3.3 (GLSL 3.30) guarantees. Draws nothing.
 class BranchwiseForest::FloatTargetProbe : public osg::Drawable {
 public:
-    enum Answer { NOT_KNOWN_YET, SUPPORTED, MISSING };
+    enum Answer { UNKNOWN, SUPPORTED, MISSING };
 
     FloatTargetProbe() {
         setSupportsDisplayList(false);
@@ -38,7 +38,7 @@ public:
     Answer answer() const { return _answer; }
     osg::BoundingBox computeBoundingBox() const override { return {}; }
     void drawImplementation(osg::RenderInfo& renderInfo) const override {
-        if (_answer != NOT_KNOWN_YET)
+        if (_answer != UNKNOWN)
             return;
         osg::State& state = *renderInfo.getState();
         const auto* gl = state.get<osg::GLExtensions>();
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    mutable std::atomic<Answer> _answer{NOT_KNOWN_YET};
+    mutable std::atomic<Answer> _answer{UNKNOWN};
 };
 
 BranchwiseForest::BranchwiseForest() : BranchwiseForest(noTrees()) {}
@@ -65,8 +65,8 @@ BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::Cop
 BranchwiseForest::~BranchwiseForest() = default;
 
 void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
-    if (!simulation || !SimulationParts::branches(*simulation)) {
-        OSG_WARN << "osgTreeWind: expected a simulation under a law of a branch; no trees are drawn"
+    if (!simulation || !SimulationAccess::branches(*simulation)) {
+        OSG_WARN << "osgTreeWind: expected a simulation under a branchwise law; no trees are drawn"
                  << std::endl;
         simulation = noTrees();
     }
@@ -81,7 +81,7 @@ void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulatio
 
 void BranchwiseForest::seasonChanged() {
     _trees->showSeason();
-    if (_prePass) { // as those of a forest made in that season
+    if (_prePass) { // restart the passes with the leaves of the season
         useCpuAngles();
         startPasses();
     }
@@ -121,13 +121,13 @@ void BranchwiseForest::useCpuAngles() {
 }
 
 void BranchwiseForest::startPasses() {
-    _prePass = std::make_unique<AnglePrePass>(*SimulationParts::branches(*getSimulation()));
+    _prePass = std::make_unique<ForestAnglePasses>(*SimulationAccess::branches(*getSimulation()));
     _trees->useLeafAngles(_prePass->leafAngles());
 }
 
-/// The passes start once a first frame has shown that the context can run them.
+/// Starts the passes after the probe was drawn in a first frame and found the context to support them.
 void BranchwiseForest::chooseAngleSource() {
-    if (_wantedSource == CPU_ANGLES || _prePass || SimulationParts::forest(*getSimulation()).units == 0)
+    if (_wantedSource == CPU_ANGLES || _prePass || SimulationAccess::forest(*getSimulation()).units == 0)
         return;
     if (!_probe)
         _probe = new FloatTargetProbe;
@@ -135,7 +135,8 @@ void BranchwiseForest::chooseAngleSource() {
         _probe = nullptr;
         startPasses();
     } else if (_probe->answer() == FloatTargetProbe::MISSING) {
-        OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
+        OSG_NOTICE << "osgTreeWind: the graphics context lacks float render targets or vertex textures; "
+                      "angles come from the CPU"
                    << std::endl;
         setAngleSource(CPU_ANGLES);
     }
@@ -169,14 +170,14 @@ void BranchwiseForest::update(const osg::FrameStamp& stamp) {
     _trees->updatePoses(_prePass ? stepOnGpu(time) : stepOnCpu(time));
 }
 
-BranchTransform* BranchwiseForest::follow(TreeId tree, unsigned unit) {
+BranchTransform* BranchwiseForest::followBranch(TreeId tree, unsigned unit) {
     const ForestSimulation& simulation = *getSimulation();
     return simulation.holds(tree) ? _trees->nodes()[simulation.slotOf(tree)]->getBranch(unit) : nullptr;
 }
 
-bool BranchwiseForest::unfollow(TreeId tree, unsigned unit) {
+bool BranchwiseForest::releaseBranch(TreeId tree, unsigned unit) {
     const ForestSimulation& simulation = *getSimulation();
-    return simulation.holds(tree) && _trees->nodes()[simulation.slotOf(tree)]->letGo(unit);
+    return simulation.holds(tree) && _trees->nodes()[simulation.slotOf(tree)]->releaseBranch(unit);
 }
 
 bool BranchwiseForest::stepOnCpu(double time) {
@@ -187,9 +188,9 @@ bool BranchwiseForest::stepOnCpu(double time) {
 }
 
 bool BranchwiseForest::stepOnGpu(double time) {
-    const bool moved = _prePass->readBack(*SimulationParts::branches(*getSimulation()));
-    if (SimulationParts::beginStep(*getSimulation(), time))
-        _prePass->step(*SimulationParts::branches(*getSimulation()), time);
+    const bool moved = _prePass->readBack(*SimulationAccess::branches(*getSimulation()));
+    if (SimulationAccess::beginStep(*getSimulation(), time))
+        _prePass->step(*SimulationAccess::branches(*getSimulation()), time);
     else
         _prePass->hold();
     return moved;

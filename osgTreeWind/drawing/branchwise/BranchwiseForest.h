@@ -10,52 +10,53 @@
 
 namespace osgTreeWind {
 
-class AnglePrePass;
+class ForestAnglePasses;
 class BranchwiseTrees;
 
-/// Trees drawn as the thesis published it: each branch below a BranchTransform of its own (§3.1.3), each leaf
-/// cluster below a transform over one shared drawable (§2.4.1).
+/// Draws trees under a branchwise law as the thesis describes it: a BranchTransform for each branch (§3.1.3),
+/// and for each leaf cluster a transform above a shared drawable (§2.4.1).
 ///
 ///     description.law = MotionLaw::Thesis;
 ///     forest = new Forest(description);
 ///     forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
 class OSGTREEWIND_EXPORT BranchwiseForest : public ForestTechnique {
 public:
-    /// Where the angles of branches and leaves are worked out.
+    /// Where the angles of branches and leaves are computed.
     enum AngleSource {
-        CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
-        GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
-                    ///< back and move the branches one frame later; leaves show them at once. Falls back to
-                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
+        CPU_ANGLES, ///< In the update traversal. A frame shows the wind of the same frame.
+        GPU_ANGLES ///< In fragment shaders before the frame is drawn (thesis §5.2). Leaves show the angles at
+                   ///< once; branch angles are read back and move the branches one frame later. Falls back to
+                   ///< CPU_ANGLES, with one notice, without float render targets or vertex textures.
     };
 
-    /// No trees.
     BranchwiseForest();
-    /// Draws the trees of a simulation, as setSimulation().
+    /// Draws the trees of a simulation, like setSimulation().
     explicit BranchwiseForest(std::shared_ptr<ForestSimulation> simulation);
-    /// The same angle source and levels of detail; no trees.
+    /// A copy without trees, with the same angle source and levels of detail.
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, BranchwiseForest)
 
-        /// From the next frame on; GPU_ANGLES until it is called. Not during a traversal.
-        void setAngleSource(AngleSource source);
-    /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
+    /// CPU_ANGLES takes effect in the next frame. GPU_ANGLES, the default, waits for a frame that tests the
+    /// graphics context. Not during a traversal.
+    void setAngleSource(AngleSource source);
+    /// The angle source in use. It is GPU_ANGLES only after a graphics context was found to support it.
     AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
 
-    /// Of all trees. Not during a traversal. @return a problem, and nothing is changed, for what is not a
-    /// number from 0 on; else empty.
+    /// Sets the ranges of all trees. Not during a traversal.
+    /// @return a problem, with the ranges unchanged, if one is negative or not a number; else empty.
     Diagnostics setLodRanges(const TreeLodRanges& ranges);
-    const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< As set.
+    const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< Ranges of all trees.
 
-    unsigned getNumTrees() const;             ///< As many as were given.
-    osg::Node* getTree(unsigned index) const; ///< What draws one, in their order; null: none.
+    unsigned getNumTrees() const; ///< Number of trees of the simulation.
+    /// The node of a tree, in the order of the description; null beyond the last one.
+    osg::Node* getTree(unsigned index) const;
 
-    /// Draws no trees, and warns, for null or the law `modal`.
+    /// Draws no trees, with a warning, for null and for a simulation under the law `modal`.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     void update(const osg::FrameStamp& stamp) override;
     void seasonChanged() override;
-    BranchTransform* follow(TreeId tree, unsigned unit) override;
-    bool unfollow(TreeId tree, unsigned unit) override;
+    BranchTransform* followBranch(TreeId tree, unsigned unit) override;
+    bool releaseBranch(TreeId tree, unsigned unit) override;
     BranchwiseForest* asBranchwiseForest() override { return this; }
 
     void traverse(osg::NodeVisitor& visitor) override;                 ///< osg::Node.
@@ -76,8 +77,8 @@ private:
     void useCpuAngles();
 
     osg::ref_ptr<BranchwiseTrees> _trees;
-    // No children: in a scene they would keep everything above them from being culled.
-    std::unique_ptr<AnglePrePass> _prePass;
+    // Not children of this node: as children they would disable culling of all nodes above them.
+    std::unique_ptr<ForestAnglePasses> _prePass;
     osg::ref_ptr<FloatTargetProbe> _probe;
     AngleSource _wantedSource = GPU_ANGLES;
     TreeLodRanges _lodRanges;

@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <cstring>
@@ -11,7 +11,7 @@
 namespace osgTreeWind {
 namespace {
 
-// Unit 0 is for the textures of bark and leaves, the next ones are where shadow techniques put theirs.
+// Unit 0 holds the texture of bark or leaves; units 1 to 3 are free for shadow techniques.
 constexpr unsigned unitPosesTextureUnit = 4;
 constexpr unsigned leafAnglesTextureUnit = 5;
 
@@ -19,9 +19,9 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 
 BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
     : _simulation(std::move(simulation)),
-      _unitPoses("unit poses", 2 * SimulationParts::forest(*_simulation).units),
-      _leafAngles("leaf angles", SimulationParts::forest(*_simulation).leaves) {
-    const PlacedForest& forest = SimulationParts::forest(*_simulation);
+      _unitPoses("unit poses", 2 * SimulationAccess::forest(*_simulation).units),
+      _leafAngles("leaf angles", SimulationAccess::forest(*_simulation).leaves) {
+    const PlacedForest& forest = SimulationAccess::forest(*_simulation);
     const std::vector<Species>& species = _simulation->description().species;
     for (const Species& each : species)
         _styles.push_back(makeTreeStyle(each.appearance));
@@ -37,8 +37,8 @@ BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
-        node->setOwnNumber(Random(tree.seed).uniform());
-        node->getPosedTree()->follow(_simulation, _simulation->motion(i));
+        node->setTreeRandom(Random(tree.seed).uniform());
+        node->getPosedTree()->setMotion(_simulation, _simulation->motion(i));
         addChild(node);
         _nodes.push_back(node);
     }
@@ -46,7 +46,7 @@ BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
 
     osg::StateSet* state = getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
-    bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses.texture());
+    bindDataTexture(*state, "unitPoses", unitPosesTextureUnit, _unitPoses.texture());
     useLeafAngles(nullptr);
     uploadUnitPoses();
     uploadLeafAngles();
@@ -58,19 +58,20 @@ void BranchwiseTrees::showSeason() {
     for (std::size_t i = 0; i < species.size(); ++i)
         _styles[i].showSeason(species[i].appearance, season);
     for (std::size_t i = 0; i < _nodes.size(); ++i) {
-        const PlacedTree& tree = SimulationParts::trees(*_simulation)[i];
-        _nodes[i]->setLeaves(tree.leaves);
-        _nodes[i]->setBillboard(
-            _pictures.of(tree, *_nodes[i]->getPosedTree(), species[tree.species].appearance, season));
+        const PlacedTree& tree = SimulationAccess::trees(*_simulation)[i];
+        _nodes[i]->setLeafShare(tree.leaves);
+        _nodes[i]->setBillboard(_billboards.makeDrawable(tree, *_nodes[i]->getPosedTree(),
+                                                         species[tree.species].appearance, season));
     }
 }
 
 void BranchwiseTrees::useLeafAngles(osg::Texture2D* texture) {
-    bindData(*getStateSet(), "leafAngles", leafAnglesTextureUnit, texture ? texture : _leafAngles.texture());
+    bindDataTexture(*getStateSet(), "leafAngles", leafAnglesTextureUnit,
+                    texture ? texture : _leafAngles.texture());
 }
 
 void BranchwiseTrees::uploadLeafAngles() {
-    _leafAngles.fill(SimulationParts::branches(*_simulation)->leafStates());
+    _leafAngles.fill(SimulationAccess::branches(*_simulation)->leafStates());
 }
 
 void BranchwiseTrees::uploadUnitPoses() {
@@ -97,7 +98,7 @@ void BranchwiseTrees::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
     for (const osg::ref_ptr<TreeBuffers>& buffers : _buffers)
         buffers->resizeGLObjectBuffers(maxSize);
-    _pictures.resizeGLObjectBuffers(maxSize);
+    _billboards.resizeGLObjectBuffers(maxSize);
 }
 
 void BranchwiseTrees::releaseGLObjects(osg::State* state) const {
@@ -106,7 +107,7 @@ void BranchwiseTrees::releaseGLObjects(osg::State* state) const {
         buffers->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);
-    _pictures.releaseGLObjects(state);
+    _billboards.releaseGLObjects(state);
 }
 
 } // namespace osgTreeWind

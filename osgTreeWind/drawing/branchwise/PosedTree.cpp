@@ -32,7 +32,7 @@ PosedTree::PosedTree(std::shared_ptr<const TreeModel> model, const TreeScale& sc
     growBounds();
 }
 
-void PosedTree::follow(std::shared_ptr<const void> owner, const TreeMotion& motion) {
+void PosedTree::setMotion(std::shared_ptr<const void> owner, const TreeMotion& motion) {
     _owner = std::move(owner);
     _motion = motion;
 }
@@ -41,14 +41,14 @@ glm::vec3 PosedTree::skinPoint(const SkinVertex& vertex, const UnitPose& pose) c
     return posedSkinPoint(vertex, _scale, pose);
 }
 
-glm::quat PosedTree::leafTurn(std::size_t leaf) const {
+glm::quat PosedTree::leafOrientation(std::size_t leaf) const {
     const glm::quat& rest = _model->leaves[leaf].orientation;
     return _motion.leaves.data ? rest * leafRotation(_motion.leaves[leaf]) : rest;
 }
 
 void PosedTree::leafPoints(std::size_t leaf, glm::vec3* corners) const {
     const LeafCluster& cluster = _model->leaves[leaf];
-    const glm::quat turn = leafTurn(leaf);
+    const glm::quat turn = leafOrientation(leaf);
     const UnitPose unitPose = pose(static_cast<std::size_t>(cluster.unit));
     for (std::size_t i = 0; i < verticesPerLeafCluster; ++i)
         corners[i] = posedLeafPoint(cluster, _model->leafMesh[i].corner, turn, _scale, unitPose);
@@ -65,7 +65,7 @@ bool PosedTree::growBounds() {
     osg::BoundingBox now(toOsg(low - _reach), toOsg(high + _reach));
     if (_bounds.valid() && _bounds.contains(now._min) && _bounds.contains(now._max))
         return false;
-    // Some room to sway, so that bounds settle after a few frames.
+    // The margin makes the bounds settle after a few frames.
     const osg::Vec3 room = _bounds.valid() ? (now._max - now._min) * 0.05f : osg::Vec3();
     _bounds.expandBy(now._min - room);
     _bounds.expandBy(now._max + room);

@@ -21,7 +21,7 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
     return units;
 }
 
-/// The bark of some units, over the vertices of the whole.
+/// The bark of some units, with the vertex buffer of the whole bark.
 osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units, const BranchSkin& skin,
                                    const osg::Geometry& whole) {
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
@@ -33,8 +33,8 @@ osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units, const Bra
     return geometry;
 }
 
-/// One leaf cluster in the leaf frame, size 1: the thesis' display list (§2.4.1), to stand below the
-/// transform of each cluster of all trees of a model.
+/// One leaf cluster of size 1 in the leaf frame, below the transforms of all clusters of a model: the display
+/// list of the thesis (§2.4.1).
 class LeafClusterDrawable : public TreeDrawable {
 public:
     explicit LeafClusterDrawable(const TreeModel& model)

@@ -9,8 +9,8 @@
 
 namespace osgTreeWind {
 
-/// The drawn form of a model, shared by all its trees: vertex buffers for bark and leaves as
-/// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
+/// Vertex buffers of a model, shared by all its trees, with the arrays of shaders/branchwise/bark.vert and
+/// shaders/branchwise/leaf.vert.
 class TreeBuffers : public osg::Referenced {
 public:
     explicit TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
@@ -18,12 +18,11 @@ public:
     const std::shared_ptr<const TreeModel>& model() const { return _model; }
     osg::Geometry* skin() const { return _meshes->skin.get(); }
     osg::Geometry* leaves() const { return _meshes->leaves.get(); }
-    /// The bark of the units that bear no leaves, over the same vertex buffer.
+    /// The bark of the units without leaves, in the same vertex buffer.
     osg::Geometry* bareSkin() const { return _meshes->bareSkin.get(); }
-    /// One in the leaf frame, size 1.
+    /// A leaf cluster of size 1 in the leaf frame.
     TreeDrawable* leafCluster() const { return _leafCluster.get(); }
-    /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
-    /// thread.
+    /// The bark of one branch unit, in the same vertex buffer. Created on first use, by one thread.
     osg::Geometry* unitSkin(unsigned unit);
 
     void resizeGLObjectBuffers(unsigned maxSize);
@@ -32,7 +31,7 @@ public:
 private:
     std::vector<osg::Geometry*> geometries() const;
 
-    /// The same ones for all forests that hold them.
+    /// Shared by all forests of the process with a shared model (TreeModel::identity).
     struct Meshes : osg::Referenced {
         Meshes(const TreeModel& model, LeafForm leafForm);
         osg::ref_ptr<osg::Geometry> skin, bareSkin, leaves;

@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
-#include <osgTreeWind/gpu/DrawTime.h>
+#include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
@@ -10,7 +10,7 @@ namespace osgTreeWind {
 TreeDrawable::TreeDrawable(const char* className, osg::Geometry* geometry, PosedTree* tree)
     : _className(className), _geometry(geometry), _tree(tree) {
     setSupportsDisplayList(false);
-    setDataVariance(osg::Object::DYNAMIC); // what it draws with changes every frame
+    setDataVariance(osg::Object::DYNAMIC); // the poses change every frame
 }
 
 void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
@@ -25,7 +25,7 @@ void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
 void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
     if (!_geometry || !canRunPrograms(*renderInfo.getState()))
         return;
-    const DrawTime time(renderInfo, "Forest draw");
+    const DrawTimer time(renderInfo, "Forest draw");
     _geometry->draw(renderInfo);
 }
 

@@ -7,9 +7,8 @@
 
 namespace osgTreeWind {
 
-/// A part of one tree, drawn from geometry that all trees of its model share, and that is released by its
-/// TreeBuffers only. Vertices are posed by shaders;
-/// for bounds, picking and statistics they are posed on the CPU.
+/// A part of one tree, drawn from geometry that all trees of its model share. Only the TreeBuffers release
+/// that geometry. Shaders pose the vertices; for bounds, picking and statistics the CPU does.
 class TreeDrawable : public osg::Drawable {
 public:
     const char* libraryName() const override { return "osgTreeWind"; }
@@ -17,7 +16,7 @@ public:
 
     using osg::Drawable::accept;
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
-    /// Hands over the posed triangles, in the tree's frame.
+    /// Passes the posed triangles, in the tree's frame.
     void accept(osg::PrimitiveFunctor& functor) const override;
 
     const osg::Geometry* geometry() const { return _geometry.get(); }
@@ -30,7 +29,7 @@ public:
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;
 
 protected:
-    /// @param geometry shared by trees; @param tree the one drawn here; null for what is the same in all.
+    /// @param geometry shared by trees. @param tree to pose it for; null if it is the same for all trees.
     TreeDrawable(const char* className, osg::Geometry* geometry, PosedTree* tree);
     ~TreeDrawable() override = default;
 
@@ -45,12 +44,12 @@ protected:
     osg::ref_ptr<PosedTree> _tree;
 };
 
-/// The bark of a tree: all of it, posed, or that of one branch unit at rest to stand below a BranchTransform.
+/// The bark of a whole tree, posed, or that of one branch unit at rest, for use below a BranchTransform.
 class SkinDrawable : public TreeDrawable {
 public:
     static constexpr int wholeTree = -1;
 
-    /// @param geometry the model's skin, or its unitSkin(unit).
+    /// @param geometry TreeBuffers::skin(), or unitSkin() of the unit.
     explicit SkinDrawable(osg::Geometry* geometry = nullptr, PosedTree* tree = nullptr, int unit = wholeTree)
         : TreeDrawable("SkinDrawable", geometry, tree), _unit(unit) {}
     osg::BoundingBox computeBoundingBox() const override;
@@ -62,7 +61,7 @@ private:
     int _unit;
 };
 
-/// All leaf clusters of a tree in one draw; the vertex shader fetches the angles of each.
+/// All leaf clusters of a tree in one draw. The vertex shader fetches their angles from a texture.
 class LeafDrawable : public TreeDrawable {
 public:
     explicit LeafDrawable(osg::Geometry* geometry = nullptr, PosedTree* tree = nullptr)

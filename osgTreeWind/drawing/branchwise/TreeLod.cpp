@@ -23,7 +23,7 @@ TreeLod::TreeLod(float height) : _height(height) {
 }
 
 TreeLod::TreeLod(const TreeLod& other, const osg::CopyOp& copyop)
-    : osg::LOD(other, copyop), _ranges(other._ranges), _height(other._height), _ready(other._ready) {
+    : osg::LOD(other, copyop), _ranges(other._ranges), _height(other._height), _fullReady(other._fullReady) {
     setDataVariance(osg::Object::DYNAMIC);
     for (unsigned i = 0; i < getNumChildren(); ++i)
         if (getChild(i) == other.getChild(i))
@@ -49,8 +49,8 @@ void TreeLod::traverse(osg::NodeVisitor& visitor) {
         return;
     }
     if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR)
-        _wanted = true;
-    getChild(_ready ? FULL : STAND_IN)->accept(visitor);
+        _fullRequested = true;
+    getChild(_fullReady ? FULL : STAND_IN)->accept(visitor);
 }
 
 } // namespace osgTreeWind

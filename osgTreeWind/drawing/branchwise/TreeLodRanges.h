@@ -3,10 +3,12 @@
 
 namespace osgTreeWind {
 
-/// Up to which distance a tree is drawn how, in heights of the tree; infinity: however far.
+/// Ends of the levels of detail of a tree: distances from the eye to its middle, in heights of the tree; may
+/// be infinite.
 struct TreeLodRanges {
-    float full = 8.0f;    ///< Up to here all of a tree is drawn,
-    float leaves = 20.0f; ///< and up to here its leaves.
+    float full = 8.0f; ///< End of the level with transforms for branches and leaf clusters.
+    /// End of the level with the same leaves and bark, but no transforms. Farther trees are billboards.
+    float leaves = 20.0f;
 };
 
 } // namespace osgTreeWind

@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/model/MeasureTree.h>
 
 #include <osgUtil/IntersectionVisitor>
@@ -36,7 +36,7 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (dynamic_cast<TreeLod*>(getChild(i)))
             removeChild(i);
-    if (getStateSet()) // texels and sizes are the copy's own
+    if (getStateSet()) // the copy has its own texels and sizes
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         _leafShare = other._leafShare;
@@ -58,14 +58,14 @@ void TreeNode::build(TreeBuffers* buffers, const TreeStyle& style, const TreeSca
         _lod->level(TreeLod::STAND_IN)->addChild(drawable);
     for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
         _lod->level(TreeLod::LEAVES)->addChild(drawable);
-    _lod->setReady(false);
+    _lod->setFullReady(false);
     addChild(_lod);
 
     osg::StateSet* state = getOrCreateStateSet();
     state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
     state->addUniform(new osg::Uniform("treeSizes", osg::Vec2(scale.radius, scale.leaf)));
     setTexels(atRest, atRest);
-    setLeaves(_leafShare);
+    setLeafShare(_leafShare);
 }
 
 unsigned TreeNode::getNumBranches() const {
@@ -76,22 +76,22 @@ BranchTransform* TreeNode::getBranch(unsigned unit) {
     if (unit >= getNumBranches())
         return nullptr;
     BranchTransform* const transform = branch(unit);
-    if (std::exchange(_branches[unit].asked, true))
+    if (std::exchange(_branches[unit].isRequested, true))
         return transform;
     for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
-        if (Branch& carrier = _branches[static_cast<std::size_t>(at)]; carrier.followed++ == 0)
+        if (Branch& carrier = _branches[static_cast<std::size_t>(at)]; carrier.requests++ == 0)
             carrier.transform->setRotation(toOsg(_tree->rotation(static_cast<std::size_t>(at))));
     return transform;
 }
 
-bool TreeNode::letGo(unsigned unit) {
-    if (unit >= getNumBranches() || !std::exchange(_branches[unit].asked, false))
+bool TreeNode::releaseBranch(unsigned unit) {
+    if (unit >= getNumBranches() || !std::exchange(_branches[unit].isRequested, false))
         return false;
     for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
-        --_branches[static_cast<std::size_t>(at)].followed;
+        --_branches[static_cast<std::size_t>(at)].requests;
     BranchTransform& transform = *_branches[unit].transform;
     for (unsigned i = transform.getNumChildren(); i-- > 0;)
-        if (!isOwn(transform.getChild(i)))
+        if (!isTreePart(transform.getChild(i)))
             transform.removeChild(i);
     return true;
 }
@@ -100,8 +100,8 @@ int TreeNode::parentOf(int unit) const {
     return _tree->model().skeleton.units[static_cast<std::size_t>(unit)].parent;
 }
 
-/// Whether a child of a branch is a part of the tree.
-bool TreeNode::isOwn(const osg::Node* child) const {
+/// Whether a child of a branch belongs to the tree and not to the host.
+bool TreeNode::isTreePart(const osg::Node* child) const {
     return dynamic_cast<const BranchTransform*>(child) || dynamic_cast<const SkinDrawable*>(child) ||
            std::find(_leafTransforms.begin(), _leafTransforms.end(), child) != _leafTransforms.end();
 }
@@ -119,9 +119,9 @@ BranchTransform* TreeNode::branch(unsigned unit) {
 }
 
 void TreeNode::makeTransforms() {
-    if (_full)
+    if (_hasTransforms)
         return;
-    _full = true;
+    _hasTransforms = true;
     for (unsigned unit = 0; unit < getNumBranches(); ++unit)
         branch(unit)->addChild(styled(
             new SkinDrawable(_buffers->unitSkin(unit), _tree, static_cast<int>(unit)), _style.branchBark));
@@ -132,17 +132,18 @@ void TreeNode::makeTransforms() {
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
     }
-    showLeaves();
+    updateLeafStates();
 }
 
-void TreeNode::showLeaves() {
+void TreeNode::updateLeafStates() {
     for (std::size_t i = 0; i < _leafTransforms.size(); ++i)
-        _leafTransforms[i]->setStateSet(isBorne(i, _leafShare) ? _style.leafCluster : _style.bareCluster);
+        _leafTransforms[i]->setStateSet(isClusterBorne(i, _leafShare) ? _style.leafCluster
+                                                                      : _style.bareCluster);
 }
 
 void TreeNode::turnBranches(bool all) {
     for (const Branch& branch : _branches)
-        if (branch.transform && (all || branch.followed))
+        if (branch.transform && (all || branch.requests > 0))
             branch.transform->setRotation(toOsg(_tree->rotation(branch.transform->getUnit())));
 }
 
@@ -150,18 +151,18 @@ void TreeNode::turnLeaves() {
     for (std::size_t i = 0; i < _leafTransforms.size(); ++i) {
         const LeafCluster& cluster = _tree->model().leaves[i];
         osg::Matrix matrix = osg::Matrix::scale(osg::Vec3(1, 1, 1) * (_tree->scale().leaf * cluster.size));
-        matrix.postMultRotate(toOsg(_tree->leafTurn(i)));
+        matrix.postMultRotate(toOsg(_tree->leafOrientation(i)));
         matrix.postMultTranslate(toOsg(_tree->scale().axes * cluster.anchor));
         _leafTransforms[i]->setMatrix(matrix);
     }
 }
 
-/// The level FULL as the tree stands now.
-void TreeNode::bringUpToDate() {
+/// Sets the level FULL to the current pose.
+void TreeNode::updateFullLevel() {
     makeTransforms();
     turnBranches(true);
     turnLeaves();
-    _lod->setReady(true);
+    _lod->setFullReady(true);
 }
 
 void TreeNode::setTexels(int firstUnit, int firstLeaf) {
@@ -170,14 +171,14 @@ void TreeNode::setTexels(int firstUnit, int firstLeaf) {
     state->getOrCreateUniform("treeFirstLeaf", osg::Uniform::INT)->set(firstLeaf);
 }
 
-void TreeNode::setOwnNumber(float number) {
+void TreeNode::setTreeRandom(float number) {
     getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
 }
 
-void TreeNode::setLeaves(float share) {
+void TreeNode::setLeafShare(float share) {
     _leafShare = share;
     getOrCreateStateSet()->getOrCreateUniform("treeLeaves", osg::Uniform::FLOAT)->set(share);
-    showLeaves();
+    updateLeafStates();
 }
 
 void TreeNode::setBillboard(osg::Drawable* picture) {
@@ -193,18 +194,18 @@ void TreeNode::updatePose(bool moved) {
     if (moved && _tree->growBounds())
         for (const osg::ref_ptr<osg::Drawable>& drawable : {_skin, _leaves, _bareSkin})
             drawable->dirtyBound();
-    const bool wanted = _lod->takeWanted();
-    if (wanted && (moved || !_lod->getReady())) {
-        bringUpToDate();
+    const bool wanted = _lod->takeFullRequest();
+    if (wanted && (moved || !_lod->isFullReady())) {
+        updateFullLevel();
     } else if (moved) {
         turnBranches(false);
-        _lod->setReady(false);
+        _lod->setFullReady(false);
     }
 }
 
 void TreeNode::traverse(osg::NodeVisitor& visitor) {
-    if (_tree && !_lod->getReady() && dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
-        EntryGuard().run("a tree may not be met", [this] { bringUpToDate(); });
+    if (_tree && !_lod->isFullReady() && dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
+        ExceptionGuard().run("a tree may not be picked", [this] { updateFullLevel(); });
     osg::PositionAttitudeTransform::traverse(visitor);
 }
 

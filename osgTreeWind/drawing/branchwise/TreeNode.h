@@ -13,53 +13,52 @@
 
 namespace osgTreeWind {
 
-/// One tree: placed by its position and attitude, drawn from shared buffers, moved by its forest. In full,
-/// its bark is drawn below BranchTransforms and each leaf cluster below a MatrixTransform of its branch.
+/// The node of one tree, drawn from shared buffers and moved by its forest. In full detail, its bark is below
+/// BranchTransforms and each leaf cluster below a MatrixTransform of its branch.
 ///
-/// Any branch can be had as a BranchTransform to hang nodes on. Transforms are made when first asked for, or
-/// first looked at, and turned for cameras and picking that look: a tree far away, or out of sight, costs
-/// none of that.
+/// getBranch() gives transforms to attach nodes to. Transforms are created for the first getBranch(), camera
+/// or picking visitor that needs them, and updated only for those.
 class TreeNode : public osg::PositionAttitudeTransform {
 public:
-    /// Draws nothing.
+    /// An empty node without a tree.
     TreeNode();
     /// A tree at rest.
     TreeNode(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
-    /// A tree of the same model, size and place, at rest; nodes hung on branches are not copied.
+    /// A tree of the same model, size and place, at rest, without the nodes attached to its branches.
     TreeNode(const TreeNode& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeNode)
 
-        /// Units of this tree; 0 for an empty one.
-        unsigned getNumBranches() const;
-    /// The transform of a unit (access order), in the current pose; null beyond getNumBranches(). It follows
-    /// the tree from then on, seen or not; what hangs on it is drawn with the level FULL. Call it where the
-    /// scene may be changed (update or event traversal, between frames).
+    /// Number of branch units; 0 without a tree.
+    unsigned getNumBranches() const;
+    /// The transform of a unit (access order) in the current pose; null if there is no such unit. From now on
+    /// it follows the tree even if no camera sees it. Its children are drawn with the level FULL. Call it in
+    /// the update or event traversal or between frames.
     BranchTransform* getBranch(unsigned unit);
-    /// Takes off what hangs on a branch that was asked for, which from then on follows as others do.
-    /// @return false where it was not asked for.
-    bool letGo(unsigned unit);
+    /// Removes what the host attached to a branch, which then moves only while a camera sees it.
+    /// @return false if getBranch() was not called for it.
+    bool releaseBranch(unsigned unit);
 
-    /// Levels of detail; null for an empty one.
+    /// Null without a tree.
     TreeLod* getLod() const { return _lod.get(); }
 
-    /// The tree as it stands; null for an empty one.
+    /// Null without a tree.
     PosedTree* getPosedTree() const { return _tree.get(); }
 
-    /// Where the shaders find this tree: first texels of its units and leaves. Negative: at rest.
+    /// Sets the first texels of the tree's units and leaves in the textures of poses. Negative: at rest.
     void setTexels(int firstUnit, int firstLeaf);
 
-    /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
-    void setOwnNumber(float number);
+    /// Sets the random number of this tree, [0, 1), which varies the shade of its leaves.
+    void setTreeRandom(float number);
 
-    /// Share of its leaves that the tree bears, [0, 1]; bare twigs are drawn where it has none. Not during a
+    /// Sets the share of leaves on the tree, [0, 1]; the other clusters are bare twigs. Not during a
     /// traversal.
-    void setLeaves(float share);
+    void setLeafShare(float share);
 
-    /// What is drawn at the level BILLBOARD.
+    /// Sets the drawable of the level BILLBOARD.
     void setBillboard(osg::Drawable* picture);
 
-    /// Takes over the pose of getPosedTree(): bounds if it `moved`, and transforms that are looked at or were
-    /// asked for. In update.
+    /// Updates the bounds if the tree `moved`, and the transforms that cameras see or getBranch() returned,
+    /// to the pose of getPosedTree(). In update.
     void updatePose(bool moved = true);
 
     void traverse(osg::NodeVisitor& visitor) override;
@@ -70,28 +69,28 @@ protected:
 private:
     struct Branch {
         osg::ref_ptr<BranchTransform> transform;
-        bool asked = false;    ///< For, by getBranch().
-        unsigned followed = 0; ///< It and those that it carries, as far as they were asked for.
+        bool isRequested = false; ///< By getBranch().
+        unsigned requests = 0;    ///< Number of requested branches that move with it, including itself.
     };
     void build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
     BranchTransform* branch(unsigned unit);
     int parentOf(int unit) const;
-    bool isOwn(const osg::Node* child) const;
+    bool isTreePart(const osg::Node* child) const;
     void makeTransforms();
-    void showLeaves();
+    void updateLeafStates();
     void turnBranches(bool all);
     void turnLeaves();
-    void bringUpToDate();
+    void updateFullLevel();
 
     osg::ref_ptr<TreeBuffers> _buffers;
     TreeStyle _style;
     osg::ref_ptr<PosedTree> _tree;
     osg::ref_ptr<TreeLod> _lod;
     osg::ref_ptr<osg::Drawable> _skin, _leaves, _bareSkin;
-    std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
-    std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
+    std::vector<Branch> _branches;                                   ///< By unit.
+    std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< By cluster; empty until needed.
     float _leafShare = 1.0f;
-    bool _full = false; ///< Whether the transforms of FULL are there.
+    bool _hasTransforms = false; ///< Whether FULL has its transforms.
 };
 
 } // namespace osgTreeWind

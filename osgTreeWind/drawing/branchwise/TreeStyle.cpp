@@ -9,11 +9,11 @@ namespace osgTreeWind {
 
 TreeStyle makeTreeStyle(const Appearance& appearance) {
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
-    showBark(*style.bark, sharedProgram("branchwise/bark", "bark"), appearance);
+    configureBark(*style.bark, sharedProgram("branchwise/bark", "bark"), appearance);
     style.branchBark = new SharedStateSet(*style.bark);
     style.branchBark->addUniform(new osg::Uniform("treeFirstUnit", -1));
 
-    showLeaves(*style.leaves, sharedProgram("branchwise/leaf", "leaf"), appearance);
+    configureLeaves(*style.leaves, sharedProgram("branchwise/leaf", "leaf"), appearance);
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     style.leafCluster = new SharedStateSet(*style.leaves);
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
@@ -26,7 +26,8 @@ TreeStyle makeTreeStyle(const Appearance& appearance) {
 }
 
 void TreeStyle::showSeason(const Appearance& appearance, float season) const {
-    leaves->getUniform("leafColor")->set(toOsg(leafColor(appearance, season))); // which all of them share
+    leaves->getUniform("leafColor")
+        ->set(toOsg(leafColor(appearance, season))); // shared with leafCluster and bareCluster
 }
 
 void TreeStyle::releaseGLObjects(osg::State* state) const {

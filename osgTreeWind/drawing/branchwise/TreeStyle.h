@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// State that many trees share: no tree that is released takes it along. Its owner calls releaseShared().
+/// A state set that many trees share. Releasing a tree does not release it; its owner calls releaseShared().
 class SharedStateSet : public osg::StateSet {
 public:
     SharedStateSet() = default;
@@ -19,22 +19,22 @@ public:
     void releaseShared(osg::State* state) const { osg::StateSet::releaseGLObjects(state); }
 };
 
-/// How the trees of a species look.
+/// The state sets of the trees of a species under a branchwise law.
 struct TreeStyle {
     osg::ref_ptr<SharedStateSet> bark;        ///< Of a whole tree, posed by the shader.
     osg::ref_ptr<SharedStateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
     osg::ref_ptr<SharedStateSet> leaves;      ///< Of a whole tree, posed by the shader.
     osg::ref_ptr<SharedStateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
-    osg::ref_ptr<SharedStateSet> bareCluster; ///< The same without its leaves.
+    osg::ref_ptr<SharedStateSet> bareCluster; ///< Of one cluster without leaves.
 
-    /// Colours of a season, for all that share this style. Not during a traversal.
+    /// Sets the leaf colour of a season for all copies of this style. Not during a traversal.
     void showSeason(const Appearance& appearance, float season) const;
 
-    /// Of one context, or of all.
+    /// @param state of one context, or null for all.
     void releaseGLObjects(osg::State* state) const;
 };
 
-/// State sets of their own, with programs and textures that others share.
+/// Makes new state sets with shared programs and textures.
 TreeStyle makeTreeStyle(const Appearance& appearance);
 
 } // namespace osgTreeWind

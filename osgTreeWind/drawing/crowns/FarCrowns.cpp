@@ -14,12 +14,11 @@
 #include <map>
 
 namespace osgTreeWind {
-
 namespace {
 
-constexpr std::size_t mostSpecies = 128; // of shaders/crowns.vert; those beyond look as the last
+constexpr std::size_t maxSpecies = 128; // as in shaders/crowns.vert; further species look like the last one
 
-/// Pictures of the cells of one tile.
+/// Builds the billboards of the cells of one tile.
 class CellGeometry {
 public:
     void add(const CrownCell& cell, const glm::vec3& middle, float side, std::size_t species) {
@@ -28,7 +27,7 @@ public:
                 _corners->push_back({s, t, 0.0f});
                 _places->push_back({middle.x, middle.y, middle.z, side});
                 _crowns->push_back({static_cast<float>(cell.trees), cell.height, cell.width,
-                                    static_cast<float>(std::min(species, mostSpecies - 1))});
+                                    static_cast<float>(std::min(species, maxSpecies - 1))});
             }
         const unsigned first = static_cast<unsigned>(_corners->size()) - 4;
         for (const unsigned i : {0u, 1u, 3u, 0u, 3u, 2u})
@@ -68,23 +67,23 @@ private:
 
 } // namespace
 
-FarCrowns::FarCrowns(const CrownSheet& sheet, const ForestDescription& world)
+FarCrowns::FarCrowns(const CrownSummary& summary, const ForestDescription& world)
     : _species(world.species), _tiles(world.tiles->tiles.size()),
-      _colors(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "crownColors", mostSpecies)) {
+      _colors(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "crownColors", maxSpecies)) {
     setName("far crowns");
     osg::StateSet* state = getOrCreateStateSet();
-    state->setAttributeAndModes(sharedProgram("crowns", "crowns"), ownProgram);
+    state->setAttributeAndModes(sharedProgram("crowns", "crowns"), protectedProgram);
     drawBothSides(*state);
     state->addUniform(_colors);
     state->addUniform(new osg::Uniform("tierColor", osg::Vec3(0.5f, 0.05f, 1.0f)));
     const ForestTiles& tiles = *world.tiles;
-    const std::uint32_t across = CrownSheet::cellsAcrossTile(tiles);
+    const std::uint32_t across = CrownSummary::cellsAcrossTile(tiles);
     const double side = tiles.size / across;
     std::map<std::size_t, CellGeometry> geometries; // by tile
-    for (const CrownCell& cell : sheet.cells) {
+    for (const CrownCell& cell : summary.cells) {
         const std::size_t column = cell.column / across, tile = cell.row / across * tiles.columns + column;
         const auto species = std::find_if(_species.begin(), _species.end(), [&](const Species& each) {
-            return each.name == sheet.species[cell.species];
+            return each.name == summary.species[cell.species];
         });
         if (column >= tiles.columns || tile >= _tiles.size() || species == _species.end())
             continue;
@@ -102,13 +101,13 @@ FarCrowns::FarCrowns(const CrownSheet& sheet, const ForestDescription& world)
 
 FarCrowns::~FarCrowns() = default;
 
-void FarCrowns::show(std::size_t tile, bool shown) {
+void FarCrowns::setTileVisible(std::size_t tile, bool visible) {
     if (tile < _tiles.size() && _tiles[tile])
-        _tiles[tile]->setNodeMask(shown ? ~0u : 0u);
+        _tiles[tile]->setNodeMask(visible ? ~0u : 0u);
 }
 
 void FarCrowns::showSeason(float season) {
-    for (std::size_t i = 0; i < std::min(_species.size(), mostSpecies); ++i) {
+    for (std::size_t i = 0; i < std::min(_species.size(), maxSpecies); ++i) {
         const Appearance& appearance = _species[i].appearance;
         const float leaves = leafShare(appearance, season);
         const glm::vec3 color = glm::mix(appearance.bark, leafColor(appearance, season), leaves);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
-#include <osgTreeWind/io/CrownSheet.h>
+#include <osgTreeWind/io/CrownSummary.h>
 
 #include <osg/Group>
 #include <osg/Uniform>
@@ -11,17 +11,17 @@
 
 namespace osgTreeWind {
 
-/// The crowns of a world's tiles as they look from afar: a picture of crowns for each cell of a sheet, turned
-/// to the eye and painted by shaders/crowns.frag. They cover what the trees cover, from the side and from
-/// above, but stand still: so far away a lean is less than a pixel.
+/// Draws the crowns of the tiles of a world that are far away: a billboard of crowns for each cell of a
+/// sheet, painted by shaders/crowns.frag. Billboards cover as much as the trees do from the side and from
+/// above. They do not move, since the sway is less than a pixel at that distance.
 class FarCrowns : public osg::Group {
 public:
-    /// In the forest's frame, one child a tile. @param world has tiles.
-    FarCrowns(const CrownSheet& sheet, const ForestDescription& world);
+    /// One child for each tile, in the forest's frame. @param world must have tiles.
+    FarCrowns(const CrownSummary& summary, const ForestDescription& world);
 
-    /// Whether those of a tile are drawn; all are at first. In update.
-    void show(std::size_t tile, bool shown);
-    /// Of the year (Season.h). In update.
+    /// All tiles are visible at first. In update.
+    void setTileVisible(std::size_t tile, bool visible);
+    /// Sets the colours of a season (Season.h). In update.
     void showSeason(float season);
 
 protected:
@@ -29,8 +29,8 @@ protected:
 
 private:
     std::vector<Species> _species;
-    std::vector<osg::ref_ptr<osg::Node>> _tiles; ///< Null: one without crowns.
-    osg::ref_ptr<osg::Uniform> _colors;          ///< By species, with the share of leaves.
+    std::vector<osg::ref_ptr<osg::Node>> _tiles; ///< Null for a tile without crowns.
+    osg::ref_ptr<osg::Uniform> _colors;          ///< By species: colour and share of leaves.
 };
 
 } // namespace osgTreeWind

@@ -7,12 +7,11 @@
 #include <vector>
 
 namespace osgTreeWind {
-
 namespace {
 
 constexpr int across = groundSquares + 1; // vertices
 
-/// Vertices of a mesh, with a frame of one more around them that only their normals ask for.
+/// Heights at the vertices of a mesh and one more row around them for the normals.
 class Samples {
 public:
     Samples(const DrawnGround& drawn, const glm::dvec2& corner, double spacing) {
@@ -31,7 +30,7 @@ public:
     const osg::Vec3& at(int i, int j) const {
         return _points[static_cast<std::size_t>((j + 1) * (across + 2) + i + 1)];
     }
-    bool has(int i, int j) const { return !std::isnan(at(i, j).z()); }
+    bool hasGround(int i, int j) const { return !std::isnan(at(i, j).z()); }
 
     osg::Vec3 normal(int i, int j) const {
         osg::Vec3 up(-slope(i, j, 1, 0), -slope(i, j, 0, 1), 1.0f);
@@ -44,10 +43,10 @@ public:
     }
 
 private:
-    /// Rise over run, between the neighbours there are.
+    /// Slope between the neighbours with ground.
     float slope(int i, int j, int di, int dj) const {
-        const osg::Vec3 &here = at(i, j), &before = has(i - di, j - dj) ? at(i - di, j - dj) : here,
-                        &after = has(i + di, j + dj) ? at(i + di, j + dj) : here;
+        const osg::Vec3 &here = at(i, j), &before = hasGround(i - di, j - dj) ? at(i - di, j - dj) : here,
+                        &after = hasGround(i + di, j + dj) ? at(i + di, j + dj) : here;
         const osg::Vec3 way = after - before;
         const float run = way.x() + way.y();
         return run > 0.0f ? way.z() / run : 0.0f;
@@ -56,7 +55,7 @@ private:
     std::vector<osg::Vec3> _points;
 };
 
-/// Collects what a geometry is made of.
+/// Builds the geometry of a mesh.
 class Builder {
 public:
     Builder(const Samples& samples, double spacing)
@@ -99,12 +98,12 @@ private:
     }
     void addSquare(int i, int j) {
         const osg::Vec3 extent = _samples.at(i + 1, j + 1) - _samples.at(i, j);
-        if (!(extent.x() > 0.0f && extent.y() > 0.0f)) // beyond the part that is drawn
+        if (!(extent.x() > 0.0f && extent.y() > 0.0f)) // outside the part to draw
             return;
         std::array<GLushort, 4> corners{};
         std::size_t count = 0;
         for (const auto& [u, v] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
-            if (_samples.has(i + u, j + v))
+            if (_samples.hasGround(i + u, j + v))
                 corners[count++] = vertex(i + u, j + v);
         if (count < 3)
             return;
@@ -116,11 +115,11 @@ private:
         for (const GLushort corner : {a, b, c})
             _triangles->push_back(corner);
     }
-    /// Hangs down from an edge, over the gap to a neighbour of another spacing; where there is a neighbour.
+    /// Adds a vertical skirt below an edge with a neighbour, which hides gaps between different spacings.
     void addSkirt(int i0, int j0, int i1, int j1, int outX, int outY) {
         const auto isInner = [&](int i, int j) {
             const osg::Vec3 out = _samples.at(i + outX, j + outY) - _samples.at(i, j);
-            return _samples.has(i, j) && (out.x() != 0.0f || out.y() != 0.0f);
+            return _samples.hasGround(i, j) && (out.x() != 0.0f || out.y() != 0.0f);
         };
         if (!isInner(i0, j0) || !isInner(i1, j1))
             return;
@@ -135,7 +134,7 @@ private:
 
     const Samples& _samples;
     float _spacing;
-    std::vector<GLushort> _index; ///< Of the samples' vertices.
+    std::vector<GLushort> _index; ///< By sample: index of its vertex.
     osg::ref_ptr<osg::Vec3Array> _vertices = new osg::Vec3Array, _normals = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> _places = new osg::Vec2Array;
     osg::ref_ptr<osg::DrawElementsUShort> _triangles = new osg::DrawElementsUShort(GL_TRIANGLES);
@@ -147,12 +146,12 @@ osg::BoundingBox boxOf(const Samples& samples, int quarter, double spacing) {
     osg::BoundingBox box;
     for (int j = j0; j <= j0 + half; ++j)
         for (int i = i0; i <= i0 + half; ++i)
-            if (samples.has(i, j))
+            if (samples.hasGround(i, j))
                 box.expandBy(samples.at(i, j));
     if (!box.valid())
         return box;
     const float margin = 4.0f * static_cast<float>(spacing);
-    // A hole between vertices may end where they do not say, so all of the quarter counts.
+    // The edge of a hole may lie between vertices, so the box covers the whole quarter.
     box.expandBy(osg::Vec3(samples.at(i0, j0).x(), samples.at(i0, j0).y(), box.zMin() - margin));
     box.expandBy(osg::Vec3(samples.at(i0 + half, j0 + half).x(), samples.at(i0 + half, j0 + half).y(),
                            box.zMax() + margin));

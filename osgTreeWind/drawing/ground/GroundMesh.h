@@ -12,25 +12,25 @@
 
 namespace osgTreeWind {
 
-/// What of a ground is drawn, and in which frame.
+/// The part of a ground to draw.
 struct DrawnGround {
     GroundPtr ground;
     glm::dvec3 origin{0.0};         ///< Of the forest, in the world's frame.
-    glm::dvec2 low{0.0}, high{0.0}; ///< Of the part that is drawn, in the world's frame.
+    glm::dvec2 low{0.0}, high{0.0}; ///< Corners of the part, in the world's frame.
 };
 
-/// Squares a mesh has each way.
+/// Number of grid squares along each side of a mesh.
 constexpr int groundSquares = 64;
 
-/// A square of a ground as triangles with normals, texture coordinates in metres and skirts where others are
-/// beside it; cut off where the part that is drawn ends, without triangles over holes.
+/// A square of a ground as a triangle mesh with normals, texture coordinates in metres, and skirts on sides
+/// with neighbours. It is clipped to the part to draw and has no triangles over holes.
 struct GroundMesh {
-    /// @param corner the south-west one, in the world's frame. @param spacing of its vertices, metres.
+    /// @param corner south-west corner, in the world's frame. @param spacing of the vertices, metres.
     GroundMesh(const DrawnGround& drawn, const glm::dvec2& corner, double spacing);
 
     osg::ref_ptr<osg::Geometry> geometry; ///< In the forest's frame.
-    /// What holds each quarter of it, whatever lies between the vertices: south-west, -east, north-west,
-    /// -east. Not valid where there is nothing.
+    /// Conservative bounds of the quarters, with a margin for ground between the vertices: south-west,
+    /// south-east, north-west, north-east. Invalid for a quarter without ground.
     std::array<osg::BoundingBox, 4> quarters;
 };
 

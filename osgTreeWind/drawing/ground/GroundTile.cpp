@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/ground/GroundTile.h>
 
 #include <osgTreeWind/base/Range.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 
 #include <osg/CullStack>
 #include <osg/NodeVisitor>
@@ -12,28 +12,27 @@
 #include <algorithm>
 
 namespace osgTreeWind {
-
 namespace {
 
-constexpr float mostPixels = 14.0f; // between vertices
+constexpr float maxSpacing = 14.0f; // of vertices, pixels
 
 } // namespace
 
-GroundTile::GroundTile(Part part, const glm::dvec2& corner, double spacing, int levels,
+GroundTile::GroundTile(DrawnGroundPtr part, const glm::dvec2& corner, double spacing, int levels,
                        const osg::BoundingBox& box)
-    : _part(std::move(part)), _corner(corner), _spacing(spacing), _levels(levels), _box(box) {}
+    : _drawn(std::move(part)), _corner(corner), _spacing(spacing), _levels(levels), _box(box) {}
 
 GroundTile::GroundTile(const GroundTile& other, const osg::CopyOp& copyop)
-    : osg::Node(other, copyop), _part(other._part), _corner(other._corner), _spacing(other._spacing),
+    : osg::Node(other, copyop), _drawn(other._drawn), _corner(other._corner), _spacing(other._spacing),
       _levels(other._levels), _box(other._box) {}
 
 GroundTile::~GroundTile() = default;
 
-void GroundTile::make() {
-    const GroundMesh mesh(*_part, _corner, _spacing);
+void GroundTile::makeMesh() {
+    const GroundMesh mesh(*_drawn, _corner, _spacing);
     _mesh = mesh.geometry;
     _mesh->setDataVariance(
-        DYNAMIC); // osgUtil::Optimizer would flatten transforms above it, into this one only
+        DYNAMIC); // osgUtil::Optimizer would flatten transforms above it, into this mesh only
     if (!_box.valid())
         for (const osg::BoundingBox& quarter : mesh.quarters)
             _box.expandBy(quarter);
@@ -41,12 +40,12 @@ void GroundTile::make() {
     for (std::size_t quarter = 0; _levels > 0 && quarter < 4; ++quarter)
         if (mesh.quarters[quarter].valid())
             _quarters[quarter] =
-                new GroundTile(_part, _corner + groundSquares * half * glm::dvec2(quarter & 1, quarter >> 1),
+                new GroundTile(_drawn, _corner + groundSquares * half * glm::dvec2(quarter & 1, quarter >> 1),
                                half, _levels - 1, mesh.quarters[quarter]);
     _isMade = true;
 }
 
-/// Seen from a camera; to all others only the finest is.
+/// Whether the mesh is fine enough for a camera. Other visitors get the finest level.
 bool GroundTile::isFineEnough(osg::NodeVisitor& visitor) const {
     const auto* view = visitor.asCullStack();
     if (_levels == 0 || !view)
@@ -56,19 +55,20 @@ bool GroundTile::isFineEnough(osg::NodeVisitor& visitor) const {
                             std::clamp(eye.y(), _box.yMin(), _box.yMax()),
                             std::clamp(eye.z(), _box.zMin(), _box.zMax()));
     const float pixels = view->clampedPixelSize(nearest, static_cast<float>(_spacing));
-    return nearest != eye && pixels <= mostPixels * view->getLODScale();
+    return nearest != eye && pixels <= maxSpacing * view->getLODScale();
 }
 
 void GroundTile::traverse(osg::NodeVisitor& visitor) {
     const osg::NodeVisitor::VisitorType type = visitor.getVisitorType();
     if (type == osg::NodeVisitor::CULL_VISITOR || type == osg::NodeVisitor::INTERSECTION_VISITOR) {
-        std::call_once(_once,
-                       [this] { EntryGuard().run("a part of the ground is left out", [this] { make(); }); });
+        std::call_once(_once, [this] {
+            ExceptionGuard().run("a part of the ground is left out", [this] { makeMesh(); });
+        });
         if (!_isMade)
             return;
         if (isFineEnough(visitor))
             return _mesh->accept(visitor);
-    } else if (type != osg::NodeVisitor::NODE_VISITOR || !_isMade) // nothing here asks for updates or events
+    } else if (type != osg::NodeVisitor::NODE_VISITOR || !_isMade) // nothing here needs updates or events
         return;
     else
         _mesh->accept(visitor);
@@ -111,7 +111,7 @@ osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr& ground, const glm::
     const glm::dvec2 extent = drawn.high - drawn.low;
     if (!(extent.x > 0.0 && extent.y > 0.0 && cells.contains(area.cell)))
         return {};
-    double spacing = 0.5 * area.cell; // between cells, too: a bilinear surface is not flat there
+    double spacing = 0.5 * area.cell; // a bilinear surface is not flat inside a cell
     while (spacing > finest)
         spacing *= 0.5;
     int levels = 0;
@@ -119,7 +119,7 @@ osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr& ground, const glm::
         ++levels;
     const osg::ref_ptr<GroundTile> all =
         new GroundTile(std::make_shared<const DrawnGround>(drawn), drawn.low, spacing, levels, {});
-    std::call_once(all->_once, [&] { all->make(); });
+    std::call_once(all->_once, [&] { all->makeMesh(); });
     return all->_box.valid() ? all : osg::ref_ptr<GroundTile>();
 }
 

@@ -49,12 +49,12 @@ void halve(osg::Image& image, int level) {
     for (int y = 0; y < height; ++y)
         for (int i = 0; i < 4 * width; ++i) {
             const unsigned char* at = from + 2 * row * y + 8 * (i / 4) + i % 4;
-            const int half = 1 + ((i / 4 + y) & 1); // rounded up as often as down: dark leaves are few steps
+            const int half = 1 + ((i / 4 + y) & 1); // rounds up as often as down, for values of few steps
             *to++ = static_cast<unsigned char>((at[0] + at[4] + at[row] + at[row + 4] + half) / 4);
         }
 }
 
-/// A stretch of a branch.
+/// A straight piece of a branch.
 struct BarkPiece {
     glm::vec3 start, end;
     float radius;
@@ -63,10 +63,10 @@ struct BarkPiece {
 
 std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
     std::vector<BarkPiece> pieces;
-    const int last = skeleton.ringsPerBranch - 1, stretches = glm::min(last, 5);
+    const int last = skeleton.ringsPerBranch - 1, count = glm::min(last, 5);
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
-        for (int i = 0; i < stretches; ++i) {
-            const int from = i * last / stretches, to = (i + 1) * last / stretches;
+        for (int i = 0; i < count; ++i) {
+            const int from = i * last / count, to = (i + 1) * last / count;
             pieces.push_back({skeleton.point(unit, from), skeleton.point(unit, to),
                               0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to)),
                               crown.at(skeleton.point(unit, from))});
@@ -74,7 +74,7 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& cr
     return pieces;
 }
 
-/// As shaders/bark_texture.glsl, in the mean.
+/// Mean colour of shaders/bark_texture.glsl.
 glm::vec3 meanBark(const Appearance& appearance) {
     const osg::ref_ptr<osg::Image> image = barkImage(appearance);
     glm::vec3 sum(0.0f);
@@ -90,8 +90,8 @@ public:
           _leaves(leafPieces(thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::full()), model.leafMesh,
                              _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _twigColor(appearance.twigs()), _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
-          _raster(settings.pixels * settings.samples), _leafPicture(_leaves, *_stencils),
+          _twigColor(appearance.twigColor()), _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
+          _raster(settings.pixels * settings.samples), _leafRasterizer(_leaves, *_stencils),
           _fronts(_bark.size()) {
         for (const LeafPiece& leaf : _leaves)
             _lobes.emplace_back(leaf.light, leaf.normal, true);
@@ -116,7 +116,7 @@ private:
         return glm::half_pi<float>() * static_cast<float>(row) / static_cast<float>(_settings.elevations - 1);
     }
 
-    /// Bounds that hold from all sides.
+    /// Computes bounds for all view directions.
     void measure() {
         _pictures.azimuths = _settings.azimuths;
         _pictures.elevations = _settings.elevations;
@@ -127,13 +127,13 @@ private:
         _pictures.halfWidth = _pictures.height = 1e-3f;
         _pictures.extents.assign(static_cast<std::size_t>(_settings.elevations), glm::vec2(0.0f, 1e-3f));
         for (const BarkPiece& piece : _bark)
-            cover(piece.end, piece.radius);
+            expandBounds(piece.end, piece.radius);
         for (const LeafPiece& piece : _leaves)
             for (const float across : {0.0f, 1.0f})
                 for (const float along : {0.0f, 1.0f})
-                    cover(piece.corner + across * piece.across + along * piece.along, 0.0f);
+                    expandBounds(piece.corner + across * piece.across + along * piece.along, 0.0f);
     }
-    void cover(const glm::vec3& p, float reach) {
+    void expandBounds(const glm::vec3& p, float reach) {
         const float away = glm::length(glm::vec2(p));
         _pictures.halfWidth = glm::max(_pictures.halfWidth, away + reach);
         _pictures.height = glm::max(_pictures.height, p.z + reach);
@@ -145,10 +145,9 @@ private:
         }
     }
 
-    /// Metres on the largest level, by the narrower way.
+    /// Size of a pixel of the largest level in its finer direction, metres.
     float pixelSize() const {
-        constexpr float sharper =
-            1.05f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
+        constexpr float sharper = 1.05f; // matches llvmpipe, which chooses finer mipmaps than the formula
         const glm::vec2 extent = _pictures.extents.front();
         return glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x) /
                (sharper * static_cast<float>(_settings.pixels) * (1.0f - 2.0f * ImpostorPictures::margin));
@@ -165,7 +164,7 @@ private:
             0.5f * static_cast<float>(_raster.size()),
             static_cast<float>(_raster.size()) * ImpostorPictures::margin - scale.y * extent.x, 0.0f};
         _raster.clear();
-        _leafPicture.draw(view, scale, shift, pixelSize(), _raster);
+        _leafRasterizer.draw(view, scale, shift, pixelSize(), _raster);
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
             const glm::vec3 start = view(piece.start), along = view(piece.end) - start;
@@ -202,13 +201,13 @@ private:
             }
     }
 
-    /// Of samples.
     struct Sum {
-        glm::vec4 color{0.0f}, light{0.0f}; ///< Of how many; way and share of leaves, by strength.
+        glm::vec4 color{0.0f}; ///< Lit albedo; number of samples.
+        glm::vec4 light{0.0f}; ///< Encoded gradient and share of leaves, weighted by strength.
         float strength = 0.0f;
         void add(const glm::vec3& albedo, const LightLobe& lobe, float leaf) {
             color += glm::vec4(lobe.strength * albedo, 1.0f);
-            light += lobe.strength * glm::vec4(0.5f + 0.5f / LightLobe::longest * lobe.way, leaf);
+            light += lobe.strength * glm::vec4(0.5f + 0.5f / LightLobe::maxGradient * lobe.gradient, leaf);
             strength += lobe.strength;
         }
     };
@@ -218,7 +217,7 @@ private:
             return;
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
-            const glm::vec3 tint = leaf.borne ? _leafPicture.tint(sample) : glm::vec3(1.0f);
+            const glm::vec3 tint = leaf.borne ? _leafRasterizer.tint(sample) : glm::vec3(1.0f);
             sum.add(tint * leaf.color, _lobes[sample.item], 1.0f);
             return;
         }
@@ -231,7 +230,7 @@ private:
         sum.add(color, LightLobe(_bark[piece].light, outward, false), 0.0f);
     }
 
-    /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.
+    /// Axes of a bark piece in the current view: unit vectors to its right and toward the eye, tree's frame.
     struct Front {
         glm::vec3 side, front;
     };
@@ -245,7 +244,7 @@ private:
     LeafStencils::Atlas _stencils;
     TreeRaster::Stencil _solid;
     TreeRaster _raster;
-    LeafPicture _leafPicture;
+    LeafRasterizer _leafRasterizer;
     std::vector<Front> _fronts;
     ImpostorPictures _pictures;
 };
@@ -253,7 +252,7 @@ private:
 } // namespace
 
 int ImpostorPictures::levels() const {
-    return static_cast<int>(std::log2(pixels)) - 2; // down to 8 pixels, half of one being the margin
+    return static_cast<int>(std::log2(pixels)) - 2; // down to 8 pixels, with a margin of half a pixel
 }
 
 ImpostorPictures paintImpostor(const TreeModel& model, const Appearance& appearance,

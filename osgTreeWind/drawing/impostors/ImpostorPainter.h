@@ -12,35 +12,35 @@
 
 namespace osgTreeWind {
 
-/// From where and how finely pictures of a tree are painted; ranges are not checked.
+/// View directions and resolution of the pictures of an impostor. Ranges are not checked.
 struct ImpostorSettings {
-    int azimuths = 8;    ///< Evenly around the tree, [4, 32].
-    int elevations = 4;  ///< Evenly from the horizon to the zenith, [2, 8].
+    int azimuths = 8;    ///< Number of azimuths, evenly around the tree, [4, 32].
+    int elevations = 4;  ///< Number of elevations, evenly from the horizon to the zenith, [2, 8].
     int pixels = 64;     ///< Width and height of a picture, a power of two, [32, 512].
-    int samples = 2;     ///< A pixel has this number squared, [1, 4].
-    float leaves = 1.0f; ///< Share of its leaves that the tree bears, [0, 1].
+    int samples = 2;     ///< Rows and columns of samples in a pixel, [1, 4].
+    float leaves = 1.0f; ///< Share of the leaves that the tree bears, [0, 1].
 };
 
-/// Pictures of one tree at rest, side by side in two images: azimuths from left to right, the first seen from
-/// +x and so on counter-clockwise; elevations from the bottom up.
+/// Pictures of one tree at rest, as a grid in two images: azimuths from left to right, counter-clockwise from
+/// +x; elevations from the bottom up.
 struct ImpostorPictures {
-    /// RGBA, colours times coverage: texture, appearance and whatever of the shading stays as it is.
+    /// RGBA, premultiplied by coverage: albedo, and the shading that does not depend on the lights.
     osg::ref_ptr<osg::Image> colors;
-    /// RGBA, times coverage: normal in the tree's frame, from [-1, 1] to [0, 1]; 1 for leaves and 0 for bark.
+    /// RGBA, premultiplied by coverage. RGB: LightLobe::gradient in the tree's frame, encoded in [0, 1]. A: 1
+    /// for leaves, 0 for bark.
     osg::ref_ptr<osg::Image> normals;
     int azimuths = 0, elevations = 0, pixels = 0;
-    float halfWidth = 0.0f; ///< About the trunk's foot, metres.
+    float halfWidth = 0.0f; ///< Half the width of a picture around the trunk, without margins, metres.
     float height = 0.0f;    ///< Of the tree, metres.
-    std::vector<glm::vec2>
-        extents; ///< Per elevation: lowest and highest on the picture, metres from the foot.
+    std::vector<glm::vec2> extents; ///< By elevation: bottom and top of a picture, metres from the foot.
 
-    /// Share of a picture that stays empty at each side, so that none shows in its neighbour.
+    /// Empty share of a picture at each side, against bleeding between neighbouring pictures.
     static constexpr float margin = 1.0f / 16.0f;
-    /// Levels of the images that keep them apart.
+    /// Number of mipmap levels at which the margin separates pictures.
     int levels() const;
 };
 
-/// Paints without graphics; different threads may paint at once. Takes tens of milliseconds.
+/// Paints the pictures of a tree on the CPU. Takes tens of milliseconds. Threads may paint at the same time.
 ImpostorPictures paintImpostor(const TreeModel& model, const Appearance& appearance,
                                const ImpostorSettings& settings = {});
 

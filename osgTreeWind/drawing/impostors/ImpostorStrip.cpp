@@ -34,7 +34,7 @@ osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
 
 osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Program* program) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(program, ownProgram);
+    state->setAttributeAndModes(program, protectedProgram);
     state->setTextureAttribute(ImpostorStrip::colorUnit, texture("impostor colors", pictures.colors));
     state->setTextureAttribute(ImpostorStrip::normalUnit, texture("impostor normals", pictures.normals));
     state->addUniform(new osg::Uniform("impostorColors", ImpostorStrip::colorUnit));
@@ -56,7 +56,7 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
 } // namespace
 
 ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program)
-    : _pictures(std::move(pictures)), _cover(_pictures), _geometry(strip(2)), _straight(strip(1)),
+    : _pictures(std::move(pictures)), _coverage(_pictures), _geometry(strip(2)), _straight(strip(1)),
       _stateSet(osgTreeWind::stateSet(_pictures, program)) {}
 
 } // namespace osgTreeWind

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/impostors/ImpostorCoverage.h>
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
-#include <osgTreeWind/drawing/impostors/PictureCover.h>
 
 #include <osg/Geometry>
 #include <osg/Program>
@@ -10,28 +10,27 @@
 
 namespace osgTreeWind {
 
-/// The drawn form of a tree's pictures, shared by all trees of a model: a strip that shaders/impostor.vert
-/// puts where the attributes treePlace, treeSize and treeState say, and what it needs but for the uniform
-/// leanPower.
+/// Geometry and state of an impostor, shared by all trees of a model: a strip that shaders/impostor.vert
+/// places by the attributes treePlace, treeSize and treeState. The state lacks the uniform leanPower.
 class ImpostorStrip : public osg::Referenced {
 public:
-    static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use those between.
+    static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use units between them.
 
     /// @param program sharedProgram("impostor", "impostor"), shared by all models.
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program);
 
     const ImpostorPictures& pictures() const { return _pictures; }
-    const PictureCover& cover() const { return _cover; }
-    /// In two segments up the tree, so that it bends.
+    const ImpostorCoverage& coverage() const { return _coverage; }
+    /// A strip of two segments, which can bend.
     osg::Geometry* geometry() const { return _geometry.get(); }
-    /// In one, for trees smaller than that, whose bend is within a pixel.
-    osg::Geometry* straight() const { return _straight.get(); }
+    /// A strip of one segment, for trees smaller than bendingPixels, whose bend is less than a pixel.
+    osg::Geometry* straightGeometry() const { return _straight.get(); }
     static constexpr float bendingPixels = 24.0f;
     osg::StateSet* stateSet() const { return _stateSet.get(); }
 
 private:
     ImpostorPictures _pictures;
-    PictureCover _cover;
+    ImpostorCoverage _coverage;
     osg::ref_ptr<osg::Geometry> _geometry, _straight;
     osg::ref_ptr<osg::StateSet> _stateSet;
 };

@@ -22,13 +22,13 @@ std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
     for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
         const LeafCluster& leaf = leaves.clusters[i];
         const std::size_t own = leaves.indices[i];
-        const bool borne = isBorne(own, share);
+        const bool borne = isClusterBorne(own, share);
         const auto first = static_cast<std::size_t>(leaves.firstQuad(i));
         const glm::vec3 outward = crown.outward(leaf.anchor),
                         middle = middleOf(mesh, leaves.firstQuad(i), leaves.quads());
         const CrownShade::Light light = crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle));
         const glm::vec3 color = borne ? Laws().clusterTint(0.0f, static_cast<float>(own)) * appearance.leaves
-                                      : appearance.twigs();
+                                      : appearance.twigColor();
         for (std::size_t quad = first; quad < first + static_cast<std::size_t>(leaves.quads()); ++quad) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
             const glm::vec3 corner = mesh[4 * quad].corner, blade = leaf.orientation * mesh[4 * quad].normal;
@@ -44,23 +44,23 @@ std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
     return pieces;
 }
 
-void LeafPicture::draw(const TreeView& view, const glm::vec3& scale, const glm::vec3& shift, float pixel,
-                       TreeRaster& raster) {
+void LeafRasterizer::draw(const TreeView& view, const glm::vec3& scale, const glm::vec3& shift, float pixel,
+                          TreeRaster& raster) {
     for (std::size_t item = 0; item < _pieces.size(); ++item) {
         const LeafPiece& piece = _pieces[item];
         const glm::vec3 across = view(piece.across), along = view(piece.along);
-        const std::size_t seen = _stencils[piece.stencils].levelOf(across, along, pixel);
+        const std::size_t seen = _stencils[piece.stencils].chooseLevel(across, along, pixel);
         _levels[item] = static_cast<std::uint8_t>(seen);
         raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
                     piece.borne ? level(item).leaves : level(item).twigs, static_cast<std::uint32_t>(item));
     }
 }
 
-float seenLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
-                    const Appearance& appearance, float height) {
+float visibleLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
+                       const Appearance& appearance, float height) {
     constexpr int samples = 96, views = 3;
     const float scale = static_cast<float>(samples) / height;
-    LeafPicture picture(pieces, stencils);
+    LeafRasterizer picture(pieces, stencils);
     TreeRaster raster(samples);
     float sum = 0.0f;
     int count = 0;

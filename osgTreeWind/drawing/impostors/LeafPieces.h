@@ -12,33 +12,33 @@
 
 namespace osgTreeWind {
 
-/// A quad of a leaf cluster, and what shaders/instance_leaf.vert makes of it.
+/// A quad of a leaf cluster with the colour, light and normal that shaders/instance_leaf.vert gives it.
 struct LeafPiece {
-    glm::vec3 corner, across, along; ///< Metres, tree frame.
+    glm::vec3 corner, across, along; ///< Metres, tree's frame.
     glm::vec3 color;
     CrownShade::Light light;
-    glm::vec3 blade, normal; ///< Of the quad, and the one that it is lit by.
-    bool borne;              ///< Or bare twigs.
-    std::size_t stencils;    ///< Of LeafStencils::ofAtlas().
+    glm::vec3 blade, normal; ///< Geometric normal; normal for lighting.
+    bool borne;              ///< Whether it has leaves; else bare twigs.
+    std::size_t stencils;    ///< Index into LeafStencils::ofAtlas().
 };
 
-/// @param share of the leaves that the tree bears.
+/// The quads of all leaf clusters of a tree. @param share of the leaves that the tree bears.
 std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
                                   const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                   const CrownShade& crown, const Appearance& appearance, float share);
 
-/// Leaves in a picture, and the level of its stencil that each is drawn at.
-class LeafPicture {
+/// Draws leaves to a raster, each with the stencil level for its size.
+class LeafRasterizer {
 public:
-    /// @param pieces, stencils LeafStencils::ofAtlas() of the leaves; both outlive this.
-    LeafPicture(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils)
+    /// @param pieces, stencils of LeafStencils::ofAtlas(); both must outlive this object.
+    LeafRasterizer(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils)
         : _pieces(pieces), _stencils(stencils), _levels(pieces.size()) {}
 
-    /// Draws them, a piece an item. @param scale, shift from the view, metres, to samples. @param pixel
-    /// metres of a pixel that shows them.
+    /// Draws all pieces; the item of a sample is the index of its piece. @param scale, shift from metres in
+    /// the view to samples. @param pixel size of a pixel, metres.
     void draw(const TreeView& view, const glm::vec3& scale, const glm::vec3& shift, float pixel,
               TreeRaster& raster);
-    /// What is painted at a sample.
+    /// The leaf tint at a sample.
     glm::vec3 tint(const TreeRaster::Sample& sample) const {
         return level(sample.item).tints[static_cast<std::size_t>(sample.cell)];
     }
@@ -52,10 +52,10 @@ private:
     std::vector<std::uint8_t> _levels;
 };
 
-/// Light of a usual day (MeanLight) on the leaves that are seen of a tree from its sides.
-/// @param stencils LeafStencils::ofAtlas() of its leaves. @param height of the tree, metres. 0 where no leaf
-/// is seen.
-float seenLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
-                    const Appearance& appearance, float height);
+/// Mean luminance of the visible leaves of a tree in the light of a typical day (MeanLight), seen from its
+/// sides; 0 without visible leaves.
+/// @param stencils LeafStencils::ofAtlas() of the leaves. @param height of the tree, metres.
+float visibleLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
+                       const Appearance& appearance, float height);
 
 } // namespace osgTreeWind

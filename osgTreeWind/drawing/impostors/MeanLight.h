@@ -8,12 +8,12 @@
 
 namespace osgTreeWind {
 
-/// Light of a usual day on a piece of a tree (shaders/light.glsl): of a sun half way up, in the mean over
-/// where it stands, and of the sky. By it forms of a tree are made as bright as the tree drawn in full.
+/// Light of a typical day on a piece of a tree (shaders/light.glsl): the mean over eight azimuths of a sun at
+/// an elevation of 45 degrees, plus the sky. All tiers of a tree are made equally bright in this light.
 struct MeanLight {
-    static constexpr float sky = 0.3f; ///< Over that of the sun.
+    static constexpr float sky = 0.3f; ///< Light of the sky relative to the sun.
 
-    /// What falls on a leaf, or on bark.
+    /// Light on a leaf or on bark.
     static float on(const CrownShade::Light& light, const glm::vec3& normal, bool leaf) {
         constexpr float level = 0.70710678f, cross = 0.5f; // of a direction half way up
         static constexpr std::array<glm::vec3, 8> toSun{
@@ -28,13 +28,13 @@ struct MeanLight {
         }
         return sun / static_cast<float>(toSun.size()) + sky * light.sky * skyToward(normal.z);
     }
-    /// What linearLight() makes of it, for a strength of 1. @param base, way as of LightLobe.
-    static float ofLobe(float base, const glm::vec3& way) {
-        return base + 0.35355339f * way.z + sky * skyToward(way.z);
+    /// Light by the model of linearLight() for a strength of 1. @param base, gradient of the LightLobe.
+    static float ofLobe(float base, const glm::vec3& gradient) {
+        return base + 0.35355339f * gradient.z + sky * skyToward(gradient.z);
     }
 
 private:
-    /// Luminance of the sky on a piece whose normal has this height.
+    /// Luminance of the sky for a piece. @param up z component of its normal.
     static float skyToward(float up) { return glm::mix(0.72f, 1.19f, 0.5f + 0.5f * up); }
 };
 

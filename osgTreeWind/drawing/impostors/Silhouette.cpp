@@ -28,7 +28,7 @@ void Silhouette::spread(int reach, std::uint8_t value) {
     for (const auto& [step, line] : {std::pair(1, _size), std::pair(_size, 1)}) {
         before = _black;
         for (int i = 0; i < _size; ++i) {
-            int last = -2 * _size; // where the value was last met, on the way there and back
+            int last = -2 * _size; // position of the last pixel with the value, in both passes
             const auto pass = [&, step = step, line = line](int j) {
                 const auto at = static_cast<std::size_t>(i * line + j * step);
                 if (before[at] == value)
@@ -49,7 +49,7 @@ Silhouette Silhouette::outline(int side) const {
     Silhouette closed = *this;
     closed.spread(side / 2, 1);
     closed.spread(side / 2, 0);
-    // What cannot be reached from the edge is within.
+    // Pixels that a flood fill from the edge does not reach are inside.
     Silhouette within(_size);
     std::fill(within._black.begin(), within._black.end(), std::uint8_t{1});
     std::vector<glm::ivec2> open;

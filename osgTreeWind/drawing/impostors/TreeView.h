@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-/// A tree as it is seen from far away: places of its frame become right, up and toward the eye.
+/// A parallel view of a tree: transforms points of the tree's frame to right, up and toward the eye.
 struct TreeView {
     glm::vec3 right, up, toEye;
 

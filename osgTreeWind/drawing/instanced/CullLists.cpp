@@ -2,18 +2,17 @@
 #include <osgTreeWind/drawing/instanced/CullLists.h>
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
-
 namespace {
 
-/// Kinds of lists of a model in a band.
+/// Number of kinds for one model and band.
 constexpr std::size_t withBranches = 2 * branchTiers * LeafOrders::count,
                       kinds = withBranches + 4 * impostorTiers;
 
-std::size_t numberOf(const CullLists::Kind& kind) {
+std::size_t kindIndex(const CullLists::Kind& kind) {
     const auto tier = static_cast<std::size_t>(kind.tier);
     return kind.tier < Tier::Impostor
                ? 2 * (tier * LeafOrders::count + kind.order) + kind.fading
@@ -34,24 +33,25 @@ std::size_t CullLists::bandOf(float distance) {
     return band;
 }
 
-void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* place, osg::Camera* camera) {
+void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* stateGraph,
+                      osg::Camera* camera) {
     _frame = frame;
     _camera = camera;
-    _place = place;
+    _stateGraph = stateGraph;
     _used = 0;
-    _near.clear();
+    _nearTrees.clear();
     _models = models;
-    _open.assign(bands * models * kinds, 0);
+    _currentLists.assign(bands * models * kinds, 0);
 }
 
 InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
-    std::size_t& open = _open[(kind.band * _models + kind.model) * kinds + numberOf(kind)];
-    if (open != 0 && _lists[open - 1].trees->page == page)
-        return *_lists[open - 1].trees;
+    std::size_t& current = _currentLists[(kind.band * _models + kind.model) * kinds + kindIndex(kind)];
+    if (current != 0 && _lists[current - 1].trees->page == page)
+        return *_lists[current - 1].trees;
     if (_used == _lists.size())
         _lists.emplace_back();
     List& list = _lists[_used++];
-    open = _used;
+    current = _used;
     static_cast<Kind&>(list) = kind;
     list.trees->clear();
     list.trees->passes = passes;
@@ -59,7 +59,7 @@ InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage
     return *list.trees;
 }
 
-void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
+void CullLists::addTreeCounts(std::array<std::size_t, tierCount>& trees) const {
     for (std::size_t i = 0; i < _used; ++i)
         trees[static_cast<std::size_t>(_lists[i].tier)] += _lists[i].trees->size();
 }
@@ -68,9 +68,9 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
     if (!canRunPrograms(*renderInfo.getState()))
         return;
     osg::ref_ptr<osg::Camera> camera;
-    setSceneDefines(*_shading, _place,
-                    _camera.lock(camera) && choosesSamples(*camera, *renderInfo.getState()));
-    static const EntryGuard guard;
+    setSceneDefines(*_shading, _stateGraph,
+                    _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));
+    static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] {
         for (std::size_t i = 0; i < _used; ++i)
             if (const InstanceList& trees = *_lists[i].trees; trees.page)

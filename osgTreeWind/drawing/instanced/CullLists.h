@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/instanced/FrontToBack.h>
+#include <osgTreeWind/drawing/instanced/FrontToBackQueue.h>
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 #include <osgTreeWind/drawing/instanced/LeafOrders.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
@@ -17,65 +17,66 @@
 
 namespace osgTreeWind {
 
-/// What one camera's cull has seen of a forest: lists of trees, and the draws that they take. As a stage
-/// before those draws it works out the poses they need, which others that draw the same trees in the same
-/// frame and context find done, and puts what the scene says of light into their state.
+/// The result of one camera's cull of a forest: lists of visible trees and their draws. Drawn as a stage
+/// before those draws, it computes the poses that they need, unless another camera of the same frame and
+/// context has done so, and writes the lighting of the scene into their state.
 ///
-/// Whoever may still draw of it refers to it as a stage; then it may be filled again, and nothing is
-/// allocated once it is large enough.
+/// OSG's render stages keep it alive until drawing has finished. It is reused after that, without allocation
+/// once its lists are large enough.
 class CullLists : public osgUtil::RenderStage {
 public:
     CullLists();
 
-    /// What trees of one list have in common.
+    /// The properties that the trees of one list share.
     struct Kind {
         std::size_t band = 0, model = 0;
         Tier tier = Tier::Full;
-        bool fading = false;   ///< Whether they cross over to another tier.
-        bool small = false;    ///< Whether their bend is too small to be seen; of impostors.
-        std::size_t order = 0; ///< Of LeafOrders; of those with branches.
+        bool fading = false;   ///< Whether the trees fade to another tier.
+        bool small = false;    ///< Impostors only: whether the trees are too small for a visible bend.
+        std::size_t order = 0; ///< Index into LeafOrders; 0 for impostors.
     };
     struct List : Kind {
         osg::ref_ptr<InstanceList> trees = new InstanceList;
-        osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< Of impostors the whole.
+        osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< The whole tree for impostors.
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
     };
 
-    /// A cull by a camera begins, of trees of so many models. @param place of the trees in the scene's
-    /// state.
-    void begin(unsigned frame, std::size_t models, osgUtil::StateGraph* place, osg::Camera* camera);
+    /// Empties the lists for a new cull.
+    /// @param models number of models in the forest.
+    /// @param stateGraph of the forest, from which the lighting of the scene is read.
+    void begin(unsigned frame, std::size_t models, osgUtil::StateGraph* stateGraph, osg::Camera* camera);
     unsigned frame() const { return _frame; }
 
-    /// Trees are drawn band by band, so that near ones hide the far ones behind them.
+    /// Number of distance bands. They are drawn from near to far, so that near trees hide far ones.
     static constexpr std::size_t bands = 6;
-    /// That of trees in this distance, metres: the first one up to 60 m, each of the others twice as deep.
+    /// The band of a distance in metres: the first one ends at 60 m, each later one is twice as deep.
     static std::size_t bandOf(float distance);
 
-    /// The list that trees of this kind go to, and of this page if they have poses.
+    /// The list to add trees of this kind to. Trees with poses also share a pose page.
     InstanceList& list(const Kind& kind, const PosePass* passes = nullptr, PosePage* page = nullptr);
 
-    struct SeenCell {
+    struct VisibleCell {
         float distance;
         const TreeCells::Cell* cell;
         ViewFrustum::Side side;
     };
-    /// Memory for cells that are seen, and for trees in them that may hide others.
-    std::vector<SeenCell>& seenCells() { return _seenCells; }
-    FrontToBack& frontToBack() { return _frontToBack; }
+    // Scratch memory of InstancedCull.
+    std::vector<VisibleCell>& visibleCells() { return _visibleCells; }
+    FrontToBackQueue& frontToBack() { return _frontToBack; }
 
-    /// Trees that are seen from near, for the next update.
-    std::vector<std::uint32_t>& near() { return _near; }
+    /// Slots of the visible trees that need the full motion, for the next update.
+    std::vector<std::uint32_t>& nearTrees() { return _nearTrees; }
 
     std::size_t size() const { return _used; }
     List& operator[](std::size_t index) { return _lists[index]; }
 
-    /// State of the trees, filled in before they are drawn.
+    /// Defines for the lighting of the scene, set before the trees are drawn.
     osg::StateSet* shading() const { return _shading.get(); }
-    /// That of a band, which says nothing, and has OSG draw one band after the other.
+    /// An empty state set for each band; it makes OSG draw the bands in order.
     osg::StateSet* bandState(std::size_t band) const { return _bandStates[band].get(); }
 
-    /// Adds the trees in all lists.
-    void countTrees(std::array<std::size_t, tierCount>& trees) const;
+    /// Adds the number of trees in all lists to the counts by tier.
+    void addTreeCounts(std::array<std::size_t, tierCount>& trees) const;
 
     void draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*& previous) override;
     void reset() override {}
@@ -84,15 +85,15 @@ public:
 private:
     unsigned _frame = ~0u;
     std::size_t _used = 0, _models = 0;
-    osg::ref_ptr<osgUtil::StateGraph> _place;
-    osg::observer_ptr<osg::Camera> _camera; // which may hold the trees
+    osg::ref_ptr<osgUtil::StateGraph> _stateGraph;
+    osg::observer_ptr<osg::Camera> _camera; // a ref_ptr could form a cycle: the camera may own the trees
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
-    std::vector<SeenCell> _seenCells;
-    FrontToBack _frontToBack;
+    std::vector<VisibleCell> _visibleCells;
+    FrontToBackQueue _frontToBack;
     std::vector<List> _lists;
-    std::vector<std::size_t> _open; ///< By kind, the list that is filled now; 0: none, else one more.
-    std::vector<std::uint32_t> _near;
+    std::vector<std::size_t> _currentLists; ///< By kind: 1 + index of the list being filled; 0 for no list.
+    std::vector<std::uint32_t> _nearTrees;
 };
 
 } // namespace osgTreeWind

@@ -7,22 +7,22 @@
 
 namespace osgTreeWind {
 
-/// Holds the time that one view's frames take by the detail of its trees: a factor on their heights on the
-/// screen, by which their tiers are chosen.
+/// Controls the detail of the trees in one view so that its frames stay within a time budget. Detail is a
+/// factor on the screen heights from which the tiers of the trees are chosen.
 class DetailBudget {
 public:
-    static constexpr float least = 0.25f;
+    static constexpr float minDetail = 0.25f;
 
-    /// The detail of a frame that is culled now, in [least, 1].
-    /// @param measured by the view's camera: its "rendering" and, where it is collected, "gpu".
-    /// @param milliseconds that a frame is to take, > 0.
-    float follow(const osg::Stats& measured, unsigned frame, float milliseconds);
+    /// @return the detail for the frame that is about to be culled, in [minDetail, 1].
+    /// @param measured statistics of the view's camera: "rendering" and, if collected, "gpu".
+    /// @param milliseconds budget of a frame, > 0.
+    float updateDetail(const osg::Stats& measured, unsigned frame, float milliseconds);
 
 private:
-    void judge(double shareOfBudget);
+    void adjustDetail(double shareOfBudget);
 
     float _detail = 1.0f;
-    std::optional<unsigned> _asked; ///< Frame of this detail whose measure is awaited.
+    std::optional<unsigned> _pendingFrame; ///< First frame with this detail; its measurement is awaited.
 };
 
 } // namespace osgTreeWind

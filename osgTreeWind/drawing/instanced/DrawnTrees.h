@@ -9,17 +9,16 @@
 
 namespace osgTreeWind {
 
-/// How many trees are drawn in which way. One that fades from one tier to the next counts in both.
+/// Number of trees by the way they are drawn. A tree that fades between two tiers counts in both.
 struct DrawnTrees {
-    std::size_t full = 0; ///< With all leaves, whatever their bark.
+    std::size_t full = 0; ///< Trees with all leaves, at any detail of their bark.
     std::size_t byBoughs = 0, asPictures = 0;
 
-    /// @param listed InstancedTrees::listedTrees()
-    explicit DrawnTrees(const std::array<std::size_t, tierCount>& listed) {
-        const auto boughs = listed.begin() + leafTiers, pictures = listed.begin() + branchTiers;
-        full = std::accumulate(listed.begin(), boughs, std::size_t(0));
+    explicit DrawnTrees(const std::array<std::size_t, tierCount>& treesByTier) {
+        const auto boughs = treesByTier.begin() + leafTiers, pictures = treesByTier.begin() + branchTiers;
+        full = std::accumulate(treesByTier.begin(), boughs, std::size_t(0));
         byBoughs = std::accumulate(boughs, pictures, std::size_t(0));
-        asPictures = std::accumulate(pictures, listed.end(), std::size_t(0));
+        asPictures = std::accumulate(pictures, treesByTier.end(), std::size_t(0));
     }
 };
 

@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/instanced/FollowedBranches.h>
 
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 namespace osgTreeWind {
 
@@ -11,55 +11,55 @@ FollowedBranches::FollowedBranches() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, TreeId tree, unsigned unit) {
+BranchTransform* FollowedBranches::followBranch(const ForestSimulation& simulation, TreeId tree,
+                                                unsigned unit) {
     if (!simulation.holds(tree))
         return nullptr;
-    const PlacedTree& placed = SimulationParts::trees(simulation)[simulation.slotOf(tree)];
-    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
+    const PlacedTree& placed = SimulationAccess::trees(simulation)[simulation.slotOf(tree)];
+    const std::vector<BranchUnit>& units =
+        SimulationAccess::forest(simulation).modelOf(placed).skeleton.units;
     if (unit >= units.size())
         return nullptr;
     osg::ref_ptr<BranchTransform>& branch = _branches[tree][unit];
     if (!branch) {
         branch = new BranchTransform(unit, osg::Vec3());
         addChild(branch);
-        place(simulation, tree);
+        updateBranches(simulation, tree);
     }
     return branch;
 }
 
-bool FollowedBranches::unfollow(TreeId tree, unsigned unit) {
-    const auto of = _branches.find(tree);
-    if (of == _branches.end())
+bool FollowedBranches::releaseBranch(TreeId tree, unsigned unit) {
+    const auto branches = _branches.find(tree);
+    if (branches == _branches.end() || branches->second.count(unit) == 0)
         return false;
-    const auto branch = of->second.find(unit);
-    if (branch == of->second.end())
-        return false;
-    removeChild(branch->second);
-    of->second.erase(branch);
-    if (of->second.empty())
-        _branches.erase(of);
+    removeChild(branches->second[unit]);
+    branches->second.erase(unit);
+    if (branches->second.empty())
+        _branches.erase(branches);
     return true;
 }
 
 void FollowedBranches::treeChanged(const ForestSimulation& simulation, TreeId tree) {
-    if (simulation.holds(tree) && follows(tree))
-        place(simulation, tree);
+    if (simulation.holds(tree) && hasBranches(tree))
+        updateBranches(simulation, tree);
 }
 
 void FollowedBranches::update(const ForestSimulation& simulation) {
     for (const auto& [tree, branches] : _branches)
         if (simulation.holds(tree))
-            place(simulation, tree);
+            updateBranches(simulation, tree);
 }
 
-void FollowedBranches::place(const ForestSimulation& simulation, TreeId tree) {
+void FollowedBranches::updateBranches(const ForestSimulation& simulation, TreeId tree) {
     const std::size_t slot = simulation.slotOf(tree);
-    const PlacedTree& placed = SimulationParts::trees(simulation)[slot];
-    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
+    const PlacedTree& placed = SimulationAccess::trees(simulation)[slot];
+    const std::vector<BranchUnit>& units =
+        SimulationAccess::forest(simulation).modelOf(placed).skeleton.units;
     const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                                  osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {
-        if (unit >= units.size()) // it has become a tree of fewer branches
+        if (unit >= units.size()) // the changed tree has fewer branches
             continue;
         const UnitMotion motion = simulation.unitMotion(slot, unit);
         branch->setPose(toOsg(placed.scale.axes * units[unit].base),

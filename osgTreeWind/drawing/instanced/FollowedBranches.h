@@ -10,27 +10,26 @@
 
 namespace osgTreeWind {
 
-/// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
-/// part of an InstancedForest.
+/// The transforms of an InstancedForest that move with branches and carry nodes of a host.
 class FollowedBranches : public osg::Group {
 public:
     FollowedBranches();
 
-    /// The one of that branch; null where there is none.
-    BranchTransform* follow(const ForestSimulation& simulation, TreeId tree, unsigned unit);
-    /// Takes it away. @return false where none is followed.
-    bool unfollow(TreeId tree, unsigned unit);
-    bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
-    /// A tree is another one by now: sets those on it where it has their branches.
+    /// @return the transform of a branch, created on the first call; null if there is no such branch.
+    BranchTransform* followBranch(const ForestSimulation& simulation, TreeId tree, unsigned unit);
+    /// Removes the transform of a branch. @return false if there was none.
+    bool releaseBranch(TreeId tree, unsigned unit);
+    bool hasBranches(TreeId tree) const { return _branches.count(tree) > 0; }
+    /// Moves the transforms of a tree after it was changed, to the same units of the new tree.
     void treeChanged(const ForestSimulation& simulation, TreeId tree);
-    /// Sets all where their branches are now. Those that are gone, with their tree or without, stay.
+    /// Moves all transforms to the current poses. Those of branches that no longer exist stay where they are.
     void update(const ForestSimulation& simulation);
 
 protected:
     ~FollowedBranches() override = default;
 
 private:
-    void place(const ForestSimulation& simulation, TreeId tree);
+    void updateBranches(const ForestSimulation& simulation, TreeId tree);
 
     std::map<TreeId, std::map<unsigned, osg::ref_ptr<BranchTransform>>> _branches;
 };

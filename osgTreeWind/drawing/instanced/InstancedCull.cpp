@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedCull.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -9,10 +9,9 @@
 #include <tuple>
 
 namespace osgTreeWind {
-
 namespace {
 
-/// 0 within it.
+/// 0 inside the box.
 float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
     osg::Vec3 away;
     for (int i = 0; i < 3; ++i)
@@ -25,160 +24,162 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 void InstancedCull::run() {
     lists.begin(frame, resources.models.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
-    const PictureView pictures(visitor);
+    const ImpostorProjection projection(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
-    auto& seen = lists.seenCells();
+    auto& seen = lists.visibleCells();
     seen.clear();
     lists.frontToBack().clear();
     for (const TreeCells::Cell& cell : cells.cells())
         if (!cell.trees.empty())
-            if (const ViewFrustum::Side side = view.sideOf(cell.box); side != ViewFrustum::Outside)
+            if (const ViewFrustum::Side side = view.classify(cell.box); side != ViewFrustum::Outside)
                 seen.push_back({distanceFrom(eye, cell.box), &cell, side});
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
     });
-    const auto see = [&](const FrontToBack::Tree& tree) { return seeThroughOthers(pictures, tree); };
-    for (const CullLists::SeenCell& each : seen) {
-        lists.frontToBack().takeBefore(each.distance, see);
-        seeCell(view, pictures, each);
+    const auto visit = [&](const FrontToBackQueue::Tree& tree) { return drawUnlessHidden(projection, tree); };
+    for (const CullLists::VisibleCell& each : seen) {
+        lists.frontToBack().visitNearerThan(each.distance, visit);
+        cullCell(view, projection, each);
         if (!nearFar)
             continue;
         if (each.distance > 0.0f) {
             visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), each.cell->box);
             continue;
         }
-        for (const TreeCells::Tree& tree : each.cell->trees) // not as near as the cell, which is all about it
-            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
+        for (const TreeCells::Tree& tree : each.cell->trees) // the eye is inside the box of the cell
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::swayBox(tree));
     }
-    lists.frontToBack().takeAll(see);
-    handOver();
+    lists.frontToBack().visitAll(visit);
+    submitDraws();
 }
 
-bool InstancedCull::isTreeDown(std::uint32_t number) const {
-    const TreeFall* fall = modal.fall(number);
+bool InstancedCull::isTreeDown(std::uint32_t slot) const {
+    const TreeFall* fall = modal.fall(slot);
     return fall && fall->isDown;
 }
 
-/// None of a tree that lies, nor of one that a host draws in its own way.
-ScreenCover::Picture InstancedCull::pictureOf(const PictureView& pictures, std::uint32_t number) const {
-    const PlacedTree& tree = SimulationParts::trees(simulation)[number];
+/// Without coverage for fallen trees and for trees with geometry or state from the host.
+OcclusionBuffer::Billboard InstancedCull::projectImpostor(const ImpostorProjection& projection,
+                                                          std::uint32_t slot) const {
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
     const ModelResources& model = *resources.models[tree.model];
     const SpeciesLooks& looks = resources.looks[tree.species];
     const ImpostorStrip* impostor = model.impostor(impostorTier(tree.leaves));
-    if (!impostor || model.isOfHost() || looks.ownBark || looks.ownLeaves || isTreeDown(number))
+    if (!impostor || model.usesHostGeometry() || looks.hostBark || looks.hostLeaves || isTreeDown(slot))
         return {};
-    return pictures.place(tree, modal.lean(number), *impostor);
+    return projection.project(tree, modal.lean(slot), *impostor);
 }
 
-void InstancedCull::seeCell(const ViewFrustum& view, const PictureView& pictures,
-                            const CullLists::SeenCell& seen) {
-    const ScreenCover& cover = lists.frontToBack().cover();
+void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& projection,
+                             const CullLists::VisibleCell& seen) {
+    const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
     osg::Vec2 low, high;
-    const bool isClear = !pictures.place(seen.cell->box, low, high) ||
-                         cover.leastShown(low, high) >= ScreenCover::hardly; // hides no tree of the cell
+    const bool hidesNoTree = !projection.project(seen.cell->box, low, high) ||
+                             occlusion.minTransmittance(low, high) >= OcclusionBuffer::negligible;
     const std::size_t band = CullLists::bandOf(seen.distance);
     for (const TreeCells::Tree& tree : seen.cell->trees) {
-        const bool isDown = isTreeDown(tree.number);
+        const bool isDown = isTreeDown(tree.slot);
         const osg::Vec3 top = tree.foot + osg::Vec3(0.0f, 0.0f, isDown ? 0.0f : tree.height);
         if (seen.side == ViewFrustum::Across) {
-            const glm::vec2 lean = modal.lean(tree.number);
+            const glm::vec2 lean = modal.lean(tree.slot);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
             const float reach = isDown ? std::hypot(tree.reach, tree.height) : tree.reach;
-            if (!view.sees(tree.foot, top, reach + sway))
+            if (!view.intersects(tree.foot, top, reach + sway))
                 continue;
         }
         const osg::Vec3 middle = (tree.foot + top) * 0.5f;
-        const osg::Vec3 toEye = pictures.towardEye(middle);
-        const FrontToBack::Tree seenTree{
-            tree.number, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
-        if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
-            lists.frontToBack().put(seenTree, pictures.distance(tree.foot));
-        else if (isClear || !cover.hides(pictureOf(pictures, tree.number), pictures.pixel()))
+        const osg::Vec3 toEye = projection.towardEye(middle);
+        const FrontToBackQueue::Tree seenTree{
+            tree.slot, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
+        if (tiers.areEnabled() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
+            lists.frontToBack().insert(seenTree, projection.distance(tree.foot));
+        else if (hidesNoTree ||
+                 !occlusion.isHidden(projectImpostor(projection, tree.slot), projection.pixelShare()))
             addTree(seenTree, 1.0f);
     }
 }
 
-ScreenCover::Picture InstancedCull::seeThroughOthers(const PictureView& pictures,
-                                                     const FrontToBack::Tree& seen) {
-    const ScreenCover::Picture picture = pictureOf(pictures, seen.number);
-    const ScreenCover& cover = lists.frontToBack().cover();
-    if (!cover.hides(picture, pictures.pixel()))
-        addTree(seen, cover.clearness(picture));
-    return picture;
+OcclusionBuffer::Billboard InstancedCull::drawUnlessHidden(const ImpostorProjection& projection,
+                                                           const FrontToBackQueue::Tree& seen) {
+    const OcclusionBuffer::Billboard billboard = projectImpostor(projection, seen.slot);
+    const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
+    if (!occlusion.isHidden(billboard, projection.pixelShare()))
+        addTree(seen, occlusion.visibleShare(billboard));
+    return billboard;
 }
 
-/// What is seen through gaps of others needs less detail.
-void InstancedCull::addTree(const FrontToBack::Tree& seen, float clearness) {
-    const float pixels = seen.pixels * clearness;
+/// Trees that are seen through gaps in other trees need less detail.
+void InstancedCull::addTree(const FrontToBackQueue::Tree& seen, float visibleShare) {
+    const float pixels = seen.pixels * visibleShare;
     const TierChoice choice = tiers.choose(pixels);
     if (choice.fade == 1.0f) {
-        addTree(seen, choice.tier, 1.0f);
+        addInstance(seen, choice.tier, 1.0f);
     } else {
         const Tier next = static_cast<Tier>(static_cast<int>(choice.tier) + 1);
         const float fade = next == Tier::Impostor ? choice.fade : 1.0f + choice.fade;
-        addTree(seen, choice.tier, fade);
-        addTree(seen, next, -fade);
+        addInstance(seen, choice.tier, fade);
+        addInstance(seen, next, -fade);
     }
-    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
-        lists.near().push_back(seen.number);
+    if (choice.tier < Tier::Impostor || pixels > tiers.fullMotionPixels())
+        lists.nearTrees().push_back(seen.slot);
 }
 
-void InstancedCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade) {
-    const PlacedTree& tree = SimulationParts::trees(simulation)[seen.number];
-    const float own = ownNumber(tree.seed);
+void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade) {
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[seen.slot];
+    const float random = treeRandom(tree.seed);
     const glm::vec3& foot = tree.position;
-    const NeighbourShade::Left left = shade.left(seen.number);
+    const NeighbourShade::Light light = shade.light(seen.slot);
     if (tier == Tier::Impostor) {
-        const glm::vec2 lean = modal.lean(seen.number);
-        const TreeFall* fall = modal.fall(seen.number);
+        const glm::vec2 lean = modal.lean(seen.slot);
+        const TreeFall* fall = modal.fall(seen.slot);
         const glm::vec3 down =
-            fall ? turnHeading({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
+            fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
         const bool small = seen.pixels < ImpostorStrip::bendingPixels;
         lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small, 0})
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
-                  {lean.x, lean.y, fade, own},
-                  {left.atFoot, left.atTop, 0.0f, 0.0f}});
+                  {lean.x, lean.y, fade, random},
+                  {light.atFoot, light.atTop, 0.0f, 0.0f}});
         return;
     }
     PosePass& pass = *passes[tree.model];
-    const PosePass::Row row = pass.row(frame, seen.number, [&](PoseRequest& request) {
-        pass.ask(modal, seen.number, tree.scale, resources.looks[tree.species].foliage, request);
+    const PosePass::Row row = pass.row(frame, seen.slot, [&](PoseRequest& request) {
+        pass.fillRequest(modal, seen.slot, tree.scale, resources.looks[tree.species].foliage, request);
     });
     const std::size_t order =
-        LeafOrders::nearest(turnHeading(seen.toEye, -std::sin(tree.heading), std::cos(tree.heading)));
+        LeafOrders::nearest(rotateAboutZ(seen.toEye, -std::sin(tree.heading), std::cos(tree.heading)));
     InstanceList& list =
         lists.list({seen.band, tree.model, tier, fade != 1.0f, false, order}, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
-              {static_cast<float>(row.row), fade, own, tree.leaves},
-              {left.atFoot, left.atTop, 1.0f / std::max(cells.tree(seen.number).height, 1e-3f), 0.0f}});
+              {static_cast<float>(row.row), fade, random, tree.leaves},
+              {light.atFoot, light.atTop, 1.0f / std::max(cells.tree(seen.slot).height, 1e-3f), 0.0f}});
 }
 
-/// Draws and passes, to the camera's render stage.
-void InstancedCull::handOver() {
+/// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first.
+void InstancedCull::submitDraws() {
     if (lists.size() == 0)
         return;
     visitor.pushStateSet(resources.state);
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
-    constexpr std::size_t atOnce = 300000; // vertices after which the driver is to begin
-    std::size_t waiting = 0;
+    constexpr std::size_t verticesPerFlush = 300000;
+    std::size_t vertexCount = 0; // since the last flush
     bool drawn = false;
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {
         if (!geometry)
             return;
         drawn = true;
-        if (const osg::Array* vertices = geometry->getVertexArray()) // a host's may have others
-            waiting += trees.size() * vertices->getNumElements();
-        const bool isLast = waiting > atOnce;
-        part.set(geometry, &trees, isLast);
-        if (isLast)
-            waiting = 0;
+        if (const osg::Array* vertices = geometry->getVertexArray()) // null in some geometry of hosts
+            vertexCount += trees.size() * vertices->getNumElements();
+        const bool flush = vertexCount > verticesPerFlush;
+        part.set(geometry, &trees, flush);
+        if (flush)
+            vertexCount = 0;
         int pushed = 0;
         for (osg::StateSet* state : states)
             if (state) {
@@ -198,20 +199,20 @@ void InstancedCull::handOver() {
         const SpeciesLooks& looks = resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
-            osg::StateSet* const leaves = // their colour, which twigs have not
+            osg::StateSet* const leaves = // sets the leaf colour, which twigs lack
                 list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
-            draw(list.small ? impostor.straight() : impostor.geometry(), *list.bark, *list.trees,
+            draw(list.small ? impostor.straightGeometry() : impostor.geometry(), *list.bark, *list.trees,
                  {inBand, fading, impostor.stateSet(), leaves});
             continue;
         }
         draw(model.leaves(list.tier, list.order), *list.leaves, *list.trees,
-             {inBand, fading, looks.leaves, model.state(list.tier), looks.ownLeaves});
+             {inBand, fading, looks.leaves, model.state(list.tier), looks.hostLeaves});
         draw(model.bark(list.tier), *list.bark, *list.trees,
-             {inBand, fading, looks.bark, model.state(list.tier), looks.ownBark});
+             {inBand, fading, looks.bark, model.state(list.tier), looks.hostBark});
     }
     visitor.popStateSet();
     visitor.popStateSet();
-    if (drawn) // else their place in the scene's state is gone before that
+    if (drawn) // without draws, OSG deletes the state graph that the stage refers to
         visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <osgTreeWind/drawing/instanced/CullLists.h>
+#include <osgTreeWind/drawing/instanced/ImpostorProjection.h>
 #include <osgTreeWind/drawing/instanced/InstancedResources.h>
 #include <osgTreeWind/drawing/instanced/NeighbourShade.h>
-#include <osgTreeWind/drawing/instanced/PictureView.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/instanced/ViewFrustum.h>
@@ -16,8 +16,7 @@
 
 namespace osgTreeWind {
 
-/// One cull of a forest's trees by one camera: which trees it sees, at which tiers, and the draws that come
-/// of it.
+/// Culls a forest for one camera: finds the visible trees, chooses their tiers and submits their draws.
 class InstancedCull {
 public:
     osgUtil::CullVisitor& visitor;
@@ -27,7 +26,7 @@ public:
     const InstancedResources& resources;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;
-    float detail; ///< On the trees' heights on the screen.
+    float detail; ///< Factor on the screen heights of the trees (DetailBudget).
     const TreeCells& cells;
     const NeighbourShade& shade;
     const std::vector<osg::Vec3>& flutter; ///< By species.
@@ -36,13 +35,16 @@ public:
     void run();
 
 private:
-    bool isTreeDown(std::uint32_t number) const;
-    ScreenCover::Picture pictureOf(const PictureView& pictures, std::uint32_t number) const;
-    void seeCell(const ViewFrustum& view, const PictureView& pictures, const CullLists::SeenCell& seen);
-    ScreenCover::Picture seeThroughOthers(const PictureView& pictures, const FrontToBack::Tree& seen);
-    void addTree(const FrontToBack::Tree& seen, float clearness);
-    void addTree(const FrontToBack::Tree& seen, Tier tier, float fade);
-    void handOver();
+    bool isTreeDown(std::uint32_t slot) const;
+    OcclusionBuffer::Billboard projectImpostor(const ImpostorProjection& projection,
+                                               std::uint32_t slot) const;
+    void cullCell(const ViewFrustum& view, const ImpostorProjection& projection,
+                  const CullLists::VisibleCell& seen);
+    OcclusionBuffer::Billboard drawUnlessHidden(const ImpostorProjection& projection,
+                                                const FrontToBackQueue::Tree& seen);
+    void addTree(const FrontToBackQueue::Tree& seen, float visibleShare);
+    void addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade);
+    void submitDraws();
 };
 
 } // namespace osgTreeWind

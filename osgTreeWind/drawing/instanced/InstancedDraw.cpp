@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 
-#include <osgTreeWind/gpu/DrawTime.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/DrawTimer.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/GLExtensions>
 #include <osg/State>
 
 namespace osgTreeWind {
-
 namespace {
 
-/// A place in the buffer that is bound, as OpenGL is told it.
+/// An offset into the bound buffer, as OpenGL takes it.
 const char* inBuffer(GLsizeiptr offset) {
     return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
 }
@@ -26,17 +25,17 @@ InstancedDraw::InstancedDraw() {
     setCullingActive(false);
 }
 
-void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool isLast) {
+void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool flush) {
     _geometry = geometry;
     _trees = trees;
-    _isLast = isLast;
+    _flush = flush;
 }
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     if (!canRunPrograms(state))
         return;
-    static const EntryGuard guard;
+    static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     for (unsigned i = 0; i < instanceAttributes; ++i) {
@@ -45,20 +44,20 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     }
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();
-    if (_isLast)
+    if (_flush)
         glFlush();
 }
 
 void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
+    state.unbindVertexArrayObject(); // it belongs to the geometry of the previous draw
     state.setCurrentToGlobalVertexArrayState();
     if (_trees->page) {
-        const DrawTime time(renderInfo, "Forest pose");
+        const DrawTimer time(renderInfo, "Forest pose");
         _trees->passes->apply(state, *_trees->page);
     }
-    const DrawTime time(renderInfo, "Forest draw");
+    const DrawTimer time(renderInfo, "Forest draw");
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);

@@ -7,19 +7,19 @@
 
 namespace osgTreeWind {
 
-/// A tree in an instanced draw: its vertex attributes (shaders/instance.glsl, shaders/impostor.vert).
+/// Vertex attributes of one tree in an instanced draw (shaders/instance.glsl, shaders/impostor.vert).
 struct TreeInstance {
-    float place[4]; ///< Foot in the forest's frame; tangent of half its heading (impostors: the heading).
-    float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters (impostors: those of
-                    ///< lengths; how far it has come down, a level rotation vector x, y, radians).
-    float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean
-                    ///< y, fade, its own number).
-    float light[4]; ///< What its neighbours leave of the light at its foot and at its top; one over its
-                    ///< height, 1/m; 0.
+    float place[4]; ///< Foot in the forest's frame; tangent of half the heading (impostors: the heading).
+    float
+        size[4]; ///< Horizontal and vertical scale of lengths, scale of radii, scale of leaf clusters
+                 ///< (impostors: the two length scales; the fall as a horizontal rotation vector x, y, rad).
+    float state[4]; ///< Row of the poses, fade, random number of the tree, share of leaves (impostors: lean
+                    ///< x, lean y, fade, random number).
+    float light[4]; ///< Share of the light that neighbours leave at the foot and at the top; 1 / height, 1/m;
+                    ///< 0.
 };
 
-/// Trees of one model and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
-/// a time.
+/// The visible trees of one model and tier. Filled during cull, then drawn, by one thread at a time.
 struct InstanceList : osg::Referenced {
     InstanceList() {
         osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
@@ -38,21 +38,21 @@ struct InstanceList : osg::Referenced {
     }
 
     osg::ref_ptr<osg::FloatArray> values = new osg::FloatArray;
-    osg::ref_ptr<const PosePass> passes; ///< None for impostors.
+    osg::ref_ptr<const PosePass> passes; ///< Null for impostors.
     osg::ref_ptr<PosePage> page;
-    osg::Vec3 flutter; ///< Phases of the leaves' waves.
+    osg::Vec3 flutter; ///< Phases of the leaf flutter.
 };
 
-/// One part (bark, leaves, impostors) of the trees of a list, in one instanced draw. Made by cull for a
-/// frame; never part of the scene graph.
+/// Draws one part (bark, leaves or impostors) of the trees of a list with instancing. Added to a render bin
+/// by cull; not part of the scene graph.
 class InstancedDraw : public osg::Drawable {
 public:
     InstancedDraw();
 
-    /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are drawn.
-    /// @param isLast of a batch: the driver is told to begin, as one that draws on processors would else wait
-    /// for the end of the frame.
-    void set(osg::Geometry* geometry, InstanceList* trees, bool isLast = false);
+    /// @param geometry of one tree, with vertices in buffer objects and DrawElements or DrawArrays.
+    /// @param flush whether to call glFlush() after the draw. A software driver would otherwise not start
+    /// before the end of the frame.
+    void set(osg::Geometry* geometry, InstanceList* trees, bool flush = false);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
@@ -64,7 +64,7 @@ private:
 
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<InstanceList> _trees;
-    bool _isLast = false;
+    bool _flush = false;
 };
 
 } // namespace osgTreeWind

@@ -3,16 +3,15 @@
 
 #include <osgTreeWind/drawing/instanced/FollowedBranches.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/Notify>
 
 namespace osgTreeWind {
-
 namespace {
 
-std::shared_ptr<ForestSimulation> swaying(const std::shared_ptr<ForestSimulation>& given) {
-    if (given && SimulationParts::modal(*given))
+std::shared_ptr<ForestSimulation> modalOrEmpty(const std::shared_ptr<ForestSimulation>& given) {
+    if (given && SimulationAccess::modal(*given))
         return given;
     OSG_WARN << "osgTreeWind: expected a simulation under the law modal; no trees are drawn" << std::endl;
     return std::make_shared<ForestSimulation>(ForestDescription());
@@ -28,19 +27,20 @@ InstancedForest::InstancedForest(const std::shared_ptr<ForestSimulation>& simula
 }
 
 InstancedForest::InstancedForest(const InstancedForest& other, const osg::CopyOp& copyop)
-    : ForestTechnique(other, copyop), _toShare(std::make_unique<InstancedResources>(
-                                          other._toShare ? *other._toShare : other._trees->resources())) {
-    show(new InstancedTrees, std::make_shared<ForestSimulation>(ForestDescription()));
+    : ForestTechnique(other, copyop),
+      _sharedResources(std::make_unique<InstancedResources>(
+          other._sharedResources ? *other._sharedResources : other._trees->resources())) {
+    setTrees(new InstancedTrees, std::make_shared<ForestSimulation>(ForestDescription()));
 }
 
 InstancedForest::~InstancedForest() = default;
 
 bool InstancedForest::setBarkState(std::size_t species, osg::StateSet* state) {
-    return setState(&SpeciesLooks::ownBark, species, state);
+    return setState(&SpeciesLooks::hostBark, species, state);
 }
 
 bool InstancedForest::setLeafState(std::size_t species, osg::StateSet* state) {
-    return setState(&SpeciesLooks::ownLeaves, species, state);
+    return setState(&SpeciesLooks::hostLeaves, species, state);
 }
 
 bool InstancedForest::setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species,
@@ -60,14 +60,15 @@ bool InstancedForest::setGeometry(std::size_t model, osg::Geometry* bark, osg::G
 }
 
 void InstancedForest::setSimulation(std::shared_ptr<ForestSimulation> given) {
-    const std::shared_ptr<ForestSimulation> simulation = swaying(given);
-    const bool shares = _toShare && _toShare->areOf(*simulation);
-    show(shares ? new InstancedTrees(simulation, *_toShare) : new InstancedTrees(simulation), simulation);
-    _toShare.reset();
+    const std::shared_ptr<ForestSimulation> simulation = modalOrEmpty(given);
+    const bool shares = _sharedResources && _sharedResources->matches(*simulation);
+    setTrees(shares ? new InstancedTrees(simulation, *_sharedResources) : new InstancedTrees(simulation),
+             simulation);
+    _sharedResources.reset();
 }
 
-void InstancedForest::show(const osg::ref_ptr<InstancedTrees>& trees,
-                           const std::shared_ptr<ForestSimulation>& simulation) {
+void InstancedForest::setTrees(const osg::ref_ptr<InstancedTrees>& trees,
+                               const std::shared_ptr<ForestSimulation>& simulation) {
     const osg::ref_ptr<FollowedBranches> followed = new FollowedBranches;
     ForestTechnique::setSimulation(simulation);
     _trees = trees;
@@ -87,7 +88,7 @@ void InstancedForest::treeChanged(std::size_t slot) {
         return;
     _trees->treeChanged(slot);
     _followed->treeChanged(*getSimulation(), getSimulation()->idOf(slot));
-    dirtyBound(); // which the drawable's box is no part of
+    dirtyBound(); // the drawable does not: computeBound() does not use its box
 }
 
 void InstancedForest::speciesAdded() {
@@ -98,23 +99,23 @@ void InstancedForest::seasonChanged() {
     _trees->seasonChanged();
 }
 
-BranchTransform* InstancedForest::follow(TreeId tree, unsigned unit) {
-    BranchTransform* branch = _followed->follow(*getSimulation(), tree, unit);
+BranchTransform* InstancedForest::followBranch(TreeId tree, unsigned unit) {
+    BranchTransform* branch = _followed->followBranch(*getSimulation(), tree, unit);
     if (branch)
         _trees->keepNear(getSimulation()->slotOf(tree), true);
     return branch;
 }
 
-bool InstancedForest::unfollow(TreeId tree, unsigned unit) {
-    if (!_followed->unfollow(tree, unit))
+bool InstancedForest::releaseBranch(TreeId tree, unsigned unit) {
+    if (!_followed->releaseBranch(tree, unit))
         return false;
-    if (getSimulation()->holds(tree) && !_followed->follows(tree))
+    if (getSimulation()->holds(tree) && !_followed->hasBranches(tree))
         _trees->keepNear(getSimulation()->slotOf(tree), false);
     return true;
 }
 
 osg::BoundingSphere InstancedForest::computeBound() const {
-    osg::BoundingSphere bound(_trees->reach());
+    osg::BoundingSphere bound(_trees->swayBounds());
     bound.expandBy(_followed->getBound());
     return bound;
 }

@@ -12,46 +12,46 @@ class InstancedTrees;
 struct SpeciesLooks;
 struct InstancedResources;
 
-/// Trees under the law `modal`: instances, and transforms for the branches that someone follows.
+/// Draws trees under the law `modal` with instancing, and keeps transforms for followed branches.
 ///
 ///     if (InstancedForest* instances = forest->getInstanced())
 ///         instances->setLeafState(0, ours); // of the first species
 class OSGTREEWIND_EXPORT InstancedForest : public ForestTechnique {
 public:
-    /// No trees.
     InstancedForest();
-    /// Draws the trees of a simulation, as setSimulation().
+    /// Draws the trees of a simulation, like setSimulation().
     explicit InstancedForest(const std::shared_ptr<ForestSimulation>& simulation);
-    /// Given trees of the same species in the same season, it shares what they are drawn from, and what a
-    /// host has set for them.
+    /// A copy without trees. If it receives trees of the same species in the same season, it shares the
+    /// geometry and state of the original, including those set by the host.
     InstancedForest(const InstancedForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, InstancedForest)
 
-        /// Puts state after that of a species' bark or leaves (index into the description's); null takes it
-        /// away. One with a program of its own replaces ours: it finds a tree's `treePlace`, `treeSize` and
-        /// `treeState` at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Not during a
-        /// traversal. @return false where there is no such species.
-        bool setBarkState(std::size_t species, osg::StateSet* state);
-    /// The same for leaves.
+    /// Applies a host's state after that of the bark of a species. A program in it replaces the built-in
+    /// one and finds `treePlace`, `treeSize` and `treeState` of a tree at the attribute
+    /// locations 12, 13 and 14 (shaders/instance.glsl). Not during a traversal.
+    /// @param species index into the species of the description. @param state null removes it.
+    /// @return false if there is no such species.
+    bool setBarkState(std::size_t species, osg::StateSet* state);
+    /// Likewise for leaves.
     bool setLeafState(std::size_t species, osg::StateSet* state);
-    /// Draws the trees of a model (ForestSimulation::modelOf()) from these, at every tier with
-    /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
-    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Not during a traversal.
-    /// @return false where there is no such model.
+    /// Replaces the geometry of a model (ForestSimulation::modelOf()) at every tier with branches; null draws
+    /// nothing. Geometry has buffer objects and the arrays of shaders/instance_bark.vert and
+    /// instance_leaf.vert, which include the index of the unit that moves a vertex. Not during a traversal.
+    /// @return false if there is no such model.
     bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
 
-    /// Draws no trees, and warns, for null or a law of a branch. What a host has set for species and models
-    /// goes with them.
+    /// Draws no trees, with a warning, for null and for a simulation under a branchwise law. Removes state
+    /// and geometry that a host has set.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     void update(const osg::FrameStamp& stamp) override;
     void treeChanged(std::size_t slot) override;
     void speciesAdded() override;
     void seasonChanged() override;
-    BranchTransform* follow(TreeId tree, unsigned unit) override;
-    bool unfollow(TreeId tree, unsigned unit) override;
+    BranchTransform* followBranch(TreeId tree, unsigned unit) override;
+    bool releaseBranch(TreeId tree, unsigned unit) override;
     InstancedForest* asInstancedForest() override { return this; }
 
-    /// As far as the trees may sway, so that none is culled that is seen; boxes are of trees at rest.
+    /// A conservative bound that includes the sway of the trees. Bounding boxes hold the trees at rest.
     osg::BoundingSphere computeBound() const override;
 
 protected:
@@ -59,10 +59,12 @@ protected:
 
 private:
     friend struct InstancedParts;
-    void show(const osg::ref_ptr<InstancedTrees>& trees, const std::shared_ptr<ForestSimulation>& simulation);
+    void setTrees(const osg::ref_ptr<InstancedTrees>& trees,
+                  const std::shared_ptr<ForestSimulation>& simulation);
     bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);
 
-    std::unique_ptr<InstancedResources> _toShare; ///< Of the original, in a copy that has no trees yet.
+    /// Those of the original, until a copy receives trees.
+    std::unique_ptr<InstancedResources> _sharedResources;
     osg::ref_ptr<InstancedTrees> _trees;
     osg::ref_ptr<FollowedBranches> _followed;
 };

@@ -6,9 +6,9 @@
 
 namespace osgTreeWind {
 
-/// What an InstancedForest is made of: for the library's own files and its tests.
+/// Access to the parts of an InstancedForest for the library and its tests.
 struct InstancedParts {
-    /// The one drawable of all trees.
+    /// The drawable of all trees.
     static InstancedTrees* trees(const InstancedForest& forest) { return forest._trees.get(); }
 };
 

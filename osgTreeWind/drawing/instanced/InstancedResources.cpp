@@ -2,24 +2,24 @@
 #include <osgTreeWind/drawing/instanced/InstancedResources.h>
 
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 
 namespace osgTreeWind {
-
 namespace {
 
-/// With what the season leaves a tree, and the wind may. @param wanted models and tiers.
-void want(const ForestSimulation& simulation, std::size_t model, const LeafFall& leaves, float summerLeaves,
-          std::set<std::pair<std::size_t, Tier>>& wanted) {
+/// Adds the impostors that show a model with the leaves that the season leaves, or the wind may leave, on it.
+void addNeededImpostors(const ForestSimulation& simulation, std::size_t model, const LeafFall& leaves,
+                        float summerLeaves, std::set<std::pair<std::size_t, Tier>>& needed) {
     const auto picture = [&](float ahead) {
-        return static_cast<int>(impostorTier(summerLeaves * leaves.share(simulation.season(), ahead)));
+        return static_cast<int>(
+            impostorTier(summerLeaves * leaves.remainingShare(simulation.season(), ahead)));
     };
-    const float most = simulation.description().damage ? LeafFall::most : 0.0f;
-    for (int tier = picture(0.0f); tier <= picture(most); ++tier)
-        wanted.emplace(model, static_cast<Tier>(tier));
+    const float maxAdvance = simulation.description().damage ? LeafFall::maxAdvance : 0.0f;
+    for (int tier = picture(0.0f); tier <= picture(maxAdvance); ++tier)
+        needed.emplace(model, static_cast<Tier>(tier));
 }
 
 std::string bytesOf(const std::vector<Species>& all) {
@@ -41,8 +41,8 @@ InstancedResources::InstancedResources(const ForestSimulation& simulation)
     addSpecies(simulation);
 }
 
-bool InstancedResources::areOf(const ForestSimulation& simulation) const {
-    return _season == simulation.season() && _shapes == SimulationParts::models(simulation) &&
+bool InstancedResources::matches(const ForestSimulation& simulation) const {
+    return _season == simulation.season() && _shapes == SimulationAccess::models(simulation) &&
            _species == bytesOf(simulation.description().species);
 }
 
@@ -51,21 +51,21 @@ void InstancedResources::addSpecies(const ForestSimulation& simulation) {
     for (std::size_t i = looks.size(); i < all.size(); ++i)
         looks.push_back(makeSpeciesLooks(all[i]));
     _species = bytesOf(all);
-    _shapes = SimulationParts::models(simulation);
+    _shapes = SimulationAccess::models(simulation);
     const std::size_t first = models.size();
-    models.resize(SimulationParts::models(simulation).size());
-    if (models.size() == first) // nor threads
+    models.resize(SimulationAccess::models(simulation).size());
+    if (models.size() == first) // starts no threads
         return;
     runJobs(simulation.executor(), models.size() - first, [&](std::size_t i) {
         const std::size_t model = first + i;
-        const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
-        models[model] =
-            new ModelResources(*SimulationParts::models(simulation)[model], species, all[species].appearance);
+        const std::size_t species = SimulationAccess::forest(simulation).speciesOfModel(model);
+        models[model] = new ModelResources(*SimulationAccess::models(simulation)[model], species,
+                                           all[species].appearance);
     });
-    followSeason(simulation);
+    updateSeason(simulation);
 }
 
-void InstancedResources::followSeason(const ForestSimulation& simulation) {
+void InstancedResources::updateSeason(const ForestSimulation& simulation) {
     _season = simulation.season();
     const std::vector<Species>& species = simulation.description().species;
     for (std::size_t i = 0; i < looks.size(); ++i)
@@ -73,33 +73,33 @@ void InstancedResources::followSeason(const ForestSimulation& simulation) {
     std::vector<LeafFall> leaves;
     for (const Species& each : species)
         leaves.emplace_back(each);
-    Pictures wanted;
-    for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
-        want(simulation, model, leaves[SimulationParts::forest(simulation).speciesOfModel(model)], 1.0f,
-             wanted);
-    for (const PlacedTree& tree : SimulationParts::trees(simulation))
+    ImpostorKeys needed;
+    for (std::size_t model = 0; model < models.size(); ++model) // for trees that are added later
+        addNeededImpostors(simulation, model,
+                           leaves[SimulationAccess::forest(simulation).speciesOfModel(model)], 1.0f, needed);
+    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
         if (tree.alive)
-            want(simulation, tree.model, leaves[tree.species], tree.summerLeaves, wanted);
-    paintImpostors(simulation, wanted);
+            addNeededImpostors(simulation, tree.model, leaves[tree.species], tree.summerLeaves, needed);
+    paintImpostors(simulation, needed);
 }
 
 void InstancedResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
-    Pictures wanted;
-    want(simulation, tree.model, LeafFall(SimulationParts::forest(simulation).speciesOf(tree)),
-         tree.summerLeaves, wanted);
-    paintImpostors(simulation, wanted);
+    ImpostorKeys needed;
+    addNeededImpostors(simulation, tree.model, LeafFall(SimulationAccess::forest(simulation).speciesOf(tree)),
+                       tree.summerLeaves, needed);
+    paintImpostors(simulation, needed);
 }
 
-void InstancedResources::paintImpostors(const ForestSimulation& simulation, const Pictures& wanted) {
+void InstancedResources::paintImpostors(const ForestSimulation& simulation, const ImpostorKeys& needed) {
     const DrawingOptions& drawing = simulation.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
-    for (const auto& [model, tier] : wanted)
+    for (const auto& [model, tier] : needed)
         if (drawing.tiers && drawing.impostor > 0.0f && !models[model]->impostor(tier))
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        models[model]->paint(tier, *SimulationParts::models(simulation)[model],
-                             simulation.description().species[models[model]->species()].appearance);
+        models[model]->loadImpostor(tier, *SimulationAccess::models(simulation)[model],
+                                    simulation.description().species[models[model]->species()].appearance);
     };
     if (missing.size() == 1)
         paint(0);
@@ -113,7 +113,7 @@ std::vector<osg::Object*> InstancedResources::glObjects() const {
         model->addGLObjects(objects);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :
-             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
+             {look.bark, look.leaves, look.impostors, look.hostBark, look.hostLeaves})
             if (set)
                 objects.push_back(set);
     return objects;

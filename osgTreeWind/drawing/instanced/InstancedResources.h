@@ -14,37 +14,36 @@
 
 namespace osgTreeWind {
 
-/// What instanced trees are drawn from, made on the threads of their simulation. A copy shares all of
-/// it.
+/// Geometry, programs and state of instanced trees, created on the simulation's threads. Copies share them.
 struct InstancedResources {
     explicit InstancedResources(const ForestSimulation& simulation);
-    /// Whether a simulation has the same species and models, in the same season.
-    bool areOf(const ForestSimulation& simulation) const;
+    /// Whether a simulation has the same species and models and the same season.
+    bool matches(const ForestSimulation& simulation) const;
 
-    /// Makes what species and models lack that were added. In update.
+    /// Creates the resources of added species and their models. In update.
     void addSpecies(const ForestSimulation& simulation);
-    /// Has leaves the colour of the season, and all impostors that its trees need. In update.
-    void followSeason(const ForestSimulation& simulation);
-    /// The same for one tree.
+    /// Sets the leaf colours of the season and paints the impostors that the trees need. In update.
+    void updateSeason(const ForestSimulation& simulation);
+    /// Paints the impostors that one tree needs. In update.
     void paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree);
 
     std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
     std::vector<SpeciesLooks> looks;                  ///< By species.
-    osg::ref_ptr<osg::StateSet> state;                ///< Of all trees with branches.
-    osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that cross over to another tier.
+    osg::ref_ptr<osg::StateSet> state;                ///< Of all trees.
+    osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that fade between two tiers.
     osg::ref_ptr<PosePrograms> programs;
 
-    /// Programs, geometries and state sets: all that OpenGL keeps something of.
+    /// All programs, geometries and state sets, which have OpenGL objects.
     std::vector<osg::Object*> glObjects() const;
 
 private:
-    SharedModels _shapes; ///< Whose models these are.
+    SharedModels _shapes; ///< The models of the simulation.
     std::string _species; ///< Bytes of the fields of the species.
     float _season = 0.0f;
 
-    using Pictures = std::set<std::pair<std::size_t, Tier>>; ///< By model.
-    /// Those of them that are not painted yet.
-    void paintImpostors(const ForestSimulation& simulation, const Pictures& wanted);
+    using ImpostorKeys = std::set<std::pair<std::size_t, Tier>>; ///< Model and tier.
+    /// Paints the impostors that are missing.
+    void paintImpostors(const ForestSimulation& simulation, const ImpostorKeys& needed);
 };
 
 } // namespace osgTreeWind

@@ -5,7 +5,7 @@
 #include <osgTreeWind/drawing/instanced/TreePicking.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -17,7 +17,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
+constexpr unsigned framesNear = 60; // at Level::Near after a camera last saw the branches
 
 } // namespace
 
@@ -32,17 +32,17 @@ InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, Ins
     setName("trees");
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true); // else nobody asks it to compile them
+    setUseVertexBufferObjects(true); // makes osgUtil::GLObjectsVisitor call compileGLObjects()
     addPasses();
-    for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
-        if (SimulationParts::trees(*_simulation)[tree].alive)
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(*_simulation).size(); ++tree)
+        if (SimulationAccess::trees(*_simulation)[tree].alive)
             treeChanged(tree);
     updateFlutter(0.0);
     _shade.update();
 }
 
 void InstancedTrees::addPasses() {
-    const auto& models = SimulationParts::models(*_simulation);
+    const auto& models = SimulationAccess::models(*_simulation);
     for (std::size_t model = _passes.size(); model < models.size(); ++model)
         _passes.push_back(new PosePass(models[model]->skeleton, _resources.programs));
     _flutter.resize(_simulation->description().species.size());
@@ -54,119 +54,122 @@ void InstancedTrees::speciesAdded() {
 }
 
 void InstancedTrees::treeChanged(std::size_t tree) {
-    const PlacedTree& placed = SimulationParts::trees(*_simulation)[tree];
-    const auto number = static_cast<std::uint32_t>(tree);
-    if (tree >= _attention.size())
-        _attention.resize(tree + 1);
+    const PlacedTree& placed = SimulationAccess::trees(*_simulation)[tree];
+    const auto slot = static_cast<std::uint32_t>(tree);
+    if (tree >= _nearStates.size())
+        _nearStates.resize(tree + 1);
     if (!placed.alive) {
-        _cells.take(number);
-        shadeNeighbours(number);
-        _attention[tree].kept = false;
+        _cells.remove(slot);
+        updateShade(slot);
+        _nearStates[tree].pinned = false;
     } else {
         const std::array<float, 5> reach =
-            SimulationParts::forest(*_simulation).modelOf(placed).extents.reach(placed.scale);
-        const TreeFall* fall = SimulationParts::modal(*_simulation)->fall(tree);
+            SimulationAccess::forest(*_simulation).modelOf(placed).extents.reach(placed.scale);
+        const TreeFall* fall = SimulationAccess::modal(*_simulation)->fall(tree);
         const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
-        _cells.put({toOsg(placed.position), reach[4], aside, number});
-        shadeNeighbours(number);
+        _cells.insert({toOsg(placed.position), reach[4], aside, slot});
+        updateShade(slot);
         _resources.paintImpostor(*_simulation, placed);
-        if (SimulationParts::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
-            follow(number);
+        if (SimulationAccess::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
+            markNear(slot);
     }
     dirtyBound();
 }
 
 osg::BoundingBox InstancedTrees::computeBoundingBox() const {
     osg::BoundingBox box;
-    for (const PlacedTree& tree : SimulationParts::trees(*_simulation)) {
+    for (const PlacedTree& tree : SimulationAccess::trees(*_simulation)) {
         if (!tree.alive)
             continue;
         const std::array<float, 5> reach =
-            SimulationParts::forest(*_simulation).modelOf(tree).extents.reach(tree.scale);
+            SimulationAccess::forest(*_simulation).modelOf(tree).extents.reach(tree.scale);
         const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
         for (const float x : {-reach[1], reach[0]})
             for (const float y : {-reach[3], reach[2]})
                 for (const float z : {0.0f, reach[4]})
-                    box.expandBy(toOsg(tree.position + turnHeading({x, y, z}, sine, cosine)));
+                    box.expandBy(toOsg(tree.position + rotateAboutZ({x, y, z}, sine, cosine)));
     }
     return box;
 }
 
 void InstancedTrees::seasonChanged() {
-    _resources.followSeason(*_simulation);
-    for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
-        shadeNeighbours(static_cast<std::uint32_t>(tree));
+    _resources.updateSeason(*_simulation);
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(*_simulation).size(); ++tree)
+        updateShade(static_cast<std::uint32_t>(tree));
 }
 
-/// As long as it stands.
-void InstancedTrees::shadeNeighbours(std::uint32_t tree) {
-    const PlacedTree& placed = SimulationParts::trees(*_simulation)[tree];
-    const TreeFall* fall = SimulationParts::modal(*_simulation)->fall(tree);
+/// A fallen tree shades no neighbours.
+void InstancedTrees::updateShade(std::uint32_t tree) {
+    const PlacedTree& placed = SimulationAccess::trees(*_simulation)[tree];
+    const TreeFall* fall = SimulationAccess::modal(*_simulation)->fall(tree);
     if (!placed.alive || (fall && fall->isDown)) {
-        _shade.take(tree);
+        _shade.remove(tree);
         return;
     }
-    const TreeSize size = SimulationParts::forest(*_simulation).measured(placed);
-    _shade.put(tree, {placed.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * placed.leaves});
+    const TreeSize size = SimulationAccess::forest(*_simulation).sizeOf(placed);
+    _shade.insert(tree, {placed.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * placed.leaves});
 }
 
-void InstancedTrees::follow(std::uint32_t tree) {
-    Attention& attention = _attention[tree];
-    attention.seen = static_cast<std::uint8_t>(_frame);
-    if (!attention.isNear)
-        _near.push_back(tree);
-    attention.isNear = true;
+void InstancedTrees::markNear(std::uint32_t tree) {
+    NearState& state = _nearStates[tree];
+    state.lastSeen = static_cast<std::uint8_t>(_frame);
+    if (!state.isNear)
+        _nearTrees.push_back(tree);
+    state.isNear = true;
 }
 
-void InstancedTrees::keepNear(std::size_t tree, bool kept) {
-    _attention[tree].kept = kept;
-    if (!kept)
+void InstancedTrees::keepNear(std::size_t tree, bool pinned) {
+    _nearStates[tree].pinned = pinned;
+    if (!pinned)
         return;
-    SimulationParts::modal(*_simulation)->setLevel(tree, ModalMotion::Level::Near);
-    follow(static_cast<std::uint32_t>(tree));
+    SimulationAccess::modal(*_simulation)->setLevel(tree, ModalMotion::Level::Near);
+    markNear(static_cast<std::uint32_t>(tree));
 }
 
 void InstancedTrees::update(unsigned frame, double time) {
     _frame = frame;
     updateFlutter(time);
     _shade.update();
-    ModalMotion& modal = *SimulationParts::modal(*_simulation);
+    ModalMotion& modal = *SimulationAccess::modal(*_simulation);
     {
         const std::lock_guard<std::mutex> lock(_listsMutex);
-        for (const Lists& each : _lists) {
-            for (const std::uint32_t tree : each.lists->near()) {
-                if (!SimulationParts::trees(*_simulation)[tree].alive)
+        for (const VisitorLists& each : _lists) {
+            for (const std::uint32_t tree : each.lists->nearTrees()) {
+                if (!SimulationAccess::trees(*_simulation)[tree].alive)
                     continue;
                 if (modal.level(tree) == ModalMotion::Level::Far)
                     modal.setLevel(tree, ModalMotion::Level::Near);
-                follow(tree);
+                markNear(tree);
             }
-            each.lists->near().clear();
+            each.lists->nearTrees().clear();
         }
-        const auto forget = [](auto& past, const auto& isPast) { // those culled for may be no more
-            past.erase(std::remove_if(past.begin(), past.end(), isPast), past.end());
+        // Visitors and cameras may have been deleted.
+        const auto removeUnused = [](auto& items, const auto& isUnused) {
+            items.erase(std::remove_if(items.begin(), items.end(), isUnused), items.end());
         };
-        forget(_lists, [&](const Lists& each) { return frame > each.lists->frame() + framesNear; });
-        forget(_views, [&](const View& each) { return frame > each.frame + framesNear; });
+        removeUnused(_lists,
+                     [&](const VisitorLists& each) { return frame > each.lists->frame() + framesNear; });
+        removeUnused(_views, [&](const View& each) { return frame > each.frame + framesNear; });
     }
-    // Without a viewer all stay.
-    if (!_tiers.on() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
+    // Without a viewer, trees keep their levels.
+    if (!_tiers.areEnabled() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
         return;
-    _near.erase(std::remove_if(_near.begin(), _near.end(),
-                               [&](std::uint32_t tree) {
-                                   Attention& attention = _attention[tree];
-                                   const bool isNear = SimulationParts::trees(*_simulation)[tree].alive &&
-                                                       modal.level(tree) == ModalMotion::Level::Near;
-                                   if (isNear && (attention.kept || static_cast<std::uint8_t>(
-                                                                        frame - attention.seen) < framesNear))
-                                       return false;
-                                   if (isNear)
-                                       modal.setLevel(tree, ModalMotion::Level::Far);
-                                   attention.isNear = false;
-                                   return true;
-                               }),
-                _near.end());
+    _nearTrees.erase(
+        std::remove_if(_nearTrees.begin(), _nearTrees.end(),
+                       [&](std::uint32_t tree) {
+                           NearState& state = _nearStates[tree];
+                           const bool isNear = SimulationAccess::trees(*_simulation)[tree].alive &&
+                                               modal.level(tree) == ModalMotion::Level::Near;
+                           if (isNear && (state.pinned ||
+                                          static_cast<std::uint8_t>(frame - state.lastSeen) < framesNear))
+                               return false;
+                           if (isNear)
+                               modal.setLevel(tree, ModalMotion::Level::Far);
+                           state.isNear = false;
+                           return true;
+                       }),
+        _nearTrees.end());
 }
 
 void InstancedTrees::updateFlutter(double time) {
@@ -187,7 +190,7 @@ void InstancedTrees::accept(osg::NodeVisitor& visitor) {
         visitor.popFromNodePath();
     } else if (auto* picking = dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor)) {
         visitor.pushOntoNodePath(this);
-        _guard.run("trees of the forest may not be met",
+        _guard.run("trees of the forest may not be picked",
                    [&] { intersectTrees(*picking, *_simulation, _cells); });
         visitor.popFromNodePath();
     } else {
@@ -195,22 +198,22 @@ void InstancedTrees::accept(osg::NodeVisitor& visitor) {
     }
 }
 
-/// Lists of this visitor that nobody draws from any more.
-osg::ref_ptr<CullLists> InstancedTrees::freeLists(const osgUtil::CullVisitor& visitor) {
+/// Lists of this visitor whose draws have finished, or new ones.
+osg::ref_ptr<CullLists> InstancedTrees::acquireLists(const osgUtil::CullVisitor& visitor) {
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    for (const Lists& each : _lists)
+    for (const VisitorLists& each : _lists)
         if (each.visitor == &visitor && each.lists->referenceCount() == 1)
             return each.lists;
     _lists.push_back({&visitor, new CullLists});
     return _lists.back().lists;
 }
 
-/// What its view's budget leaves of the trees' detail; shadow cameras and the like are part of a view.
+/// The detail that the budget of the view allows. Shadow cameras and the like share the budget of their view.
 float InstancedTrees::detailOf(osgUtil::CullVisitor& visitor, unsigned frame) {
     const float budget = _simulation->description().drawing.budget;
     const osg::Camera* camera = budget > 0.0f ? visitor.getRenderStage()->getCamera() : nullptr;
     osg::Stats* stats = camera ? const_cast<osg::Stats*>(camera->getStats()) : nullptr;
-    if (!stats || !_tiers.on())
+    if (!stats || !_tiers.areEnabled())
         return 1.0f;
     if (!stats->collectStats("rendering"))
         stats->collectStats("rendering", true);
@@ -219,7 +222,7 @@ float InstancedTrees::detailOf(osgUtil::CullVisitor& visitor, unsigned frame) {
         std::find_if(_views.begin(), _views.end(), [&](const View& each) { return each.camera == camera; });
     View& view = known != _views.end() ? *known : _views.emplace_back(View{camera, {}, frame});
     view.frame = frame;
-    const float detail = view.budget.follow(*stats, frame, budget);
+    const float detail = view.budget.updateDetail(*stats, frame, budget);
     stats->setAttribute(frame, "Tree detail", static_cast<double>(detail));
     return detail;
 }
@@ -227,19 +230,19 @@ float InstancedTrees::detailOf(osgUtil::CullVisitor& visitor, unsigned frame) {
 void InstancedTrees::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
-    const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    InstancedCull{visitor,    frame,   *_simulation, *SimulationParts::modal(*_simulation),
+    const osg::ref_ptr<CullLists> lists = acquireLists(visitor);
+    InstancedCull{visitor,    frame,   *_simulation, *SimulationAccess::modal(*_simulation),
                   _resources, _passes, _tiers,       detailOf(visitor, frame),
                   _cells,     _shade,  _flutter,     *lists}
         .run();
 }
 
-std::array<std::size_t, tierCount> InstancedTrees::listedTrees() const {
+std::array<std::size_t, tierCount> InstancedTrees::treesByTier() const {
     std::array<std::size_t, tierCount> trees{};
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    for (const Lists& each : _lists)
+    for (const VisitorLists& each : _lists)
         if (each.lists->frame() == _culledFrame)
-            each.lists->countTrees(trees);
+            each.lists->addTreeCounts(trees);
     return trees;
 }
 
@@ -268,7 +271,7 @@ void InstancedTrees::releaseGLObjects(osg::State* state) const {
     for (const osg::ref_ptr<PosePass>& passes : _passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    for (const Lists& each : _lists)
+    for (const VisitorLists& each : _lists)
         each.lists->releaseGLObjects(state);
 }
 

@@ -7,7 +7,7 @@
 #include <osgTreeWind/drawing/instanced/NeighbourShade.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <array>
@@ -18,49 +18,50 @@
 
 namespace osgTreeWind {
 
-/// The trees of a forest under the law `modal`, as instances: no node, drawable or state set a tree. A part
-/// of a Forest.
+/// The drawable of all trees of a forest under the law `modal`. Trees are instances, without a node, drawable
+/// or state set for each. A part of a Forest.
 ///
-/// Each cull chooses what its camera sees of them and how finely; the draws that it hands on are made of
-/// lists. osgUtil::IntersectionVisitor meets each tree that it may hit as a TreeHit.
+/// Each cull selects the trees that its camera sees and their tiers, and adds instanced draws to the render
+/// bin. An osgUtil::IntersectionVisitor receives each tree that it may hit as a TreeHit.
 class InstancedTrees : public osg::Drawable {
 public:
-    /// No trees.
     InstancedTrees();
     explicit InstancedTrees(const std::shared_ptr<ForestSimulation>& simulation);
-    /// Drawn from the same models and state as another one of the same models and species.
+    /// Shares the resources of a forest with the same models and species.
     InstancedTrees(std::shared_ptr<ForestSimulation> simulation, InstancedResources resources);
     const char* libraryName() const override { return "osgTreeWind"; }
     const char* className() const override { return "InstancedTrees"; }
 
-    /// A tree was added, moved, changed or removed. In update.
+    // In update; trees are given by their slot in the simulation.
+
+    /// Call it after a tree was added, moved, changed or removed.
     void treeChanged(std::size_t tree);
-    /// A species was added. In update.
+    /// Call it after a species was added.
     void speciesAdded();
-    /// The forest's season is another one. In update.
+    /// Call it after the season changed.
     void seasonChanged();
-    /// Has a tree followed closely from now on, whoever sees it; or no more. In update.
-    void keepNear(std::size_t tree, bool kept);
-    /// After each step: which trees are followed how closely. In update.
+    /// Keeps a tree at ModalMotion::Level::Near even if no camera sees it, or stops doing so.
+    void keepNear(std::size_t tree, bool pinned);
+    /// Updates the motion levels of the trees. Call it after each step.
     void update(unsigned frame, double time);
 
-    /// What its trees are drawn from. Changed between frames.
+    /// May be changed between frames.
     InstancedResources& resources() { return _resources; }
     const InstancedResources& resources() const { return _resources; }
-    /// Trees that are followed closely, since a camera saw their branches of late.
-    std::size_t nearTrees() const { return _near.size(); }
-    /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts
-    /// twice.
-    std::array<std::size_t, tierCount> listedTrees() const;
+    /// Number of trees at ModalMotion::Level::Near: those whose branches a camera saw in the last frames.
+    std::size_t nearTreeCount() const { return _nearTrees.size(); }
+    /// Number of trees that all cameras drew in the last culled frame, by tier. A tree that fades between two
+    /// tiers counts in both.
+    std::array<std::size_t, tierCount> treesByTier() const;
 
     using osg::Drawable::accept;
     void accept(osg::NodeVisitor& visitor) override;
-    /// The trees at rest, from the foot of the lowest; exact for trees that head north or south.
+    /// Bounds of the trees at rest. They are tight for headings that are multiples of a right angle.
     osg::BoundingBox computeBoundingBox() const override;
-    /// The trees as far as they may sway, as culling takes them.
-    osg::BoundingBox reach() const { return _cells.bounds(); }
+    /// A conservative bound that includes the sway, used for culling.
+    osg::BoundingBox swayBounds() const { return _cells.bounds(); }
     void drawImplementation(osg::RenderInfo&) const override {}
-    /// Whatever its trees are drawn with, as osgUtil::GLObjectsVisitor and pagers ask for it.
+    /// Compiles all resources for osgUtil::GLObjectsVisitor and database pagers.
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;
     void resizeGLObjectBuffers(unsigned maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
@@ -70,45 +71,44 @@ protected:
 
 private:
     void addPasses();
-    void shadeNeighbours(std::uint32_t tree);
+    void updateShade(std::uint32_t tree);
     void updateFlutter(double time);
-    void follow(std::uint32_t tree);
+    void markNear(std::uint32_t tree);
     void cull(osgUtil::CullVisitor& visitor);
-    osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
+    osg::ref_ptr<CullLists> acquireLists(const osgUtil::CullVisitor& visitor);
     float detailOf(osgUtil::CullVisitor& visitor, unsigned frame);
 
-    EntryGuard _guard;
+    ExceptionGuard _guard;
     std::shared_ptr<ForestSimulation> _simulation;
     InstancedResources _resources;
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
     TreeTiers _tiers;
     mutable TreeCells _cells;
     NeighbourShade _shade;
-    std::vector<osg::Vec3> _flutter; ///< By species, phases of now.
+    std::vector<osg::Vec3> _flutter; ///< By species: current phases.
 
-    struct Attention {
-        std::uint8_t seen =
-            0; ///< Last bits of the frame in which it last was seen from near, or came to be followed.
-        bool isNear = false; ///< Whether it is among those followed closely,
-        bool kept = false;   ///< whoever sees it.
+    struct NearState {
+        std::uint8_t lastSeen = 0; ///< Low bits of the last frame in which a camera saw the branches.
+        bool isNear = false;       ///< Whether `_nearTrees` holds the tree.
+        bool pinned = false;       ///< Whether keepNear() holds it there.
     };
-    std::vector<Attention> _attention; ///< By tree.
-    std::vector<std::uint32_t> _near;  ///< Trees followed closely.
-    unsigned _frame = 0;               ///< Of the last update.
+    std::vector<NearState> _nearStates; ///< By slot.
+    std::vector<std::uint32_t> _nearTrees;
+    unsigned _frame = 0; ///< Frame of the last update.
     std::atomic<unsigned> _culledFrame{~0u};
 
-    mutable std::mutex _listsMutex; ///< Guards what follows.
-    struct Lists {
-        const osgUtil::CullVisitor* visitor; ///< Whose they are.
+    mutable std::mutex _listsMutex; ///< Guards the members below.
+    struct VisitorLists {
+        const osgUtil::CullVisitor* visitor;
         osg::ref_ptr<CullLists> lists;
     };
-    std::vector<Lists> _lists;
+    std::vector<VisitorLists> _lists;
     struct View {
         const osg::Camera* camera;
         DetailBudget budget;
-        unsigned frame; ///< In which it was seen last.
+        unsigned frame; ///< Frame of the last cull.
     };
-    std::vector<View> _views; ///< Where there is a budget.
+    std::vector<View> _views; ///< Empty without a budget.
 };
 
 } // namespace osgTreeWind

@@ -16,7 +16,7 @@ namespace {
 
 using Middles = std::vector<glm::vec3>;
 
-Middles middlesOf(const ThinnedLeaves& leaves, const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
+Middles quadMiddles(const ThinnedLeaves& leaves, const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
     Middles middles;
     for (std::size_t i = 0; i < leaves.clusters.size(); ++i)
         for (int quad = leaves.firstQuad(i); quad < leaves.firstQuad(i) + leaves.quads(); ++quad) {
@@ -26,9 +26,9 @@ Middles middlesOf(const ThinnedLeaves& leaves, const std::array<LeafVertex, vert
     return middles;
 }
 
-/// Quads by their distance along a direction, the farthest first, in a few slabs. Within one they stay as
-/// they are, branch by branch: vertices in disorder take longer to fetch than hidden cards to draw.
-std::vector<unsigned> inSlabs(const Middles& middles, const glm::vec3& direction) {
+/// Sorts quads into a few slabs by their distance along a direction, the farthest first. Within a slab they
+/// keep their order, branch by branch, because vertices out of order cost more than hidden cards.
+std::vector<unsigned> sortInSlabs(const Middles& middles, const glm::vec3& direction) {
     constexpr float slabs = 8.0f;
     std::vector<float> along;
     for (const glm::vec3& middle : middles)
@@ -67,13 +67,13 @@ std::size_t LeafOrders::nearest(const glm::vec3& toEye) {
 
 LeafOrders::Geometries LeafOrders::make(const osg::Geometry& geometry, const ThinnedLeaves& leaves,
                                         const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
-    const Middles middles = middlesOf(leaves, mesh);
+    const Middles middles = quadMiddles(leaves, mesh);
     const bool isShort = 4 * middles.size() <= 65536;
     Geometries orders;
     for (std::size_t i = 0; i < count; ++i) {
         std::vector<unsigned> indices;
         if (!middles.empty())
-            indices = leafIndices(inSlabs(middles, directions()[i]));
+            indices = leafIndices(sortInSlabs(middles, directions()[i]));
         orders[i] = new osg::Geometry(geometry, osg::CopyOp::SHALLOW_COPY);
         if (isShort)
             orders[i]->setPrimitiveSet(

@@ -11,19 +11,19 @@
 
 namespace osgTreeWind {
 
-/// Orders in which the leaf cards of a tree may be drawn, one for each of some directions it is seen from:
-/// near ones first, so that they hide most of what comes after them.
+/// Front-to-back draw orders of the leaf cards of a tree, one for each of ten view directions. Near cards
+/// come first, so that the depth test rejects most of the cards behind them.
 struct LeafOrders {
     static constexpr std::size_t count = 10;
     using Geometries = std::array<osg::ref_ptr<osg::Geometry>, count>;
 
-    /// Toward the eye, in the tree's frame, unit length: up, down, and all around.
+    /// Unit directions toward the eye in the tree's frame: up, down and eight around the horizon.
     static const std::array<glm::vec3, count>& directions();
-    /// The order for a direction. @param toEye in the tree's frame, of any length.
+    /// Index of the nearest of the directions. @param toEye in the tree's frame, of any length.
     static std::size_t nearest(const glm::vec3& toEye);
 
-    /// The cards of one geometry in all orders, with the same vertices.
-    /// @param geometry makeLeafGeometry() of `leaves` and `mesh`.
+    /// @return a geometry for each order. They share the vertices of `geometry`.
+    /// @param geometry result of makeLeafGeometry() for `leaves` and `mesh`.
     static Geometries make(const osg::Geometry& geometry, const ThinnedLeaves& leaves,
                            const std::array<LeafVertex, verticesPerLeafCluster>& mesh);
 };

@@ -23,7 +23,7 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
-    float inFull = 0.0f; // light on its leaves
+    float fullTierLight = 0.0f; // on the leaves
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
         const TreeDetail detail = TreeDetail::reduced(tier);
@@ -36,10 +36,10 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
             const ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
             leaves[tier] = LeafOrders::make(*makeLeafGeometry(thinned, model.skeleton, model.leafMesh, crown),
                                             thinned, model.leafMesh);
-            const float seen = seenLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
-                                             *stencils, appearance, model.skeleton.height());
-            inFull = whole ? seen : inFull;
-            brightness = seen > 0.0f ? inFull / seen : 1.0f;
+            const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
+                                                *stencils, appearance, model.skeleton.height());
+            fullTierLight = whole ? seen : fullTierLight;
+            brightness = seen > 0.0f ? fullTierLight / seen : 1.0f;
         }
         states[tier] = new osg::StateSet;
         states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
@@ -50,10 +50,10 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
 
 namespace {
 
-/// The meshes of a model: the same ones for all in the process who hold them, where the model is shared
-/// (TreeModel::identity). Any thread.
+/// The meshes of a model; forests of the process share those of a shared model (TreeModel::identity) while
+/// one of them holds them. Any thread.
 osg::ref_ptr<ModelMeshes> sharedMeshes(const TreeModel& model, const Appearance& appearance) {
-    using Cards = std::tuple<LeafForm, std::string, float>; // and what their light follows from
+    using Cards = std::tuple<LeafForm, std::string, float>; // the fields that meshes depend on
     static SharedObjects<std::pair<std::uint64_t, Cards>, ModelMeshes> meshes;
     const auto make = [&] { return osg::ref_ptr<ModelMeshes>(new ModelMeshes(model, appearance)); };
     const Cards cards{appearance.leafForm, appearance.leafImage, appearance.underside};
@@ -66,12 +66,12 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
     : _species(species), _meshes(sharedMeshes(model, appearance)) {}
 
 ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species), _isOfHost(true), _meshes(other._meshes), _hostBark(bark),
+    : _species(other._species), _usesHostGeometry(true), _meshes(other._meshes), _hostBark(bark),
       _hostLeaves(leaves) {
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
-void ModelResources::paint(Tier tier, const TreeModel& model, const Appearance& appearance) {
+void ModelResources::loadImpostor(Tier tier, const TreeModel& model, const Appearance& appearance) {
     _impostors[static_cast<int>(tier) - branchTiers] = sharedImpostor(model, appearance, tier);
 }
 
@@ -85,17 +85,18 @@ void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
     }
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
-            objects.insert(objects.end(), {impostor->geometry(), impostor->straight(), impostor->stateSet()});
+            objects.insert(objects.end(),
+                           {impostor->geometry(), impostor->straightGeometry(), impostor->stateSet()});
 }
 
 osg::ref_ptr<ImpostorStrip> sharedImpostor(const TreeModel& model, const Appearance& appearance, Tier tier) {
     using Key = std::tuple<std::uint64_t, std::string, Tier, const osg::Program*>;
     static SharedObjects<Key, ImpostorStrip> impostors;
     const osg::ref_ptr<osg::Program> program =
-        sharedProgram("impostor", "impostor"); // a host may replace its files
+        sharedProgram("impostor", "impostor"); // part of the key: a host may replace its files
     const auto make = [&] {
         ImpostorSettings settings;
-        settings.leaves = leavesOn(tier);
+        settings.leaves = shownLeafShare(tier);
         osg::ref_ptr<ImpostorStrip> impostor =
             new ImpostorStrip(paintImpostor(model, appearance, settings), program);
         impostor->stateSet()->addUniform(new osg::Uniform("tierColor", tierColor(tier)));

@@ -11,10 +11,10 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float cellSide = 12.0f;   // metres
-constexpr int reach = 2;            // cells each way beyond which no crown counts
-constexpr float middleShare = 0.7f; // of the height of a tree, where its crown is widest
-constexpr float topShare = 0.9f;    // of the height at which its top is lit
-constexpr float crownDepth = 0.8f;  // optical, of a crown that keeps all
+constexpr int reach = 2;            // cells in each direction in which crowns count
+constexpr float middleShare = 0.7f; // height of the widest part of the crown over the tree's height
+constexpr float topShare = 0.9f;    // height of Light::atTop over the tree's height
+constexpr float crownDepth = 0.8f;  // optical depth of a crown of density 1
 
 } // namespace
 
@@ -29,55 +29,54 @@ std::uint64_t NeighbourShade::keyOf(const glm::ivec2& cell) {
 }
 
 template <typename Use>
-void NeighbourShade::around(const glm::vec3& place, const Use& use) const {
+void NeighbourShade::forEachNear(const glm::vec3& place, const Use& use) const {
     const glm::ivec2 middle = cellAt(place);
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
             const auto found = _cells.find(keyOf(middle + glm::ivec2(x, y)));
             if (found != _cells.end())
-                for (const std::uint32_t number : found->second)
-                    use(number);
+                for (const std::uint32_t slot : found->second)
+                    use(slot);
         }
 }
 
-void NeighbourShade::markAround(const glm::vec3& place) {
-    around(place, [this](std::uint32_t number) {
-        if (!_trees[number].stale)
-            _stale.push_back(number);
-        _trees[number].stale = true;
+void NeighbourShade::markNeighboursStale(const glm::vec3& place) {
+    forEachNear(place, [this](std::uint32_t slot) {
+        if (!_trees[slot].isStale)
+            _stale.push_back(slot);
+        _trees[slot].isStale = true;
     });
 }
 
-void NeighbourShade::put(std::uint32_t number, const Crown& crown) {
-    take(number);
-    if (number >= _trees.size())
-        _trees.resize(number + 1);
-    _trees[number].crown = crown;
-    _trees[number].here = true;
-    _cells[keyOf(cellAt(crown.foot))].push_back(number);
-    markAround(crown.foot);
+void NeighbourShade::insert(std::uint32_t slot, const Crown& crown) {
+    remove(slot);
+    if (slot >= _trees.size())
+        _trees.resize(slot + 1);
+    _trees[slot].crown = crown;
+    _trees[slot].isPresent = true;
+    _cells[keyOf(cellAt(crown.foot))].push_back(slot);
+    markNeighboursStale(crown.foot);
 }
 
-void NeighbourShade::take(std::uint32_t number) {
-    if (number >= _trees.size() || !_trees[number].here)
+void NeighbourShade::remove(std::uint32_t slot) {
+    if (slot >= _trees.size() || !_trees[slot].isPresent)
         return;
-    Tree& tree = _trees[number];
+    Tree& tree = _trees[slot];
     Cell& cell = _cells[keyOf(cellAt(tree.crown.foot))];
-    cell.erase(std::find(cell.begin(), cell.end(), number));
-    tree.here = false;
-    markAround(tree.crown.foot);
+    cell.erase(std::find(cell.begin(), cell.end(), slot));
+    tree.isPresent = false;
+    markNeighboursStale(tree.crown.foot);
 }
 
-/// Crowns hide as much of the sky as level discs do (the view factor of a small one), which add up as an
-/// optical depth.
-float NeighbourShade::leftAt(std::uint32_t number, float height) const {
-    const Crown& own = _trees[number].crown;
+/// Sums the view factors of the crowns, taken as small horizontal discs, to an optical depth.
+float NeighbourShade::lightAt(std::uint32_t slot, float height) const {
+    const Crown& own = _trees[slot].crown;
     const glm::vec3 place = own.foot + glm::vec3(0.0f, 0.0f, height);
     float depth = 0.0f;
-    around(own.foot, [&](std::uint32_t other) {
+    forEachNear(own.foot, [&](std::uint32_t other) {
         const Crown& crown = _trees[other].crown;
         const float above = crown.foot.z + middleShare * crown.height - place.z;
-        if (other == number || !(above > 0.0f))
+        if (other == slot || !(above > 0.0f))
             return;
         const glm::vec2 aside = glm::vec2(crown.foot) - glm::vec2(place);
         const float far = glm::dot(aside, aside) + above * above, radius = crown.radius * crown.radius;
@@ -87,11 +86,11 @@ float NeighbourShade::leftAt(std::uint32_t number, float height) const {
 }
 
 void NeighbourShade::update() {
-    for (const std::uint32_t number : _stale) {
-        Tree& tree = _trees[number];
-        tree.stale = false;
-        if (tree.here)
-            tree.left = {leftAt(number, 0.0f), leftAt(number, topShare * tree.crown.height)};
+    for (const std::uint32_t slot : _stale) {
+        Tree& tree = _trees[slot];
+        tree.isStale = false;
+        if (tree.isPresent)
+            tree.light = {lightAt(slot, 0.0f), lightAt(slot, topShare * tree.crown.height)};
     }
     _stale.clear();
 }

@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-osg::BoundingBox TreeCells::boxOf(const Tree& tree) {
+osg::BoundingBox TreeCells::swayBox(const Tree& tree) {
     const float aside = tree.reach + sway * tree.height;
     return {tree.foot - osg::Vec3(aside, aside, aside * 0.25f),
             tree.foot + osg::Vec3(aside, aside, (1.0f + rise) * tree.height)};
@@ -16,33 +16,34 @@ std::uint32_t TreeCells::cellAt(const osg::Vec3& foot) {
     const auto row = static_cast<std::int32_t>(std::floor(foot.y() / side));
     const std::uint64_t ground =
         std::uint64_t(static_cast<std::uint32_t>(column)) << 32u | static_cast<std::uint32_t>(row);
-    const auto [found, isNew] = _byGround.try_emplace(ground, static_cast<std::uint32_t>(_cells.size()));
+    const auto [found, isNew] =
+        _cellByPosition.try_emplace(ground, static_cast<std::uint32_t>(_cells.size()));
     if (isNew)
         _cells.emplace_back();
     return found->second;
 }
 
-void TreeCells::put(const Tree& tree) {
-    if (tree.number >= _places.size())
-        _places.resize(tree.number + 1u);
-    take(tree.number);
+void TreeCells::insert(const Tree& tree) {
+    if (tree.slot >= _places.size())
+        _places.resize(tree.slot + 1u);
+    remove(tree.slot);
     const std::uint32_t index = cellAt(tree.foot);
     Cell& cell = _cells[index];
-    _places[tree.number] = {index, static_cast<std::uint32_t>(cell.trees.size())};
+    _places[tree.slot] = {index, static_cast<std::uint32_t>(cell.trees.size())};
     cell.trees.push_back(tree);
-    cell.box.expandBy(boxOf(tree));
+    cell.box.expandBy(swayBox(tree));
 }
 
-void TreeCells::take(std::uint32_t number) {
-    if (number >= _places.size() || _places[number].cell == ~0u)
+void TreeCells::remove(std::uint32_t slot) {
+    if (slot >= _places.size() || _places[slot].cell == ~0u)
         return;
-    Cell& cell = _cells[_places[number].cell];
-    const std::uint32_t index = _places[number].index;
+    Cell& cell = _cells[_places[slot].cell];
+    const std::uint32_t index = _places[slot].index;
     cell.trees[index] = cell.trees.back();
-    _places[cell.trees[index].number].index = index;
+    _places[cell.trees[index].slot].index = index;
     cell.trees.pop_back();
     cell.stale = true;
-    _places[number] = {};
+    _places[slot] = {};
 }
 
 osg::BoundingBox TreeCells::bounds() {
@@ -51,7 +52,7 @@ osg::BoundingBox TreeCells::bounds() {
         if (cell.stale) {
             cell.box.init();
             for (const Tree& tree : cell.trees)
-                cell.box.expandBy(boxOf(tree));
+                cell.box.expandBy(swayBox(tree));
             cell.stale = false;
         }
         all.expandBy(cell.box);

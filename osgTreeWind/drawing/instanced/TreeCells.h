@@ -10,39 +10,40 @@
 
 namespace osgTreeWind {
 
-/// Trees by the ground they stand on: square cells that culling takes or leaves at once. Putting, moving and
-/// taking a tree costs the same however many there are. Changed in update only.
+/// Sorts the trees of a forest into square cells of ground for culling. Inserting, moving and removing a tree
+/// take constant time. Changed in update only.
 class TreeCells {
 public:
-    /// A tree as culling sees it; metres, the forest's frame.
+    /// Extents of a tree at rest; metres, the forest's frame.
     struct Tree {
         osg::Vec3 foot;
-        float height = 0.0f; ///< At rest.
-        float reach = 0.0f;  ///< Of its crown from the foot, at rest.
-        std::uint32_t number = 0;
+        float height = 0.0f;
+        float reach = 0.0f; ///< Largest horizontal distance of the crown from the foot.
+        std::uint32_t slot = 0;
     };
     struct Cell {
         std::vector<Tree> trees;
-        osg::BoundingBox box; ///< Of all trees as far as they sway.
-        bool stale = false;   ///< Whether the box may be too large, a tree having left.
+        osg::BoundingBox box; ///< Holds the swaying trees.
+        bool stale = false;   ///< Whether the box may be too large since a tree was removed.
     };
     static constexpr float side = 48.0f; ///< Of a cell, metres.
 
-    /// How far a tree of this height is taken to sway, and which share of its height it may rise.
+    /// Assumed sway and rise of a tree, as shares of its height.
     static constexpr float sway = 0.35f, rise = 0.05f;
-    static osg::BoundingBox boxOf(const Tree& tree);
+    /// A conservative bound of a swaying tree.
+    static osg::BoundingBox swayBox(const Tree& tree);
 
-    /// Puts a tree where it stands now, wherever it was; numbers are small.
-    void put(const Tree& tree);
-    void take(std::uint32_t number);
+    /// Adds a tree, or moves the one in this slot. Memory grows with the largest slot.
+    void insert(const Tree& tree);
+    void remove(std::uint32_t slot);
 
-    /// Some may be empty.
+    /// May include empty cells.
     const std::vector<Cell>& cells() const { return _cells; }
-    /// The tree of that number, which must be there.
-    const Tree& tree(std::uint32_t number) const {
-        return _cells[_places[number].cell].trees[_places[number].index];
+    /// The tree in a slot, which must be occupied.
+    const Tree& tree(std::uint32_t slot) const {
+        return _cells[_places[slot].cell].trees[_places[slot].index];
     }
-    /// All of them; boxes that were stale are made anew.
+    /// Bounds of all swaying trees. Recomputes stale boxes.
     osg::BoundingBox bounds();
 
 private:
@@ -52,8 +53,8 @@ private:
     std::uint32_t cellAt(const osg::Vec3& foot);
 
     std::vector<Cell> _cells;
-    std::unordered_map<std::uint64_t, std::uint32_t> _byGround;
-    std::vector<Place> _places; ///< By number.
+    std::unordered_map<std::uint64_t, std::uint32_t> _cellByPosition;
+    std::vector<Place> _places; ///< By slot.
 };
 
 } // namespace osgTreeWind

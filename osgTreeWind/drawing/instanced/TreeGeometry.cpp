@@ -14,7 +14,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float farthestReach = 4.0f; // metres; as shaders/instance.glsl
+constexpr float farthestReach = 4.0f; // metres, as in shaders/instance.glsl
 
 osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
@@ -24,22 +24,22 @@ osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
     return geometry;
 }
 
-/// As shaders/law/shade.glsl unpacks them.
+/// Packed for shaders/law/shade.glsl.
 glm::vec2 packed(const CrownShade::Light& light) {
     return {Laws().packedShares({light.above, light.sky}), Laws().packedShares({light.below, 1.0f})};
 }
 
-/// How far along thin wood places of a tree are from thick wood (shaders/law/shoot.glsl).
+/// Measures the distance along thin wood between points of a tree and thick wood (shaders/law/shoot.glsl).
 class ThinWood {
 public:
     explicit ThinWood(const Skeleton& skeleton) : _units(skeleton.units) {
         if (skeleton.shoots.empty())
-            return; // units end as they did in the thesis
+            return; // trees of the thesis have no shoots
         for (const BranchUnit& unit : _units)
             _atBase.push_back(
                 unit.parent < 0 ? 0.0f : alongAxis(static_cast<std::size_t>(unit.parent), unit.attach));
     }
-    /// @return the number of the unit, and in its fraction the distance, as shaders/instance.glsl has it.
+    /// @return index of the unit plus a fraction that encodes the distance for shaders/instance.glsl.
     float unitAndReach(int number, const glm::vec3& place) const {
         const auto index = static_cast<std::size_t>(number);
         if (index >= _atBase.size())
@@ -82,7 +82,7 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skele
     glm::vec2 shade(0.0f);
     float unit = 0.0f;
     for (const SkinVertex& v : skin.vertices) {
-        if (v.centre != centre || shades->empty()) { // that of a ring
+        if (v.centre != centre || shades->empty()) { // the next ring
             centre = v.centre;
             shade = packed(crown.at(centre));
             unit = thinWood.unitAndReach(static_cast<int>(v.unit + 0.5f), centre);
@@ -129,8 +129,8 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const 
             const LeafVertex& v = mesh[static_cast<std::size_t>(4 * quad) + corner];
             anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
             corners->push_back(toOsg(v.corner));
-            const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::onBough(leaves.bough, index, v.uv)
-                                                  : LeafAtlas::coordinate(index, corner / 4, v.uv);
+            const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::boughCoordinate(leaves.bough, index, v.uv)
+                                                  : LeafAtlas::sprayCoordinate(index, corner / 4, v.uv);
             ids->push_back({uv.x, uv.y, unit, static_cast<float>(index)});
             orientations->push_back(toOsg(leaf.orientation).asVec4());
             normals->push_back({v.normal.x, v.normal.y, v.normal.z, shade.x});

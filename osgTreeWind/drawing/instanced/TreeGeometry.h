@@ -13,25 +13,26 @@
 
 namespace osgTreeWind {
 
-/// Bark in vertex buffers, as shaders/branchwise/bark.vert and shaders/instance_bark.vert describe them.
-/// @param crown of the tree, which shades it.
+/// Makes the bark geometry with the vertex arrays of shaders/branchwise/bark.vert and
+/// shaders/instance_bark.vert.
+/// @param crown shade of the tree's own crown.
 osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skeleton& skeleton,
                                              const CrownShade& crown);
 
-/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe
-/// them.
-/// @param crown of the tree, which shades them.
+/// Makes the leaf geometry with the vertex arrays of shaders/branchwise/leaf.vert and
+/// shaders/instance_leaf.vert.
+/// @param crown shade of the tree's own crown.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const Skeleton& skeleton,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown);
-/// The same of all of them.
+/// Likewise for all leaf clusters.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves, const Skeleton& skeleton,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown);
 
-/// Triangles over `clusters` leaf clusters of that many four-cornered quads.
+/// Triangle indices of `clusters` leaf clusters with `quads` quads each.
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);
-/// Triangles over such quads, in this order.
+/// Triangle indices of the given quads, in this order.
 std::vector<unsigned> leafIndices(const std::vector<unsigned>& quads);
 
 } // namespace osgTreeWind

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -14,16 +14,16 @@ namespace osgTreeWind {
 
 TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) {
     if (slot >= simulation.slotCount() || !simulation.holds(simulation.idOf(slot)) ||
-        !SimulationParts::modal(simulation)) // laws of a branch have nodes for their trees
+        !SimulationAccess::modal(simulation)) // under other laws, hits are on nodes
         return;
     _tree = simulation.idOf(slot);
-    const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
-    const TreeModel& model = SimulationParts::forest(simulation).modelOf(tree);
+    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
+    const TreeModel& model = SimulationAccess::forest(simulation).modelOf(tree);
     UnitValues values;
     const TreeMotion motion = simulation.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     const auto add = [&](const glm::vec3& point) {
-        _vertices.push_back(toOsg(turnHeading(point, sine, cosine) + tree.position));
+        _vertices.push_back(toOsg(rotateAboutZ(point, sine, cosine) + tree.position));
     };
     for (const SkinVertex& vertex : model.skin.vertices)
         add(posedSkinPoint(vertex, tree.scale,
@@ -37,8 +37,8 @@ TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) {
     for (std::size_t i = 0; i < model.leaves.size(); ++i) {
         const LeafCluster& leaf = model.leaves[i];
         const auto unit = static_cast<std::size_t>(leaf.unit);
-        const glm::vec4 pull = isBorne(i, tree.leaves) ? motion.pulls[unit] : noPull;
-        const glm::quat turn = drawnLeafTurn(leaf.orientation, motion.leaves[i], pull);
+        const glm::vec4 pull = isClusterBorne(i, tree.leaves) ? motion.pulls[unit] : noPull;
+        const glm::quat turn = downwindLeafTurn(leaf.orientation, motion.leaves[i], pull);
         for (const LeafVertex& corner : model.leafMesh)
             add(posedLeafPoint(leaf, closedCorner(corner.corner, pull), turn, tree.scale,
                                motion.poses[unit]));

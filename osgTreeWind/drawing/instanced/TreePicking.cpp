@@ -11,20 +11,20 @@
 namespace osgTreeWind {
 namespace {
 
-/// Trees within bounds, met if the visitor's intersector reaches these. Not a part of any path.
-class Within : public osg::Group {
+/// Calls a function if the visitor's intersector hits a box. It does not become part of a node path.
+class BoxTest : public osg::Group {
 public:
-    explicit Within(std::function<void()> meet) : _meet(std::move(meet)) {}
-    void meet(osg::NodeVisitor& visitor, const osg::BoundingBox& box) {
+    explicit BoxTest(std::function<void()> onHit) : _onHit(std::move(onHit)) {}
+    void run(osg::NodeVisitor& visitor, const osg::BoundingBox& box) {
         _sphere = osg::BoundingSphere(box);
         dirtyBound();
-        visitor.apply(*this); // only there it is asked in coordinates of this place
+        visitor.apply(*this); // tests the bound in local coordinates
     }
     osg::BoundingSphere computeBound() const override { return _sphere; }
-    void traverse(osg::NodeVisitor&) override { _meet(); }
+    void traverse(osg::NodeVisitor&) override { _onHit(); }
 
 private:
-    std::function<void()> _meet;
+    std::function<void()> _onHit;
     osg::BoundingSphere _sphere;
 };
 
@@ -34,20 +34,20 @@ void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulatio
                     const TreeCells& cells) {
     const TreeCells::Cell* cell = nullptr;
     const TreeCells::Tree* tree = nullptr;
-    const osg::ref_ptr<Within> ofTree = new Within([&] {
-        const osg::ref_ptr<TreeHit> picked = new TreeHit(simulation, tree->number);
+    const osg::ref_ptr<BoxTest> treeTest = new BoxTest([&] {
+        const osg::ref_ptr<TreeHit> picked = new TreeHit(simulation, tree->slot);
         picked->accept(visitor);
     });
-    const osg::ref_ptr<Within> ofCell = new Within([&] {
+    const osg::ref_ptr<BoxTest> cellTest = new BoxTest([&] {
         for (const TreeCells::Tree& each : cell->trees) {
             tree = &each;
-            ofTree->meet(visitor, TreeCells::boxOf(each));
+            treeTest->run(visitor, TreeCells::swayBox(each));
         }
     });
     for (const TreeCells::Cell& each : cells.cells())
         if (!each.trees.empty()) {
             cell = &each;
-            ofCell->meet(visitor, each.box);
+            cellTest->run(visitor, each.box);
         }
 }
 

@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// Has an intersection visitor meet the trees that it may hit, each as a TreeHit. Between frames, or in
-/// any traversal that does not move the trees.
+/// Passes each tree whose bounds the intersection visitor hits to it, as a TreeHit. Between frames, or in any
+/// traversal that does not move the trees.
 void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulation& simulation,
                     const TreeCells& cells);
 

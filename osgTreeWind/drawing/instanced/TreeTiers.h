@@ -9,27 +9,27 @@
 
 namespace osgTreeWind {
 
-/// How finely a tree is drawn, finest first.
+/// The levels of detail at which a tree is drawn, finest first.
 enum class Tier {
     Full,
     Sprays,      ///< All leaf cards, bark no finer than pixels.
-    Boughs,      ///< Cards of boughs in place of sprays,
-    FewerBoughs, ///< fewer and larger ones,
-    FewBoughs,   ///< and so on.
+    Boughs,      ///< Cards of boughs instead of sprays.
+    FewerBoughs, ///< Fewer and larger cards from here on.
+    FewBoughs,
     FewestBoughs,
-    Impostor,              ///< A picture of a tree with all its leaves,
-    ImpostorThreeQuarters, ///< with three quarters of them,
-    ImpostorHalf,          ///< and so on.
+    Impostor,              ///< A picture of the tree with all its leaves.
+    ImpostorThreeQuarters, ///< With three quarters of the leaves, and so on.
+    ImpostorHalf,
     ImpostorQuarter,
     BareImpostor
 };
 constexpr int tierCount = 11;
-constexpr int branchTiers = 6; ///< The first ones, which draw branches.
-constexpr int leafTiers = 2;   ///< The first ones, which draw all leaf sprays.
+constexpr int branchTiers = 6; ///< Number of tiers with branches, from Full on.
+constexpr int leafTiers = 2;   ///< Number of tiers with all leaf sprays, from Full on.
 constexpr int impostorTiers = tierCount - branchTiers;
 
-/// Under TIERS_COLORED (shaders/scene.glsl), linear: red in full, yellow to green by what is left out, blue
-/// pictures.
+/// Linear colour of a tier under TIERS_COLORED (shaders/scene.glsl): red, yellow to green, blue for
+/// impostors.
 inline osg::Vec3 tierColor(Tier tier) {
     const int index = static_cast<int>(tier);
     if (index >= branchTiers)
@@ -38,25 +38,25 @@ inline osg::Vec3 tierColor(Tier tier) {
     return tier == Tier::Full ? osg::Vec3(1.0f, 0.05f, 0.05f) : osg::Vec3(1.0f - coarse, 0.8f, 0.05f);
 }
 
-/// The nearest picture to a tree with this share of its leaves, [0, 1].
+/// The impostor that is nearest to a tree with this share of its leaves, [0, 1].
 inline Tier impostorTier(float leaves) {
     return static_cast<Tier>(static_cast<int>(Tier::BareImpostor) -
                              static_cast<int>(std::lround(4.0f * leaves)));
 }
-/// The share that it shows.
-inline float leavesOn(Tier impostor) {
+/// The share of leaves that an impostor shows.
+inline float shownLeafShare(Tier impostor) {
     return 0.25f * static_cast<float>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(impostor));
 }
 
-/// The tiers of a tree at its size on the screen: one, or two across a change-over.
+/// The tier of a tree, or two adjacent tiers during a transition.
 struct TierChoice {
     Tier tier = Tier::Full;
-    /// 1 where it is drawn alone; else its share of leaf cards, of pixels where the next tier is a picture.
-    /// The next coarser tier then has the others.
+    /// 1 outside a transition. Else the share of leaf cards that this tier draws, or of pixels if the next
+    /// tier is an impostor. The next coarser tier draws the rest.
     float fade = 1.0f;
 };
 
-/// Tiers by height on the screen.
+/// Chooses tiers by the height of a tree on the screen.
 class TreeTiers {
 public:
     explicit TreeTiers(const DrawingOptions& drawing = {});
@@ -70,14 +70,16 @@ public:
         }
         return {Tier::Impostor, 1.0f};
     }
-    /// Somewhat below the height at which branches are seen: a tree so high is to have its sway in full.
-    float wakingPixels() const { return 0.85f * _to[branchTiers - 1]; }
-    /// Whether there are tiers at all.
-    bool on() const { return _on; }
+    /// Height above which a tree needs ModalMotion::Level::Near, a little below that at which branches
+    /// appear.
+    float fullMotionPixels() const { return 0.85f * _to[branchTiers - 1]; }
+    /// If false, all trees are drawn at Tier::Full.
+    bool areEnabled() const { return _enabled; }
 
 private:
-    bool _on;
-    float _from[branchTiers], _to[branchTiers], _perPixel[branchTiers];
+    bool _enabled;
+    float _from[branchTiers], _to[branchTiers],
+        _perPixel[branchTiers]; // each tier fades between _from and _to
 };
 
 } // namespace osgTreeWind

@@ -5,7 +5,7 @@ namespace osgTreeWind {
 
 ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
     osg::CullingSet& culling = visitor.getCurrentCullingSet();
-    // OSG's own pixel sizes grow with the angle of view.
+    // The pixel sizes of osg::CullingSet grow with the angle of view.
     const osg::Matrix &toEye = *visitor.getModelViewMatrix(), &toClip = *visitor.getProjectionMatrix();
     const osg::Matrix both = toEye * toClip;
     const double upward = osg::Vec3d(toEye(2, 0), toEye(2, 1), toEye(2, 2)).length();
@@ -24,7 +24,7 @@ ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
     }
 }
 
-ViewFrustum::Side ViewFrustum::sideOf(const osg::BoundingBox& box) const {
+ViewFrustum::Side ViewFrustum::classify(const osg::BoundingBox& box) const {
     const osg::Vec3 centre = box.center(), half = (box._max - box._min) * 0.5f;
     Side side = Inside;
     for (std::size_t i = 0; i < _planeCount; ++i) {

@@ -13,24 +13,23 @@
 
 namespace osgTreeWind {
 
-/// What a camera sees, in the frame of the node that it culls.
+/// The view frustum of a camera in the coordinates of the node being culled.
 class ViewFrustum {
 public:
     enum Side { Outside, Across, Inside };
 
     explicit ViewFrustum(osgUtil::CullVisitor& visitor);
 
-    Side sideOf(const osg::BoundingBox& box) const;
-    /// Whether it sees something of what reaches this far from a line.
-    bool sees(const osg::Vec3& from, const osg::Vec3& to, float radius) const {
+    Side classify(const osg::BoundingBox& box) const;
+    /// Whether the capsule of this radius around a segment may be visible; conservative near corners.
+    bool intersects(const osg::Vec3& from, const osg::Vec3& to, float radius) const {
         for (std::size_t i = 0; i < _planeCount; ++i)
             if (std::max(distance(_planes[i], from), distance(_planes[i], to)) < -radius)
                 return false;
         return true;
     }
 
-    /// Pixels that something upright of that length covers about a point, LOD scale included; huge near the
-    /// eye.
+    /// Height in pixels of a vertical object at a point, divided by the LOD scale; very large at the eye.
     float pixels(const osg::Vec3& point, float length) const {
         return length / std::max(std::abs(distance(_pixelSize, point)), 1.0e-9f);
     }
@@ -40,7 +39,7 @@ private:
         return plane.x() * point.x() + plane.y() * point.y() + plane.z() * point.z() + plane.w();
     }
 
-    std::array<osg::Vec4, 32> _planes; ///< Unit normals inward; as many as OSG has bits for.
+    std::array<osg::Vec4, 32> _planes; ///< Unit normals inward; the 32 bits of OSG's mask limit their number.
     std::size_t _planeCount = 0;
     osg::Vec4 _pixelSize;
 };

@@ -18,15 +18,15 @@ namespace {
 
 constexpr int width = 256, height = 512;
 
-/// @param at u from 0 to 1 around, v from 0 to 1 along. @param grid columns and rows.
+/// @param at texture coordinates: u around, v along, [0, 1]. @param grid columns and rows.
 float noise(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
     return valueNoise(at * glm::vec2(grid), grid, stream);
 }
 
-/// The nearest of points scattered over a grid, one a cell (Worley 1996).
+/// The nearest of random points, one in each cell of a grid (Worley 1996).
 struct Plate {
     float edge; ///< Distance from the edge to the next plate, in cells.
-    float own;  ///< In [0, 1).
+    float own;  ///< Random number of the plate, [0, 1).
 };
 Plate plateAt(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
     const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);

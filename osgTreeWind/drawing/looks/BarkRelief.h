@@ -7,9 +7,9 @@
 
 namespace osgTreeWind {
 
-/// Paints bark: 256 x 512 RGB, half way around a branch by once its circumference along it. Brightness,
-/// height (1: outermost), hue (0.5: as the species' bark; more: yellowish). Goes on without a seam around
-/// and along the branch.
+/// Paints a seamless bark texture of 256 x 512 RGB texels, for half the circumference of a branch and one
+/// circumference along it. Channels: brightness, height (1: outermost), hue (0.5: the species'; 1:
+/// yellowish).
 osg::ref_ptr<osg::Image> paintBark(BarkForm form);
 
 } // namespace osgTreeWind

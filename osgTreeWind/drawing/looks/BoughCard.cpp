@@ -14,11 +14,11 @@
 namespace osgTreeWind {
 namespace {
 
-/// A spray on the card: widths of it, from the foot toward its tip.
+/// A spray on the card, in widths of the card.
 struct SprayPlace {
-    glm::vec2 middle, up;
+    glm::vec2 middle, up; ///< `up` from the foot toward the tip, unit length.
     std::size_t spray;
-    float hand; ///< -1: from behind.
+    float hand; ///< 1, or -1 for mirrored.
 };
 
 float meanAlpha(const LeafTexels& texels) {
@@ -28,7 +28,7 @@ float meanAlpha(const LeafTexels& texels) {
     return static_cast<float>(sum / static_cast<double>(texels.texels.size()));
 }
 
-/// Rows of segments of fronds, two and two on one rib.
+/// Rows of segments of fronds; each pair of rows shares a rib.
 std::vector<SprayPlace> placesOnRibs(std::size_t sprays, int rows) {
     std::vector<SprayPlace> places;
     for (int i = 0; i < rows * rows; ++i) {
@@ -41,11 +41,11 @@ std::vector<SprayPlace> placesOnRibs(std::size_t sprays, int rows) {
     return places;
 }
 
-/// So many rows and columns, not quite; tips point away from the foot of the card.
-std::vector<SprayPlace> placesOf(std::size_t sprays, int rows, int growth, int variant) {
-    Random random(17 + static_cast<std::uint64_t>(100 * growth + variant));
+/// A jittered grid of `rows` rows and columns; tips point away from the foot of the card.
+std::vector<SprayPlace> scatteredPlaces(std::size_t sprays, int rows, int enlargement, int variant) {
+    Random random(17 + static_cast<std::uint64_t>(100 * enlargement + variant));
     std::vector<SprayPlace> places;
-    const float edge = 0.4f / static_cast<float>(growth);
+    const float edge = 0.4f / static_cast<float>(enlargement);
     for (int i = 0; i < rows * rows; ++i) {
         const glm::vec2 jitter{random.symmetric(), random.symmetric()};
         const glm::vec2 place =
@@ -64,7 +64,7 @@ std::vector<SprayPlace> placesOf(std::size_t sprays, int rows, int growth, int v
 void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTexels& card) {
     const auto texels = static_cast<float>(card.size), sprayTexels = static_cast<float>(spray.size);
     const glm::vec2 right{place.up.y, -place.up.x};
-    constexpr float reach = 1.01f; // rounding leaves out none
+    constexpr float reach = 1.01f; // so that rounding leaves out no texel
     const glm::vec2 across = reach * texels * size * right, along = reach * texels * size * place.up;
     visitParallelogram(
         texels * place.middle - 0.5f * (across + along), across, along, 1, card.size, [&](const auto& row) {
@@ -88,19 +88,21 @@ void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTex
 
 } // namespace
 
-LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int growth, int variant,
-                      bool onRibs) {
-    std::vector<LeafTexels> small; // about a texel of theirs on one of the card's
+LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int enlargement,
+                      int variant, bool onRibs) {
+    std::vector<LeafTexels> small; // with texels about as large as those of the card
     for (LeafTexels spray : sparse) {
-        for (int shrunk = growth; shrunk > 1; shrunk /= 2)
+        for (int shrunk = enlargement; shrunk > 1; shrunk /= 2)
             spray = halved(spray);
         small.push_back(std::move(spray));
     }
     const float wanted = meanAlpha(full), each = glm::max(meanAlpha(sparse.front()), 0.01f);
-    const int rows = static_cast<int>(std::lround(static_cast<float>(growth) * std::sqrt(wanted / each)));
-    const std::vector<SprayPlace> places =
-        onRibs ? placesOnRibs(sparse.size(), rows) : placesOf(sparse.size(), rows, growth, variant);
-    float size = 1.0f / static_cast<float>(growth);
+    const int rows =
+        static_cast<int>(std::lround(static_cast<float>(enlargement) * std::sqrt(wanted / each)));
+    const std::vector<SprayPlace> places = onRibs
+                                               ? placesOnRibs(sparse.size(), rows)
+                                               : scatteredPlaces(sparse.size(), rows, enlargement, variant);
+    float size = 1.0f / static_cast<float>(enlargement);
     for (int step = 0;; ++step) {
         LeafTexels card(full.size);
         for (glm::vec4& texel : card.texels)

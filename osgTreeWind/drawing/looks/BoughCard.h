@@ -5,11 +5,13 @@
 
 namespace osgTreeWind {
 
-/// A card for one so many times as wide as that of a spray: that number squared of sprays, each as small as
-/// that, which cover as much of it as they do of theirs; of sparse ones as many more as that takes.
-/// @param sparse at least one, of the size of the full spray, half of which the card is wide.
-/// @param onRibs they are segments of fronds: side by side on both sides of ribs. Else they lie anyhow.
-LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int growth, int variant,
-                      bool onRibs = false);
+/// Paints the card of a bough, which is `enlargement` times as wide as the card of a spray. It holds shrunken
+/// sparse sprays, at least enlargement² of them, and covers the same share as the full spray does of its
+/// card.
+/// @param sparse at least one spray with few leaves, of the size of the full one; the result has half that
+/// size.
+/// @param onRibs whether the sprays are segments of fronds on both sides of ribs, instead of scattered.
+LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int enlargement,
+                      int variant, bool onRibs = false);
 
 } // namespace osgTreeWind

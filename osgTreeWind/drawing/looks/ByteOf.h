@@ -8,7 +8,7 @@
 
 namespace osgTreeWind {
 
-/// A share as a texel holds it: 0 to 255 of what is 0 to 1; beyond, the nearest.
+/// Converts a share to a texel value: [0, 1] to [0, 255], clamped.
 inline std::uint8_t byteOf(float share) {
     return static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(share, 0.0f, 1.0f)));
 }

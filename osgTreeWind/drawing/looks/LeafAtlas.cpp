@@ -9,14 +9,14 @@
 namespace osgTreeWind {
 namespace {
 
-void put(const LeafTexels& card, const LeafAtlas::Cell& cell, LeafTexels& level) {
+void copyCard(const LeafTexels& card, const LeafAtlas::Cell& cell, LeafTexels& level) {
     const glm::ivec2 low = glm::ivec2(cell.low * static_cast<float>(level.size));
     for (int y = 0; y < card.size; ++y)
         for (int x = 0; x < card.size; ++x)
             level.at(low.x + x, low.y + y) = card.at(x, y);
 }
 
-glm::vec2 turned(const LeafAtlas::Choice& choice, const glm::vec2& onCard) {
+glm::vec2 mirroredPoint(const LeafAtlas::Choice& choice, const glm::vec2& onCard) {
     return {choice.mirrored ? 1.0f - onCard.x : onCard.x, onCard.y};
 }
 
@@ -26,8 +26,8 @@ LeafAtlas::Cell LeafAtlas::spray(int variant) {
     return {0.5f * glm::vec2(variant % 2, variant / 2), 0.5f}; // NOLINT(bugprone-integer-division)
 }
 
-LeafAtlas::Cell LeafAtlas::bough(int growth, int variant) {
-    const int cell = growth == 2 ? variant % 2 : growth - 1;
+LeafAtlas::Cell LeafAtlas::bough(int enlargement, int variant) {
+    const int cell = enlargement == 2 ? variant % 2 : enlargement - 1;
     return {0.5f + 0.25f * glm::vec2(cell % 2, cell / 2), 0.25f}; // NOLINT(bugprone-integer-division)
 }
 
@@ -36,14 +36,14 @@ LeafAtlas::Choice LeafAtlas::choose(std::size_t cluster, std::size_t quad) {
     return {static_cast<int>((cluster + quad) % sprays), (place / 3) % 2 == 1};
 }
 
-glm::vec2 LeafAtlas::coordinate(std::size_t cluster, std::size_t quad, const glm::vec2& onCard) {
+glm::vec2 LeafAtlas::sprayCoordinate(std::size_t cluster, std::size_t quad, const glm::vec2& onCard) {
     const Choice choice = choose(cluster, quad);
-    return spray(choice.variant).at(turned(choice, onCard));
+    return spray(choice.variant).at(mirroredPoint(choice, onCard));
 }
 
-glm::vec2 LeafAtlas::onBough(int growth, std::size_t cluster, const glm::vec2& onCard) {
+glm::vec2 LeafAtlas::boughCoordinate(int enlargement, std::size_t cluster, const glm::vec2& onCard) {
     const Choice choice = choose(cluster, 0);
-    return bough(growth, choice.variant).at(turned(choice, onCard));
+    return bough(enlargement, choice.variant).at(mirroredPoint(choice, onCard));
 }
 
 osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
@@ -51,9 +51,9 @@ osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::s
     std::vector<std::pair<LeafAtlas::Cell, std::vector<LeafTexels>>> cells;
     for (int i = 0; i < LeafAtlas::sprays; ++i)
         cells.emplace_back(LeafAtlas::spray(i), leafMipmaps(sprays[static_cast<std::size_t>(i)]));
-    for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
-        cells.emplace_back(LeafAtlas::bough(growth, variant),
-                           leafMipmaps(paintBough(sparse, sprays.front(), growth, variant, onRibs)));
+    for (const auto& [enlargement, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
+        cells.emplace_back(LeafAtlas::bough(enlargement, variant),
+                           leafMipmaps(paintBough(sparse, sprays.front(), enlargement, variant, onRibs)));
     const int size = 2 * sprays.front().size;
     std::vector<unsigned char> bytes;
     osg::Image::MipmapDataType offsets;
@@ -61,7 +61,7 @@ osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::s
     for (std::size_t i = 0;; ++i) {
         for (const auto& [cell, levels] : cells)
             if (i < levels.size())
-                put(levels[i], cell, level);
+                copyCard(levels[i], cell, level);
         for (const glm::vec4& texel : level.texels)
             for (int channel = 0; channel < 4; ++channel)
                 bytes.push_back(byteOf(texel[channel]));

@@ -11,8 +11,8 @@
 
 namespace osgTreeWind {
 
-/// Where cards lie in a leaf texture: three sprays, and in its last quarter boughs, which bear as many sprays
-/// as fill a card that is enlarged, so that leaves keep their size.
+/// Layout of a leaf texture: cards of three sprays, and in the last quarter cards of boughs. A bough replaces
+/// a spray on an enlarged card and holds more sprays, so that the leaves keep their size.
 struct LeafAtlas {
     static constexpr int sprays = 3;
 
@@ -25,24 +25,23 @@ struct LeafAtlas {
     };
 
     static Cell spray(int variant);
-    /// Of cards so many times enlarged, 2, 3 or 4; of 2 there are two.
-    static Cell bough(int growth, int variant = 0);
+    /// @param enlargement 2, 3 or 4. @param variant 0 or 1 for an enlargement of 2; else not used.
+    static Cell bough(int enlargement, int variant = 0);
 
-    /// The spray on a quad of a cluster, and whether it is seen from behind, so that no two neighbours are
-    /// alike.
+    /// The spray of a quad, which differs between neighbouring quads and clusters.
     struct Choice {
         int variant;
         bool mirrored;
     };
     static Choice choose(std::size_t cluster, std::size_t quad);
-    /// In the texture, of a point on that quad.
-    static glm::vec2 coordinate(std::size_t cluster, std::size_t quad, const glm::vec2& onCard);
-    /// In the texture, of a point on a bough that stands for a cluster and others.
-    static glm::vec2 onBough(int growth, std::size_t cluster, const glm::vec2& onCard);
+    /// Texture coordinate of a point on a quad of a cluster. @param onCard in [0, 1].
+    static glm::vec2 sprayCoordinate(std::size_t cluster, std::size_t quad, const glm::vec2& onCard);
+    /// Texture coordinate of a point on the bough card of a cluster. @param onCard in [0, 1].
+    static glm::vec2 boughCoordinate(int enlargement, std::size_t cluster, const glm::vec2& onCard);
 };
 
-/// As RGBA8 with levels down to one texel, those of each card as leafMipmaps() has them.
-/// @param sparse what boughs are painted of. @param onRibs as of paintBough().
+/// Makes the leaf texture as RGBA8 with a complete mipmap chain; each card has the levels of leafMipmaps().
+/// @param sparse, onRibs see paintBough().
 osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
                                        const std::vector<LeafTexels>& sparse, bool onRibs = false);
 

@@ -6,7 +6,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// Corners cut once (Chaikin 1974).
+/// One step of corner cutting (Chaikin 1974).
 LeafOutline rounded(const LeafOutline& outline) {
     LeafOutline round{outline.front()};
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
@@ -22,7 +22,7 @@ constexpr glm::vec2 lobed[] = {{0.02f, 0.0f},  {0.09f, 0.02f}, {0.10f, 0.08f}, {
                                {0.20f, 0.30f}, {0.09f, 0.32f}, {0.27f, 0.44f}, {0.28f, 0.52f}, {0.12f, 0.52f},
                                {0.34f, 0.66f}, {0.34f, 0.75f}, {0.16f, 0.73f}, {0.26f, 0.86f}, {0.23f, 0.94f},
                                {0.11f, 0.90f}, {0.10f, 1.0f},  {0.0f, 1.0f}};
-/// Three lobes a side that end in teeth, the middle one longest, and one ahead.
+/// Three toothed lobes on each side, the middle one longest, and one at the tip.
 constexpr glm::vec2 pointed[] = {
     {0.02f, 0.0f},  {0.06f, 0.09f}, {0.20f, 0.17f}, {0.12f, 0.23f}, {0.09f, 0.29f}, {0.24f, 0.34f},
     {0.34f, 0.43f}, {0.22f, 0.45f}, {0.10f, 0.46f}, {0.24f, 0.55f}, {0.38f, 0.62f}, {0.28f, 0.66f},

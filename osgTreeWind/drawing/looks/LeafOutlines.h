@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// One blade, leaflet or needle of a form, as floras draw it.
+/// The outline of one blade, leaflet or needle of a form, as drawn in floras.
 LeafOutline leafOutline(LeafForm form);
 
 } // namespace osgTreeWind

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/SprayCanvas.h>
-#include <osgTreeWind/drawing/looks/SprayCover.h>
+#include <osgTreeWind/drawing/looks/SprayCoverage.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <glm/common.hpp>
@@ -19,18 +19,18 @@ namespace {
 
 /// How twigs branch and bear leaves. Lengths in widths of the card, angles in radians.
 struct Habit {
-    int sides = 7, twigs = 3; ///< Side shoots of the stem; twigs of each of them.
-    float lean = 0.9f;        ///< Of a shoot from its parent.
-    bool opposite = false;    ///< Shoots and leaves in pairs, or by turns.
-    float bare = 0.1f;        ///< Part of a shoot that bears no leaves, from its foot.
-    float spacing = 0.05f;    ///< Of leaves along a shoot.
-    float leafLean = 0.9f;    ///< Of a leaf from its shoot.
-    float length = 0.15f;     ///< Of a blade.
-    float petiole = 0.02f;
-    float tilt = 0.8f; ///< The most of a leaf's face out of the card.
+    int sides = 7, twigs = 3; ///< Number of side shoots of the stem; number of twigs of each side shoot.
+    float lean = 0.9f;        ///< Angle between a shoot and its parent.
+    bool opposite = false;    ///< Whether shoots and leaves grow in pairs instead of alternating.
+    float bare = 0.1f;        ///< Share of a shoot without leaves, from its foot.
+    float spacing = 0.05f;    ///< Distance of leaves along a shoot.
+    float leafLean = 0.9f;    ///< Angle between a leaf and its shoot.
+    float length = 0.15f;     ///< Length of a blade.
+    float petiole = 0.02f;    ///< Length of a petiole.
+    float tilt = 0.8f;        ///< Largest angle between a leaf and the card.
 };
 
-/// @param lean from upright toward the right.
+/// @param lean clockwise from upright, radians.
 glm::vec2 direction(float lean) {
     return {glm::sin(lean), glm::cos(lean)};
 }
@@ -43,7 +43,7 @@ struct Shoot {
     glm::vec2 at(float t) const { return foot + length * t * direction(lean + 0.5f * bend * t); }
 };
 
-/// By form; of that of a frond only the tilt is used.
+/// By form. Fronds use the tilt only.
 constexpr Habit habits[] = {
     {10, 5, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.18f, 0.02f, 0.7f},   // blade
     {10, 5, 1.0f, false, 0.2f, 0.04f, 0.9f, 0.25f, 0.01f, 0.6f},   // lobed
@@ -62,16 +62,16 @@ constexpr Habit habits[] = {
     {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.28f, 0.03f, 0.55f}, // pointed
 };
 
-/// Within a rounded outline, which shoots seldom reach, so that the eye does not take it for a card.
-bool onCard(const glm::vec2& p) {
+/// Whether a point is inside a rounded square, which hides the shape of the card.
+bool isOnCard(const glm::vec2& p) {
     const glm::vec2 off = glm::abs(p - 0.5f) / 0.495f;
     return std::pow(off.x, 5.0f) + std::pow(off.y, 5.0f) < 1.0f;
 }
 
-/// One leaf, of one or more blades.
+/// A leaf of one or more blades.
 struct Leaf {
-    std::size_t first, end; ///< Of the blades.
-    float rank;             ///< Those of low rank are borne first.
+    std::size_t first, end; ///< Range of its blades.
+    float rank;             ///< Leaves are added in ascending order.
 };
 
 class SprayGrower {
@@ -95,26 +95,26 @@ public:
             }
         std::sort(_leaves.begin(), _leaves.end(),
                   [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
-        SprayCover cover;
+        SprayCoverage cover;
         spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
-        // Leaves grow where there is light: first those with room, then what else there is. Some hide what
-        // twigs do where they are bare (SprayCanvas).
+        // Leaves grow toward the light: first those with the most free space. The additional coverage makes
+        // up for twigs that are thinner in leaf than bare (SprayCanvas).
         const float wanted = _share * (leafCoverage(_form) + 0.15f * twigCoverage(_form));
         for (const float room : {0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
-                if (cover.leaves() < wanted && hasRoom(cover, leaf, room))
+                if (cover.leafShare() < wanted && hasRoom(cover, leaf, room))
                     for (; leaf.first < leaf.end; ++leaf.first) {
                         cover.addLeaf(_outline, _blades[leaf.first]);
                         spray.blades.push_back(_blades[leaf.first]);
                     }
-        // What hangs behind is darker.
+        // Leaves at the back are darker.
         std::stable_sort(spray.blades.begin(), spray.blades.end(),
                          [](const LeafBlade& a, const LeafBlade& b) { return a.brightness < b.brightness; });
         return spray;
     }
 
 private:
-    bool hasRoom(SprayCover& cover, const Leaf& leaf, float room) const {
+    bool hasRoom(SprayCoverage& cover, const Leaf& leaf, float room) const {
         float sum = 0.0f;
         for (std::size_t i = leaf.first; i < leaf.end; ++i)
             sum += cover.freeShare(_outline, _blades[i]);
@@ -138,7 +138,7 @@ private:
         _shoots.insert(_shoots.end(), _bareShoots.begin(), _bareShoots.end());
     }
 
-    /// @param reach of the longest.
+    /// @param reach typical length of a shoot.
     std::vector<Shoot> sideShoots(const Shoot& parent, int count, float from, float to, float reach,
                                   float width) {
         std::vector<Shoot> shoots;
@@ -151,7 +151,7 @@ private:
             const float lean = parent.leanAt(t) + hand * (_habit.lean + 0.15f * _random.symmetric());
             Shoot shoot{foot, lean, -hand * 0.35f * _random.uniform(),
                         reach * tapering(t) * (0.55f + 0.7f * _random.uniform()), width};
-            while (shoot.length > 0.03f && !onCard(shoot.at(1.0f)))
+            while (shoot.length > 0.03f && !isOnCard(shoot.at(1.0f)))
                 shoot.length *= 0.9f;
             if (shoot.length > 0.03f)
                 shoots.push_back(shoot);
@@ -159,7 +159,7 @@ private:
         return shoots;
     }
 
-    /// Shoots of conifers are pointed.
+    /// Sprays of conifers are pointed.
     float tapering(float t) const {
         return _form == LeafForm::Needles || _form == LeafForm::Tufts ? 1.1f - 0.75f * t : 1.0f;
     }
@@ -178,7 +178,7 @@ private:
         addLeaf(shoot.at(1.0f), shoot.leanAt(1.0f), 0.0f);
     }
 
-    /// @param lean from the shoot.
+    /// @param shoot lean of the shoot. @param lean of the leaf relative to it.
     void addLeaf(const glm::vec2& foot, float shoot, float lean) {
         const float size = 0.8f + 0.35f * _random.uniform();
         glm::vec2 off(0.0f);
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    /// Faces that are turned up along the card see more of the sky.
+    /// Sets a random orientation of the next leaf. Leaves that face upward see more of the sky.
     void turnFace() {
         _tilt = _habit.tilt * _random.uniform();
         _toward = glm::pi<float>() * _random.symmetric();
@@ -248,12 +248,12 @@ private:
     bool fits(const glm::vec2& foot, float lean, float length) const {
         const glm::vec2 along = length * direction(lean), side{along.y, -along.x};
         return std::all_of(_outline.begin(), _outline.end(), [&](const glm::vec2& p) {
-            return onCard(foot + p.y * along + p.x * side) && onCard(foot + p.y * along - p.x * side);
+            return isOnCard(foot + p.y * along + p.x * side) && isOnCard(foot + p.y * along - p.x * side);
         });
     }
 
-    /// A segment of a frond: leaflets that spring from the rib, its lower edge, and lean the way it goes.
-    /// Those of its neighbours reach into it.
+    /// A segment of a frond: leaflets on a rib along the lower edge, which lean toward the end of the rib.
+    /// The segment before it on the rib reaches into it.
     void growFrond() {
         _shoots.push_back({{0.0f, 0.01f}, glm::half_pi<float>(), 0.0f, 1.0f, 1.0f});
         constexpr int leaflets = 24;
@@ -275,8 +275,8 @@ private:
     std::vector<Shoot> _shoots, _bareShoots;
     std::vector<LeafBlade> _blades;
     std::vector<Leaf> _leaves;
-    float _brightness = 0.8f, _hue = 0.5f, _tilt = 0.0f, _toward = 0.0f; ///< Of the leaf that is being added.
-    float _rank = 0.0f;                                                  ///< Of the shoot that bears it.
+    float _brightness = 0.8f, _hue = 0.5f, _tilt = 0.0f, _toward = 0.0f; ///< Of the next leaf.
+    float _rank = 0.0f;                                                  ///< Of its shoot.
 };
 
 } // namespace

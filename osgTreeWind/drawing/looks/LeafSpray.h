@@ -7,15 +7,15 @@
 
 namespace osgTreeWind {
 
-/// Twigs and the leaves they bear, on a card whose corners are (0, 0) and (1, 1). They spring from the middle
-/// of its lower edge; a segment of a frond from all of that.
+/// Twigs and their leaves on a card whose corners are (0, 0) and (1, 1). They grow from the middle of its
+/// lower edge; a segment of a frond grows from the whole edge.
 struct LeafSpray {
     std::vector<TwigPiece> twigs;
-    std::vector<LeafBlade> blades; ///< Those behind come first.
+    std::vector<LeafBlade> blades; ///< Back to front.
 };
 
-/// One of many that a form may have: as many leaves as cover leafCoverage(), and twigs twigCoverage(), or a
-/// share of both. Takes milliseconds.
+/// Grows a random spray of a form, whose leaves cover leafCoverage() of the card and whose twigs cover
+/// twigCoverage(), or `share` of both. Takes milliseconds. @param variant seed.
 LeafSpray growSpray(LeafForm form, int variant = 0, float share = 1.0f);
 LeafTexels paintSpray(LeafForm form, const LeafSpray& spray);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int cells = TreeRaster::cells;
 
-/// Linear filter over a mipmap.
+/// Bilinear sample of a mipmap level.
 glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& at) {
     const int size = std::max(texture.s() >> mipmap, 1);
     const unsigned char* texels = mipmap ? texture.getMipmapData(mipmap) : texture.data();
@@ -30,7 +30,7 @@ glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& 
                     glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
 }
 
-/// Even in (0, 1) on every 2 x 2 and 4 x 4 cells (Bayer 1973).
+/// Ordered dither: thresholds spread evenly over (0, 1) in each 2 x 2 and 4 x 4 block of cells (Bayer 1973).
 float threshold(int cell) {
     const int x = cell % cells, y = cell / cells;
     const auto rank = [](int i, int j) { return ((i ^ j) & 1) << 1 | (j & 1); };
@@ -55,11 +55,11 @@ LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& car
     }
 }
 
-std::size_t LeafStencils::levelOf(const glm::vec3& across, const glm::vec3& along, float pixel) const {
+std::size_t LeafStencils::chooseLevel(const glm::vec3& across, const glm::vec3& along, float pixel) const {
     const float area = glm::abs(across.x * along.y - across.y * along.x);
     const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
                                   glm::max(glm::abs(along.x), glm::abs(along.y)));
-    const float share = pixel * widest / glm::max(area, 1e-9f); // of the card's width that a pixel takes
+    const float share = pixel * widest / glm::max(area, 1e-9f); // of the card's width in one pixel
     const float level = std::log2(share * static_cast<float>(_texels)) + 0.5f;
     const auto last = static_cast<float>(_levels.size() - 1);
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
@@ -71,8 +71,8 @@ LeafStencils::Atlas LeafStencils::ofAtlas(const osg::Image* texture) {
         auto stencils = std::make_shared<std::vector<LeafStencils>>();
         for (int i = 0; i < LeafAtlas::sprays; ++i)
             stencils->emplace_back(*texture, LeafAtlas::spray(i));
-        for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
-            stencils->emplace_back(*texture, LeafAtlas::bough(growth, variant));
+        for (const auto& [enlargement, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
+            stencils->emplace_back(*texture, LeafAtlas::bough(enlargement, variant));
         return stencils;
     });
 }

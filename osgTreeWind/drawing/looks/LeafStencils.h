@@ -11,27 +11,26 @@
 
 namespace osgTreeWind {
 
-/// A card of a leaf texture as the graphics card shows it from far away: filtered, and solid on as many of
-/// its cells as it covers.
+/// Stencils of a card of a leaf texture at each mipmap level, as the GPU draws it: filtered, with a share of
+/// solid cells that equals its coverage.
 class LeafStencils {
 public:
     struct Level {
-        TreeRaster::Stencil leaves, twigs;                                  ///< In leaf, and bare.
-        std::array<glm::vec3, TreeRaster::cells * TreeRaster::cells> tints; ///< Of leaves.
+        TreeRaster::Stencil leaves, twigs;                                  ///< In leaf; bare.
+        std::array<glm::vec3, TreeRaster::cells * TreeRaster::cells> tints; ///< Of leaves, by cell.
     };
 
-    /// @param texture as of makeLeafAtlas(). @param cell of it.
+    /// @param texture result of makeLeafAtlas(). @param cell of a card.
     LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& cell);
-    /// Of all sprays and boughs of a texture; the same ones for all who hold them. Any thread.
+    /// Stencils of all sprays and boughs of a texture, shared while they are in use. Any thread.
     using Atlas = std::shared_ptr<const std::vector<LeafStencils>>;
     static Atlas ofAtlas(const osg::Image* texture);
-    /// Among them. @param bough as of TreeDetail. @param variant of LeafAtlas::choose().
+    /// Index into an Atlas. @param bough see TreeDetail. @param variant of LeafAtlas::choose().
     static std::size_t indexOf(int bough, int variant);
 
-    /// As finely as a card is seen. @param across, along its sides in the view, x and y in the unit of
-    /// `pixel`.
-    /// @param pixel of the picture.
-    std::size_t levelOf(const glm::vec3& across, const glm::vec3& along, float pixel) const;
+    /// The mipmap level for a card in a view. @param across, along sides of the card in the view; x and y in
+    /// the unit of `pixel`. @param pixel size of a pixel of the picture.
+    std::size_t chooseLevel(const glm::vec3& across, const glm::vec3& along, float pixel) const;
     const Level& level(std::size_t index) const { return _levels[index]; }
 
 private:

@@ -12,7 +12,7 @@ LeafTexels halved(const LeafTexels& level) {
             glm::vec4 sum(0.0f), plain(0.0f);
             for (int i = 0; i < 4; ++i) {
                 const glm::vec4& texel = level.at(2 * x + i % 2, 2 * y + i / 2);
-                const float weight = texel.a + 1e-3f; // what is empty has no say in colours
+                const float weight = texel.a + 1e-3f; // empty texels do not affect colours
                 sum += glm::vec4(weight * texel.r, weight * texel.g, texel.b, texel.a);
                 plain += glm::vec4(weight);
             }

@@ -7,8 +7,8 @@
 
 namespace osgTreeWind {
 
-/// What a leaf texture holds, row after row from the bottom up, each channel in [0, 1]: brightness, hue (0.5:
-/// as the species' leaves), alpha of bare twigs, alpha of leaves and twigs.
+/// A square leaf image, row by row from the bottom. Channels, each in [0, 1]: brightness, hue (0.5: the
+/// species' leaf colour), alpha of bare twigs, alpha of leaves with twigs.
 struct LeafTexels {
     int size;
     std::vector<glm::vec4> texels;
@@ -18,11 +18,10 @@ struct LeafTexels {
     const glm::vec4& at(int x, int y) const { return texels[static_cast<std::size_t>(y * size + x)]; }
 };
 
-/// A card, halved again and again down to one texel. Alpha is what leaves, or twigs, cover of a texel; of
-/// samples on it as many are to show them (shaders/leaf_texture.glsl): far away the crown is as dense as
-/// close by.
+/// The mipmap levels of a card down to one texel. Alpha is the covered share of a texel, and the share of
+/// samples that shaders/leaf_texture.glsl draws, so that crowns are equally dense at all distances.
 std::vector<LeafTexels> leafMipmaps(LeafTexels card);
-/// Half as wide.
+/// The next mipmap level, half as wide.
 LeafTexels halved(const LeafTexels& texels);
 
 } // namespace osgTreeWind

@@ -8,11 +8,11 @@
 
 namespace osgTreeWind {
 
-/// A place along a row of a picture, in cells of a parallelogram from one of its edges: start + step * x.
+/// A coordinate of a parallelogram along a row of pixels, in cells: start + step * x.
 struct Ramp {
     float start, step;
 
-    /// Narrows [first, last) to where it lies within so many cells.
+    /// Clips [first, last) to the pixels whose coordinate is in [0, cells).
     void narrow(int cells, float& first, float& last) const {
         const float perStep = 1.0f / step, zero = -start * perStep,
                     end = zero + static_cast<float>(cells) * perStep;
@@ -23,29 +23,32 @@ struct Ramp {
     int cell(float x, int cells) const { return static_cast<int>(start + step * x) & (cells - 1); }
 };
 
-/// The pixels x in [first, end) of row y of a picture whose middles lie on a parallelogram.
+/// The pixels [first, end) of row y whose centres are in a parallelogram.
 struct ParallelogramRow {
     int y, first, end;
-    Ramp u, v; ///< Along its two edges.
+    Ramp u, v; ///< Along the two edges.
     int cells;
 
-    /// That a pixel shows: u + cells * v.
+    /// The cell at a pixel: u + cells * v.
     int cell(int x) const {
         const auto at = static_cast<float>(x);
         return u.cell(at, cells) + cells * v.cell(at, cells);
     }
 };
 
-/// Calls visit(ParallelogramRow) for each row of a square picture of `size` pixels that corner + u * across +
-/// v * along meets, u and v in [0, 1); for none where the parallelogram is edge on or not finite.
-/// @param cells it has along each edge, a power of two.
+/// Rasterizes a parallelogram: calls visit(ParallelogramRow) for each row of a square picture of `size`
+/// pixels that corner + u * a + v * b intersects, u and v in [0, 1). Skips degenerate and infinite
+/// parallelograms.
+/// @param cells number of cells along each edge, a power of two.
 template <typename Visit>
 void visitParallelogram(const glm::vec2& corner, const glm::vec2& a, const glm::vec2& b, int cells, int size,
                         const Visit& visit) {
     const float det = a.x * b.y - a.y * b.x;
     if (!(std::abs(det) > 1e-6f) || !std::isfinite(det + corner.x + corner.y))
         return;
-    const auto sloped = [](float step) { return std::abs(step) < 1e-9f ? 1e-9f : step; }; // to divide by
+    const auto sloped = [](float step) {
+        return std::abs(step) < 1e-9f ? 1e-9f : step;
+    }; // avoids division by 0
     const auto all = static_cast<float>(cells), width = static_cast<float>(size);
     const float ux = sloped(all * b.y / det), uy = -all * b.x / det;
     const float vx = sloped(-all * a.y / det), vy = all * a.x / det;

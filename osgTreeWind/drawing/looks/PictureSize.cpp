@@ -7,7 +7,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// The next `count` bytes, which a big-endian number takes; 0 past the end.
+/// Reads a big-endian number of `count` bytes; 0 past the end.
 double bigEndian(std::istream& file, int count) {
     double number = 0.0;
     for (; count > 0; --count) {
@@ -19,7 +19,7 @@ double bigEndian(std::istream& file, int count) {
     return number;
 }
 
-/// From the second byte of a JPEG on: segments, up to the one that starts a frame.
+/// Skips JPEG segments up to the one that starts a frame.
 std::optional<glm::dvec2> sizeOfJpeg(std::istream& file) {
     while (file.get() == 0xff) {
         int marker = file.get();

@@ -8,8 +8,7 @@
 
 namespace osgTreeWind {
 
-/// The width and height, in pixels, that the head of a PNG or JPEG file states. Empty for other formats and
-/// for a damaged head.
+/// Reads width and height in pixels from the header of a PNG or JPEG file; empty if it is neither or damaged.
 std::optional<glm::dvec2> pictureSize(std::istream& file);
 
 } // namespace osgTreeWind

@@ -13,23 +13,21 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr unsigned firm = osg::StateAttribute::OVERRIDE, guarded = osg::StateAttribute::PROTECTED;
-
-/// The state sets above a place, that of the scene's root first.
-class Above {
+/// The state sets from the root of the scene to a node of the state graph.
+class InheritedState {
 public:
-    explicit Above(const osgUtil::StateGraph* place) {
-        for (; place; place = place->_parent)
-            if (place->getStateSet())
-                _sets.push_back(place->getStateSet());
+    explicit InheritedState(const osgUtil::StateGraph* graph) {
+        for (; graph; graph = graph->_parent)
+            if (graph->getStateSet())
+                _sets.push_back(graph->getStateSet());
         std::reverse(_sets.begin(), _sets.end());
     }
 
-    /// A mode as OSG applies it; nothing where nobody says.
+    /// A mode as OSG applies it; INHERIT if no state set has it.
     osg::StateAttribute::GLModeValue mode(osg::StateAttribute::GLMode mode) const {
         osg::StateAttribute::GLModeValue result = osg::StateAttribute::INHERIT;
         for (const osg::StateSet* set : _sets)
-            take(result, set->getMode(mode));
+            replace(result, set->getMode(mode));
         return result;
     }
 
@@ -38,12 +36,12 @@ public:
         osg::StateAttribute::OverrideValue former = 0;
         for (const osg::StateSet* set : _sets)
             if (const auto* fog = set->getAttributePair(osg::StateAttribute::FOG))
-                if (take(former, fog->second))
+                if (replace(former, fog->second))
                     result = fog->first;
         return static_cast<const osg::Fog*>(result);
     }
 
-    /// The value of an integer uniform or sampler as text; empty where there is none.
+    /// The value of an integer uniform or sampler as text; empty if there is none.
     std::string number(const char* name) const {
         int value = 0;
         for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
@@ -53,12 +51,14 @@ public:
     }
 
 private:
-    /// Whether the value of a state set further down comes through.
-    static bool take(unsigned& above, unsigned below) {
-        const bool through = below != osg::StateAttribute::INHERIT && (!(above & firm) || (below & guarded));
-        if (through)
-            above = below;
-        return through;
+    /// Replaces an inherited value by that of the next state set, unless it is overridden.
+    static bool replace(unsigned& inherited, unsigned value) {
+        const bool isReplaced =
+            value != osg::StateAttribute::INHERIT &&
+            (!(inherited & osg::StateAttribute::OVERRIDE) || (value & osg::StateAttribute::PROTECTED));
+        if (isReplaced)
+            inherited = value;
+        return isReplaced;
     }
 
     std::vector<const osg::StateSet*> _sets;
@@ -76,32 +76,32 @@ std::string fogMode(const osg::Fog* fog) {
 
 } // namespace
 
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool samples) {
-    const Above above(place);
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* stateGraph, bool sampleMask) {
+    const InheritedState inherited(stateGraph);
     osg::StateSet::DefineList defines;
     const auto define = [&](const char* name, const std::string& value) {
         defines[name] = {value, osg::StateAttribute::ON};
     };
     std::string lights;
     for (unsigned i = 0; i < 8; ++i)
-        if (isOn(above.mode(GL_LIGHT0 + i)))
+        if (isOn(inherited.mode(GL_LIGHT0 + i)))
             lights += (lights.empty() ? "" : ", ") + std::to_string(i);
     if (!lights.empty())
         define("LIGHTS", lights);
-    const auto lighting = above.mode(GL_LIGHTING);
+    const auto lighting = inherited.mode(GL_LIGHTING);
     if (lighting != osg::StateAttribute::INHERIT && !isOn(lighting))
         define("UNLIT", "1");
-    if (isOn(above.mode(GL_FOG)))
-        define("FOG_MODE", fogMode(above.fog()));
-    if (isOn(above.mode(GL_FRAMEBUFFER_SRGB)))
+    if (isOn(inherited.mode(GL_FOG)))
+        define("FOG_MODE", fogMode(inherited.fog()));
+    if (isOn(inherited.mode(GL_FRAMEBUFFER_SRGB)))
         define("LINEAR_COLORS", "1");
-    const auto multisample = above.mode(GL_MULTISAMPLE_ARB);
-    if (samples && (multisample == osg::StateAttribute::INHERIT || isOn(multisample)))
+    const auto multisample = inherited.mode(GL_MULTISAMPLE_ARB);
+    if (sampleMask && (multisample == osg::StateAttribute::INHERIT || isOn(multisample)))
         define("COVERAGE", "1");
-    const std::string shadowMap = above.number("osgShadow_shadowTexture");
+    const std::string shadowMap = inherited.number("osgShadow_shadowTexture");
     if (!shadowMap.empty())
         define("SHADOW_MAP", shadowMap);
-    const std::string first = above.number("shadowTexture0"), second = above.number("shadowTexture1");
+    const std::string first = inherited.number("shadowTexture0"), second = inherited.number("shadowTexture1");
     if (!first.empty()) {
         define("SHADOW_MAPS", second.empty() ? "1" : "2");
         define("SHADOW_MAP_UNIT0", first);
@@ -111,7 +111,7 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, boo
     state.setDefineList(defines);
 }
 
-bool choosesSamples(const osg::Camera& camera, const osg::State& state) {
+bool supportsSampleMask(const osg::Camera& camera, const osg::State& state) {
     if (!osg::isGLExtensionOrVersionSupported(state.getContextID(), "GL_ARB_sample_shading", 4.0f))
         return false;
     if (camera.getRenderTargetImplementation() == osg::Camera::FRAME_BUFFER_OBJECT) {

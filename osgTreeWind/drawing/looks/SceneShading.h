@@ -9,18 +9,17 @@
 
 namespace osgTreeWind {
 
-/// What the scene above a place says of light, for shaders that have no fixed functions to ask: which lights
-/// are on, which fog there is, whether osgShadow's ShadowMap or ViewDependentShadowMap hands shadows down,
-/// and whether OpenGL encodes colours as sRGB, GL_FRAMEBUFFER_SRGB being on: then the shaders do not. A scene
-/// that does so itself sets the define LINEAR_COLORS.
-///
-/// Known once a cull is over: ViewDependentShadowMap fills in its state last.
-/// @param state to take the defines of shaders/light.glsl and shaders/scene.glsl, and no others.
-/// @param samples whether fragments choose their samples: choosesSamples().
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool samples);
+/// Passes the lighting state of the scene to shaders as defines: the lights that are on, fog, the shadow maps
+/// of osgShadow::ShadowMap and ViewDependentShadowMap, and whether OpenGL encodes colours as sRGB
+/// (GL_FRAMEBUFFER_SRGB) instead of the shaders. A scene that encodes colours itself sets LINEAR_COLORS.
+/// Call it after the cull traversal, at whose end ViewDependentShadowMap fills in its state.
+/// @param state receives the defines of shaders/light.glsl and shaders/scene.glsl in place of all others.
+/// @param stateGraph where the inherited state is read from.
+/// @param sampleMask whether fragments choose their samples: supportsSampleMask().
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* stateGraph, bool sampleMask);
 
-/// Whether what a camera draws into has several samples a pixel, and a fragment can choose those that it
-/// covers (GL_ARB_sample_shading). Call it while the camera's frame is drawn.
-bool choosesSamples(const osg::Camera& camera, const osg::State& state);
+/// Whether the render target of a camera is multisampled and fragments can set gl_SampleMask
+/// (GL_ARB_sample_shading). Call it while the camera's frame is drawn.
+bool supportsSampleMask(const osg::Camera& camera, const osg::State& state);
 
 } // namespace osgTreeWind

@@ -13,7 +13,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// Hairs, wax and air below the skin scatter light of all colours back.
+/// Hairs, wax and air below the epidermis scatter light of all wavelengths equally.
 glm::vec3 undersideOverUpper(const Appearance& appearance) {
     const glm::vec3 upper = glm::max(appearance.leaves, glm::vec3(1e-3f));
     const float luminance = glm::dot(upper, glm::vec3(0.2126f, 0.7152f, 0.0722f));
@@ -26,8 +26,8 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const Appearance& appearance = species.appearance;
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet,
                        nullptr,           nullptr,           Reconfiguration(species)};
-    showBark(*looks.bark, sharedProgram("instance_bark", "bark"), appearance);
-    showLeaves(*looks.leaves, sharedProgram("instance_leaf", "leaf"), appearance);
+    configureBark(*looks.bark, sharedProgram("instance_bark", "bark"), appearance);
+    configureLeaves(*looks.leaves, sharedProgram("instance_leaf", "leaf"), appearance);
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));

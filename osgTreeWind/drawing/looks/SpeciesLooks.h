@@ -7,21 +7,21 @@
 
 namespace osgTreeWind {
 
-/// What the trees of a species are drawn with under the law `modal`.
+/// State of the trees of a species under the law `modal`.
 struct SpeciesLooks {
     osg::ref_ptr<osg::StateSet> bark, leaves, impostors;
-    /// A person's own, applied after these; null: none. One with a program of its own replaces ours.
-    osg::ref_ptr<osg::StateSet> ownBark, ownLeaves;
+    /// State of the host, applied after the above; may be null. A program in it replaces the built-in one.
+    osg::ref_ptr<osg::StateSet> hostBark, hostLeaves;
     Reconfiguration foliage;
 
-    /// From now on the colours of a season. What was there before is left as it is: copies share it.
+    /// Sets the colours of a season. Replaces the state sets, because copies of this struct share them.
     void showSeason(const Appearance& appearance, float season);
 };
 
-/// On the colour of leaves as they are in summer.
+/// Factor on the summer colour of leaves.
 osg::Vec3 seasonTint(const Appearance& appearance, float season);
 
-/// State sets of their own, with programs and textures that others share.
+/// Makes new state sets with shared programs and textures.
 SpeciesLooks makeSpeciesLooks(const Species& species);
 
 } // namespace osgTreeWind

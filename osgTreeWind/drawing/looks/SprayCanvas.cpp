@@ -13,10 +13,8 @@
 namespace osgTreeWind {
 namespace {
 
-// In leaf, twigs are dark and brownish between the leaves.
-constexpr float twigBrightness = 0.4f, twigHue = 0.75f;
-/// Bare twigs stand for many finer ones, among leaves for themselves.
-constexpr float widthInLeaf = 0.4f;
+constexpr float twigBrightness = 0.4f, twigHue = 0.75f; // dark and brownish between the leaves
+constexpr float widthInLeaf = 0.4f; // relative to bare twigs, which also represent finer ones
 
 } // namespace
 
@@ -50,7 +48,7 @@ void SprayCanvas::addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
             glm::vec2 q = (p - blade.foot) / blade.length;
             q += unfolded * glm::dot(q, toward) * toward;
             const float u = glm::dot(q, along), v = glm::dot(q, side);
-            // One half of a blade faces the light more than the other; its rib is lighter.
+            // The two halves of a blade face the light differently, and the rib is lighter.
             const float half = v < 0.0f ? 1.06f : 0.94f;
             const float rib = glm::abs(v) < 0.02f && blade.length > 0.06f ? 1.15f : 1.0f;
             const float lit = blade.brightness * half * rib * (0.84f + 0.24f * u);
@@ -80,7 +78,7 @@ LeafTexels SprayCanvas::texels() const {
                 brightness += static_cast<float>(_brightness[at]) / 255.0f;
                 hue += static_cast<float>(_hue[at]) / 255.0f;
             }
-            // Outside the shape the colour stays leaf-like, so that filters get no dark rim.
+            // Empty texels have a leaf colour, so that filtering produces no dark rim.
             texels.at(x, y) = any > 0.0f ? glm::vec4(brightness / any, hue / any, share * twigs, share * any)
                                          : glm::vec4(0.75f, 0.5f, share * twigs, 0.0f);
         }

@@ -10,12 +10,12 @@
 
 namespace osgTreeWind {
 
-/// Where sprays are painted: what comes later covers what came before.
+/// A canvas for painting sprays. Later pieces cover earlier ones.
 class SprayCanvas {
 public:
     SprayCanvas();
 
-    /// As wide when bare; in leaf less so.
+    /// Paints twigs at full width on the bare spray, and thinner on the spray in leaf.
     void addTwigs(const std::vector<TwigPiece>& twigs);
     void addLeaf(const LeafOutline& outline, const LeafBlade& blade);
 

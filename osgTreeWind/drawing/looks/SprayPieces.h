@@ -8,21 +8,21 @@
 
 namespace osgTreeWind {
 
-/// The right half of a leaf's outline, from its foot to its tip: x across in lengths of the leaf, y along.
+/// The right half of a leaf outline from foot to tip, in lengths of the leaf: x across, y along.
 using LeafOutline = std::vector<glm::vec2>;
 
 /// A leaf on a card whose corners are (0, 0) and (1, 1).
 struct LeafBlade {
     glm::vec2 foot{0.0f};
-    float lean = 0.0f; ///< From upright toward the right, radians.
+    float lean = 0.0f; ///< Clockwise from upright, radians.
     float length = 0.1f;
     float brightness = 0.8f, hue = 0.5f;
-    float tilt = 0.0f;   ///< Of its face out of the card, radians,
-    float toward = 0.0f; ///< about an axis across this direction in the card, as `lean`.
+    float tilt = 0.0f;   ///< Angle between the blade and the card, radians.
+    float toward = 0.0f; ///< Direction in the card that tilts out of it, measured like `lean`.
 
-    /// A point of its outline, in front of the card by z.
+    /// A point of the outline on the card; z is the distance in front of it.
     glm::vec3 point(const glm::vec2& outline) const;
-    /// As it shows on the card.
+    /// The whole outline projected to the card.
     std::vector<glm::vec2> polygon(const LeafOutline& outline) const;
 };
 
@@ -31,7 +31,7 @@ struct TwigPiece {
     glm::vec2 foot, end;
     float footWidth, endWidth;
 
-    /// @param widths so many of its own.
+    /// @param widths factor on the widths.
     std::vector<glm::vec2> polygon(float widths = 1.0f) const;
 };
 

@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// The sample whose lower or left edge is nearest, within the card.
+/// The sample whose lower or left edge is nearest, clamped to the card.
 int nearest(float x) {
     return static_cast<int>(std::lround(glm::clamp(x, 0.0f, 1.0f) * SprayRaster::size));
 }
@@ -24,7 +24,7 @@ const std::vector<SprayRaster::Span>& SprayRaster::spans(const std::vector<glm::
     }
     const int low = nearest(bottom), high = nearest(top);
     for (std::size_t i = 0; i < polygon.size(); ++i)
-        cross(polygon[i], polygon[(i + 1) % polygon.size()], low, high);
+        addCrossings(polygon[i], polygon[(i + 1) % polygon.size()], low, high);
     _spans.clear();
     for (int row = low; row < high; ++row) {
         std::vector<float>& crossings = _crossings[static_cast<std::size_t>(row)];
@@ -37,8 +37,8 @@ const std::vector<SprayRaster::Span>& SprayRaster::spans(const std::vector<glm::
     return _spans;
 }
 
-/// Where an edge meets the middles of rows in [low, high).
-void SprayRaster::cross(const glm::vec2& a, const glm::vec2& b, int low, int high) {
+/// Adds the intersections of an edge with the middles of the rows [low, high).
+void SprayRaster::addCrossings(const glm::vec2& a, const glm::vec2& b, int low, int high) {
     const int first = glm::max(nearest(glm::min(a.y, b.y)) - 1, low),
               end = glm::min(nearest(glm::max(a.y, b.y)) + 1, high);
     for (int row = first; row < end; ++row) {

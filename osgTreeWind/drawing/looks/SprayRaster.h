@@ -7,30 +7,30 @@
 
 namespace osgTreeWind {
 
-/// The samples of a card whose corners are (0, 0) and (1, 1): rows from the bottom up.
+/// Rasterizes polygons to the samples of a card from (0, 0) to (1, 1). Rows run from the bottom up.
 class SprayRaster {
 public:
-    static constexpr int pixels = 256, samples = 3; ///< Of the card; of a pixel, in rows and columns.
+    static constexpr int pixels = 256, samples = 3; ///< Per side of the card; per side of a pixel.
     static constexpr int size = pixels * samples;
 
-    /// A stretch of samples of a row: [first, end).
+    /// The samples [first, end) of a row.
     struct Span {
         int row, first, end;
     };
 
-    /// The samples within a polygon (even-odd), from the bottom up; until the next call.
+    /// The samples inside a polygon (even-odd rule), from the bottom up. Valid until the next call.
     const std::vector<Span>& spans(const std::vector<glm::vec2>& polygon);
 
-    /// Of the samples of a card, those of a span.
+    /// The first sample of a span in the samples of a card.
     template <typename Value>
     static Value* at(std::vector<Value>& card, const Span& span) {
         return card.data() + span.row * size + span.first;
     }
 
 private:
-    void cross(const glm::vec2& a, const glm::vec2& b, int low, int high);
+    void addCrossings(const glm::vec2& a, const glm::vec2& b, int low, int high);
 
-    std::vector<std::vector<float>> _crossings{size}; ///< By row: where edges of the polygon meet it.
+    std::vector<std::vector<float>> _crossings{size}; ///< By row: intersections with edges of the polygon.
     std::vector<Span> _spans;
 };
 

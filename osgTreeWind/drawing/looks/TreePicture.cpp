@@ -17,20 +17,20 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float leafBrightness = 0.8f, barkBrightness = 0.74f; // means of those we paint
+constexpr float leafBrightness = 0.8f, barkBrightness = 0.74f; // means of the built-in textures
 
-/// Linear colours and alpha, brought to a size.
+/// A resized image: linear colours and alpha.
 struct Pixels {
     int width, height;
     std::vector<glm::vec4> colors;
-    glm::vec3 mean{1e-4f}; ///< Of what is there.
+    glm::vec3 mean{1e-4f}; ///< Weighted by alpha.
 };
 
 float luminance(const glm::vec3& color) {
     return 0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b;
 }
 
-/// Mean of 4 x 4 samples about a pixel.
+/// Mean of 4 x 4 samples in a pixel.
 glm::vec4 pixelOf(const osg::Image& image, int x, int y, int width, int height) {
     constexpr int samples = 4;
     glm::vec3 color(0.0f);
@@ -45,12 +45,12 @@ glm::vec4 pixelOf(const osg::Image& image, int x, int y, int width, int height) 
     return {alpha > 0.0f ? color / alpha : glm::vec3(0.0f), alpha / (samples * samples)};
 }
 
-/// Why a picture is not read at all; empty where it may be.
+/// Why a picture must not be read; empty if it may.
 std::string problemOfPicture(const std::string& path) {
     Result<std::ifstream> file = openInput(path);
     const std::optional<glm::dvec2> size = file ? pictureSize(file.value()) : std::nullopt;
-    constexpr double mostBytes = 8.0; // of a pixel: four channels of 16 bits
-    return size ? problemOfMemory("its pixels", static_cast<std::uint64_t>(mostBytes * size->x * size->y))
+    constexpr double maxPixelBytes = 8.0; // four channels of 16 bits
+    return size ? problemOfMemory("its pixels", static_cast<std::uint64_t>(maxPixelBytes * size->x * size->y))
                 : std::string();
 }
 
@@ -62,8 +62,9 @@ Pixels readPixels(const std::string& path, int width, int height) {
     }
     const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
     if (!image || !image->data() || image->s() < 1 || image->t() < 1 || image->isCompressed()) {
-        OSG_WARN << "osgTreeWind: \"" << path << "\" is no picture that OpenSceneGraph reads"
-                 << (image && image->isCompressed() ? " uncompressed" : "") << std::endl;
+        OSG_WARN << "osgTreeWind: OpenSceneGraph cannot read \"" << path << "\" as "
+                 << (image && image->isCompressed() ? "an uncompressed" : "a")
+                 << " picture; the built-in texture is shown" << std::endl;
         return pixels;
     }
     glm::vec4 sum(0.0f);
@@ -81,7 +82,7 @@ float brightness(const glm::vec4& pixel, const Pixels& pixels, float mean) {
     return glm::min(mean * luminance(glm::vec3(pixel)) / luminance(pixels.mean), 1.0f);
 }
 
-/// That of law/tint.glsl: from bluish, 0, over the mean to yellowish, 1.
+/// The hue of law/tint.glsl: 0 bluish, 0.5 the mean, 1 yellowish.
 float hue(const glm::vec4& pixel, const Pixels& pixels) {
     const float yellow = (pixel.r + 1e-3f) / (pixel.b + 1e-3f) * pixels.mean.b / pixels.mean.r;
     return glm::clamp(0.5f + (yellow - 1.0f), 0.0f, 1.0f);

@@ -7,12 +7,14 @@
 
 namespace osgTreeWind {
 
-// Pictures from files as our own textures are: brightness and hue about their means, for the colour is the
-// species'. Whatever osgDB reads; null, and a warning, where it cannot.
+// Image files as leaf and bark textures. Brightness and hue are relative to their means, since the species
+// sets the colour. Reads all formats of osgDB. Returns null, with a warning, for a file that cannot be read.
 
-/// A picture of a spray whose alpha is its shape: 256 x 256, without twigs of its own.
+/// Reads a picture of a spray, whose alpha is its shape, as a leaf texture (LeafAtlas) of three equal sprays
+/// of 256 x 256 texels without twigs.
 osg::ref_ptr<osg::Image> readLeafPicture(const std::string& path);
-/// A picture of bark, half way around a branch: 256 x 512. What is brighter lies farther out.
+/// Reads a picture of half the circumference of a branch as a bark texture (BarkRelief.h) of 256 x 512
+/// texels. Height follows brightness.
 osg::ref_ptr<osg::Image> readBarkPicture(const std::string& path);
 
 } // namespace osgTreeWind

@@ -10,24 +10,22 @@
 
 namespace osgTreeWind {
 
-/// A square picture of flat pieces, without perspective: what is nearest at each sample.
+/// Rasterizes flat pieces in parallel projection and keeps the nearest one at each sample of a square.
 class TreeRaster {
 public:
     static constexpr std::uint32_t nothing = ~0u;
-    static constexpr int cells = 32; ///< Of a piece, in rows and columns.
+    static constexpr int cells = 32; ///< Rows and columns of a stencil.
 
-    /// A parallelogram: corner + u * across + v * along, u and v in [0, 1]. x and y in samples, z toward the
-    /// eye.
+    /// The parallelogram corner + u * across + v * along, u and v in [0, 1]. In samples; z toward the eye.
     struct Piece {
         glm::vec3 corner{0.0f}, across{0.0f}, along{0.0f};
     };
-    /// Which cells of a piece are solid, u from left to right, v from the bottom up.
+    /// Solid cells of a piece, row by row: u from left to right, v from the bottom up.
     using Stencil = std::array<std::uint8_t, cells * cells>;
-    /// What is seen at a sample.
     struct Sample {
         float depth;
-        std::uint32_t item; ///< Or nothing.
-        int cell;           ///< Of the item: u + cells * v.
+        std::uint32_t item; ///< The visible item, or `nothing`.
+        int cell;           ///< Cell of its stencil: u + cells * v.
     };
 
     explicit TreeRaster(int size) : _size(size), _samples(static_cast<std::size_t>(size * size)) { clear(); }

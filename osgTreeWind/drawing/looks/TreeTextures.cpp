@@ -16,9 +16,9 @@
 namespace osgTreeWind {
 namespace {
 
-/// Pictures of `count` forms, each painted when first asked for, by whatever thread.
+/// Images of `count` forms, each painted on first use. Any thread.
 template <typename Form, std::size_t count>
-class PaintedOnce {
+class ImageCache {
 public:
     template <typename Paint>
     osg::ref_ptr<osg::Image> image(Form form, Paint paint) {
@@ -42,8 +42,8 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
     if (const std::string& path = appearance.leafImage; !path.empty())
         if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readLeafPicture(path); }))
             return picture;
-    constexpr float sparse = 0.6f; // so that none shows as a whole on a bough
-    static PaintedOnce<LeafForm, leafForms> images;
+    constexpr float sparse = 0.6f; // makes single sprays unrecognizable on a bough
+    static ImageCache<LeafForm, leafFormCount> images;
     return images.image(appearance.leafForm, [](LeafForm form) {
         const auto card = [&](int variant, float share) {
             return paintSpray(form, growSpray(form, variant, share));
@@ -60,7 +60,7 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
     if (const std::string& path = appearance.barkImage; !path.empty())
         if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readBarkPicture(path); }))
             return picture;
-    static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Scaly) + 1> images;
+    static ImageCache<BarkForm, static_cast<std::size_t>(BarkForm::Scaly) + 1> images;
     return images.image(appearance.barkForm, paintBark);
 }
 
@@ -80,7 +80,7 @@ osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
     const osg::ref_ptr<osg::Image> image = leafImage(appearance);
     return textures.get(image, [&] {
         osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
-        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // quick
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // faster
         return texture;
     });
 }
@@ -94,20 +94,20 @@ osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance) {
     });
 }
 
-void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
-    state.setAttributeAndModes(program, ownProgram);
+void configureBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+    state.setAttributeAndModes(program, protectedProgram);
     state.setTextureAttribute(0, barkTexture(appearance));
     state.addUniform(new osg::Uniform("barkTexture", 0));
     state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
-    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
+    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigColor())));
     drawBothSides(state); // joints are open tubes
 }
 
-void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
-    state.setAttributeAndModes(program, ownProgram);
+void configureLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+    state.setAttributeAndModes(program, protectedProgram);
     state.setTextureAttribute(0, leafTexture(appearance));
     state.addUniform(new osg::Uniform("leafTexture", 0));
-    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
+    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigColor())));
     drawBothSides(state);
 }
 

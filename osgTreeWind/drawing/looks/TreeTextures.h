@@ -10,27 +10,27 @@
 
 namespace osgTreeWind {
 
-// Images are painted or read when first asked for, by any thread, and shared: they are not to be changed.
+// Images are painted or read on the first call, by any thread. They are shared; do not modify them.
 
-/// Leaf cards: LeafAtlas.h says where they lie, LeafTexels.h what the channels are.
+/// The leaf texture of an appearance: layout of LeafAtlas.h, channels of LeafTexels.h.
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
-/// Bark, to be repeated along the branch and, twice, around it, where pictures of files are mirrored;
-/// BarkRelief.h says what its channels are.
+/// The bark texture of an appearance, with the channels of BarkRelief.h. It repeats along the branch and
+/// twice around it; images from files are mirrored.
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
 
-/// An image as a texture with mipmaps. @param along how it goes on along the branch. @param around likewise.
+/// Makes a texture with mipmaps. @param along wrap mode along the branch (v). @param around the branch (u).
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
                                              osg::Texture::WrapMode along,
                                              osg::Texture::WrapMode around = osg::Texture::CLAMP_TO_EDGE);
 
-/// leafImage() as a texture, the same one for all who hold it. Any thread.
+/// A texture of leafImage(), shared while it is in use. Any thread.
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance);
-/// Likewise barkImage().
+/// A texture of barkImage(), shared while it is in use. Any thread.
 osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance);
 
-/// Has bark drawn by a program, with what the appearance says.
-void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
-/// The same for leaves and twigs, but for the leaves' colour.
-void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
+/// Sets program, texture and uniforms for drawing bark.
+void configureBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
+/// Sets program, texture and uniforms for drawing leaves and twigs, except the leaf colour.
+void configureLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
 
 } // namespace osgTreeWind

@@ -2,7 +2,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 
 #include <osgTreeWind/gpu/DistinctArrays.h>
-#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/ColorMask>
@@ -14,15 +14,15 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr auto firmly = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+constexpr auto forced = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
-/// Nothing that a scene may set above it gets between a fragment and its texel.
+/// Disables all state of the scene that could change the computed values.
 void computeOnly(osg::StateSet& state) {
     for (const GLenum mode : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST, GL_SCISSOR_TEST,
                               GL_STENCIL_TEST, GL_LIGHTING, GL_FRAMEBUFFER_SRGB})
-        state.setMode(mode, osg::StateAttribute::OFF | firmly);
-    state.setAttribute(new osg::ColorMask(true, true, true, true), firmly);
-    state.setAttribute(new osg::PolygonMode, firmly);
+        state.setMode(mode, osg::StateAttribute::OFF | forced);
+    state.setAttribute(new osg::ColorMask(true, true, true, true), forced);
+    state.setAttribute(new osg::PolygonMode, forced);
 }
 
 osg::ref_ptr<osg::Camera> createCamera(osg::Texture2D* target) {
@@ -45,8 +45,8 @@ osg::ref_ptr<osg::Camera> createCamera(osg::Texture2D* target) {
 
 } // namespace
 
-/// Draws every texel of the target, and copies it back to where the states are kept, and to the CPU. It is
-/// dynamic: the next update waits until that is done, however many threads draw.
+/// Draws all texels of the target, and copies them to the texture of the states and to the CPU. DYNAMIC, so
+/// that the next update waits for the draw.
 class AnglePass::Quad : public osg::Geometry {
 public:
     explicit Quad(osg::Texture2D* states) : _states(states) {
@@ -75,7 +75,7 @@ public:
         });
     }
 
-    bool take(std::vector<glm::vec4>& texels) {
+    bool readBack(std::vector<glm::vec4>& texels) {
         const std::lock_guard<std::mutex> lock(_mutex);
         if (!_fresh)
             return false;
@@ -89,7 +89,7 @@ private:
         const std::lock_guard<std::mutex> lock(_mutex);
         const unsigned frame = state.getFrameStamp() ? state.getFrameStamp()->getFrameNumber() : 0;
         if (_fresh && frame <= _frame)
-            return; // another context was first
+            return; // another context drew this frame before
         _texels.resize(count);
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
         glPixelStorei(GL_PACK_ROW_LENGTH, 0);
@@ -98,9 +98,9 @@ private:
         _fresh = true;
     }
 
-    EntryGuard _guard;
+    ExceptionGuard _guard;
     osg::ref_ptr<osg::Texture2D> _states;
-    mutable std::mutex _mutex; // guards all below
+    mutable std::mutex _mutex; ///< Guards the members below.
     mutable std::vector<glm::vec4> _texels;
     mutable unsigned _frame = 0;
     mutable bool _fresh = false;
@@ -114,17 +114,17 @@ AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states)
     osg::StateSet& state = *_camera->getOrCreateStateSet();
     state.setDataVariance(osg::Object::DYNAMIC);
     computeOnly(state);
-    state.setTextureAttribute(0, _states.texture(), firmly);
-    state.setAttributeAndModes(sharedProgram("texels", shader), osg::StateAttribute::ON | firmly);
+    state.setTextureAttribute(0, _states.texture(), forced);
+    state.setAttributeAndModes(sharedProgram("texels", shader), osg::StateAttribute::ON | forced);
     state.addUniform(new osg::Uniform("previousAngles", 0));
 }
 
 AnglePass::~AnglePass() = default;
 
-bool AnglePass::take(std::vector<glm::vec4>& texels) {
-    if (!_quad->take(texels))
+bool AnglePass::readBack(std::vector<glm::vec4>& texels) {
+    if (!_quad->readBack(texels))
         return false;
-    _states.write(texels); // not dirty: contexts that have them go on from their own
+    _states.write(texels); // not dirty: existing contexts continue from their own states
     return true;
 }
 

@@ -13,25 +13,25 @@
 namespace osgTreeWind {
 
 BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
-                                   const std::function<void()>& placed)
+                                   const std::function<void()>& onTreePlaced)
     : _forest(forest), _withLeaves(leaves), _winds(forest.units), _windTexels(forest.units),
       _states(forest.units), _leafStates(leaves ? forest.leaves : 0), _rotations(forest.units),
       _poses(forest.units) {
     for (const PlacedTree& tree : _forest.trees) {
         const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
         for (const BranchUnit& unit : _forest.modelOf(tree).skeleton.units) {
-            _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
+            _windPlaces.emplace_back(tree.position + rotateAboutZ(tree.scale.axes * unit.base, sine, cosine),
                                      tree.position.z);
             _windPlaces.back().inCrown = true;
             _branches.push_back(makeThesisBranch(unit, tree.scale, _forest.speciesOf(tree)));
         }
-        if (placed)
-            placed();
+        if (onTreePlaced)
+            onTreePlaced();
     }
     reset();
 }
 
-std::unique_ptr<Motion> BranchwiseMotion::restarted(const PlacedForest& forest) const {
+std::unique_ptr<Motion> BranchwiseMotion::cloneAtRest(const PlacedForest& forest) const {
     return std::make_unique<BranchwiseMotion>(forest, _withLeaves);
 }
 
@@ -44,32 +44,33 @@ void BranchwiseMotion::reset() {
     std::fill(_poses.begin(), _poses.end(), UnitPose());
 }
 
-void BranchwiseMotion::meet(const WindField* wind, double time) {
+void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
     if (wind)
         wind->sample(_windPlaces.data(), _windPlaces.size(), time, _winds.data());
     else
         std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
     for (const PlacedTree& tree : _forest.trees) {
         const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
-        for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i)
-            _windTexels[i] = glm::vec4(turnHeading(_winds[i], sine, cosine), 0.0f);
+        for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitCount(tree); ++i)
+            _windTexels[i] = glm::vec4(rotateAboutZ(_winds[i], sine, cosine), 0.0f);
     }
 }
 
 void BranchwiseMotion::step(const WindField* wind, double time, float) {
-    meet(wind, time);
+    sampleWind(wind, time);
     for (const PlacedTree& tree : _forest.trees) {
-        turn(tree, time);
-        pose(tree);
+        stepBranches(tree, time);
+        composePosesOf(tree);
         if (_withLeaves)
-            flutter(tree, time);
+            stepLeaves(tree, time);
     }
 }
 
 void BranchwiseMotion::setStates(const std::vector<glm::vec4>& states) {
-    std::copy_n(states.begin(), _states.size(), _states.begin()); // where they are: motion() points to them
+    // Copied in place, since motion() refers to this memory.
+    std::copy_n(states.begin(), _states.size(), _states.begin());
     for (const PlacedTree& tree : _forest.trees)
-        pose(tree);
+        composePosesOf(tree);
 }
 
 void BranchwiseMotion::setLeafStates(const std::vector<glm::vec4>& states) {
@@ -80,10 +81,10 @@ TreeMotion BranchwiseMotion::motion(std::size_t slot) const {
     if (slot >= _forest.trees.size())
         return {};
     const PlacedTree& tree = _forest.trees[slot];
-    const std::size_t first = tree.firstUnit, units = _forest.unitsOf(tree);
+    const std::size_t first = tree.firstUnit, units = _forest.unitCount(tree);
     Span<glm::vec4> leaves;
     if (_withLeaves)
-        leaves = {_leafStates.data() + tree.firstLeaf, _forest.leavesOf(tree)};
+        leaves = {_leafStates.data() + tree.firstLeaf, _forest.leafCount(tree)};
     return {{_poses.data() + first, units},
             {_rotations.data() + first, units},
             {_states.data() + first, units},
@@ -92,11 +93,11 @@ TreeMotion BranchwiseMotion::motion(std::size_t slot) const {
             {}};
 }
 
-void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
+void BranchwiseMotion::stepBranches(const PlacedTree& tree, double time) {
     Laws laws;
     const NoiseTime now = NoiseTime::at(time, _forest.speciesOf(tree).branch.noiseFrequency,
                                         _forest.description().noiseExponent);
-    const auto units = static_cast<std::uint32_t>(_forest.unitsOf(tree));
+    const auto units = static_cast<std::uint32_t>(_forest.unitCount(tree));
     for (std::uint32_t unit = 0; unit < units; ++unit) {
         glm::vec3 noise;
         for (std::uint32_t axis = 0; axis < 3; ++axis)
@@ -110,15 +111,15 @@ void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
     }
 }
 
-void BranchwiseMotion::pose(const PlacedTree& tree) {
+void BranchwiseMotion::composePosesOf(const PlacedTree& tree) {
     const std::size_t first = tree.firstUnit;
-    for (std::size_t i = first; i < first + _forest.unitsOf(tree); ++i)
+    for (std::size_t i = first; i < first + _forest.unitCount(tree); ++i)
         _rotations[i] = branchRotation(_states[i]);
     composePoses(_forest.modelOf(tree).skeleton, tree.scale, _rotations.data() + first,
                  _poses.data() + first);
 }
 
-void BranchwiseMotion::flutter(const PlacedTree& tree, double time) {
+void BranchwiseMotion::stepLeaves(const PlacedTree& tree, double time) {
     Laws laws;
     const LeafMotion& motion = _forest.speciesOf(tree).leaf;
     const Laws::ThesisLeaf leaf = makeThesisLeaf(motion);
@@ -126,7 +127,7 @@ void BranchwiseMotion::flutter(const PlacedTree& tree, double time) {
     const auto noise = [&](std::uint32_t i, std::uint32_t axis) {
         return laws.motionNoise(laws.noiseStream(tree.seed, i, axis), now.cell, now.fraction, now.gain);
     };
-    const auto leaves = static_cast<std::uint32_t>(_forest.leavesOf(tree));
+    const auto leaves = static_cast<std::uint32_t>(_forest.leafCount(tree));
     for (std::uint32_t i = 0; i < leaves; ++i) {
         glm::vec4& state = _leafStates[tree.firstLeaf + i];
         state = laws.thesisLeafStep(state, noise(i, 3), noise(i, 4), leaf);

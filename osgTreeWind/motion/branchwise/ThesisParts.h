@@ -7,9 +7,9 @@
 
 namespace osgTreeWind {
 
-// What parts of a tree are to the laws of the thesis. Not for installed headers, as Laws.h.
+// Parameters of the laws of the thesis. Not for installed headers, as Laws.h.
 
-/// A branch unit (§3.1): a cantilever as wide and as thick as the mean diameter of the scaled unit.
+/// A branch unit (§3.1): a cantilever with the mean diameter of the scaled unit as its width and thickness.
 Laws::ThesisBranch makeThesisBranch(const BranchUnit& unit, const TreeScale& scale, const Species& species);
 
 Laws::ThesisLeaf makeThesisLeaf(const LeafMotion& motion);

@@ -16,11 +16,11 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double longestStep = 1.0 / 120.0;
-constexpr double hanging = 2.9;  // radians from upright; not quite along the trunk
-constexpr double crushed = 0.25; // of the half width of a crown, boughs below it hold the trunk up
+constexpr double hangingAngle = 2.9; // radians from upright; a torn bough does not hang quite along the trunk
+constexpr double supportShare = 0.25; // share of the half width at which branches hold a lying crown up
 
-/// That unit, and all that it carries.
-std::vector<std::size_t> carriedBy(const std::vector<BranchUnit>& units, std::size_t unit) {
+/// A unit and all its descendants.
+std::vector<std::size_t> findDescendants(const std::vector<BranchUnit>& units, std::size_t unit) {
     std::vector<bool> falls(units.size(), false);
     std::vector<std::size_t> carried;
     for (std::size_t i = unit; i < units.size(); ++i) {
@@ -31,20 +31,20 @@ std::vector<std::size_t> carriedBy(const std::vector<BranchUnit>& units, std::si
     return carried;
 }
 
-/// Angle between a trunk that lies and the ground, for the crown below it.
-double heldUp(const SwayingTree& tree, double length) {
+/// Angle between a lying trunk and the ground, due to the crown below it, radians.
+double crownSupportAngle(const TreeForm& tree, double length) {
     const std::array<float, 5> reach = tree.model->extents.reach(tree.scale);
     const double width = 0.25 * static_cast<double>(reach[0] + reach[1] + reach[2] + reach[3]);
-    return std::clamp(std::atan(crushed * width / (0.6 * length)), 0.0, 0.5);
+    return std::clamp(std::atan(supportShare * width / (0.6 * length)), 0.0, 0.5);
 }
 
 } // namespace
 
-FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, double lean) : _lean(lean) {
+FallingTree::FallingTree(const TreeForm& tree, unsigned unit, double moment, double lean) : _lean(lean) {
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
     const std::vector<UnitLoad> loads = makeUnitLoads(*tree.model, tree.scale, *tree.species, tree.leaves);
     const glm::dvec3 hinge = tree.scale.axes * units[unit].base;
-    const std::vector<std::size_t> carried = carriedBy(units, unit);
+    const std::vector<std::size_t> carried = findDescendants(units, unit);
     const auto massOf = [&](std::size_t i) { return static_cast<double>(loads[i].mass()); };
     const auto placeOf = [&](std::size_t i) {
         return glm::dvec3(0.5f * tree.scale.axes * (units[i].base + units[i].tip)) - hinge;
@@ -53,45 +53,46 @@ FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, 
     for (const std::size_t i : carried)
         weighed += massOf(i) * placeOf(i);
     const double length = glm::length(weighed);
-    const glm::dvec3 way = length > 0.0 ? weighed / length : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 direction = length > 0.0 ? weighed / length : glm::dvec3(0.0, 0.0, 1.0);
     double inertia = 1.0e-3, drag = 0.0, reach = 0.1;
     for (const std::size_t i : carried) {
         const glm::dvec3 place = placeOf(i);
-        const double out = std::max(glm::dot(place, way), 0.0);
+        const double out = std::max(glm::dot(place, direction), 0.0);
         inertia += massOf(i) * glm::dot(place, place);
         drag +=
             0.5 * static_cast<double>(airDensity * (loads[i].woodDrag + loads[i].leafDrag)) * out * out * out;
-        reach = std::max(reach, glm::dot(glm::dvec3(tree.scale.axes * units[i].tip) - hinge, way));
+        reach = std::max(reach, glm::dot(glm::dvec3(tree.scale.axes * units[i].tip) - hinge, direction));
     }
     _weight = gravity * length / inertia;
     _push = moment / inertia;
     _drag = drag / inertia;
-    if (units[unit].level == 0) { // a hinge above the ground lets the top go down below it
-        _rest = glm::half_pi<double>() + std::asin(std::min(hinge.z / reach, 0.5)) - heldUp(tree, reach);
+    if (units[unit].level == 0) { // a hinge above the ground lets the top swing below the hinge's level
+        _rest = glm::half_pi<double>() + std::asin(std::min(hinge.z / reach, 0.5)) -
+                crownSupportAngle(tree, reach);
         return;
     }
-    _lean += std::acos(std::clamp(way.z, -1.0, 1.0));
-    _rest = std::max(hanging - _lean, 0.0);
-    const glm::dvec2 level(-way.y, way.x);
+    _lean += std::acos(std::clamp(direction.z, -1.0, 1.0));
+    _rest = std::max(hangingAngle - _lean, 0.0);
+    const glm::dvec2 level(-direction.y, direction.x);
     if (glm::length(level) > 0.0)
         _axis = glm::normalize(level);
 }
 
-double FallingTree::sway() const {
-    return lies() ? 0.0 : std::cos(glm::half_pi<double>() * _angle / _rest);
+double FallingTree::swayShare() const {
+    return isAtRest() ? 0.0 : std::cos(glm::half_pi<double>() * _angle / _rest);
 }
 
 void FallingTree::step(double seconds) {
     const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longestStep)));
     const double step = seconds / steps;
-    for (int i = 0; i < steps && !lies(); ++i) {
+    for (int i = 0; i < steps && !isAtRest(); ++i) {
         const double upright = std::max(std::cos(_angle), 0.0);
         const double pull = _push * upright * upright + _weight * std::sin(_angle + _lean);
-        // The drag of the end of the step, or a light crown would swing against it.
+        // Implicit drag, or a light crown would oscillate.
         _speed = (_speed + pull * step) / (1.0 + _drag * std::abs(_speed) * step);
         _angle = std::min(_angle + _speed * step, _rest);
     }
-    if (lies())
+    if (isAtRest())
         _speed = 0.0;
 }
 

@@ -5,32 +5,29 @@
 
 namespace osgTreeWind {
 
-/// A tree or a bough on its way down: a rigid body on a hinge, under its weight, the wind that broke it,
-/// which blows on as long as it stands in it, and the drag of its crown. Roots and wood hold nothing any more
-/// but the hinge: a bough comes to hang from it.
+/// A falling tree or bough: a rigid body on a hinge, driven by its weight and by the wind that broke it,
+/// which acts as long as the tree is upright, and slowed by the drag of its crown. The hinge transmits no
+/// moment; a bough ends up hanging from it.
 class FallingTree {
 public:
-    /// @param unit about whose base it falls. @param moment of the wind at that base, N m.
-    /// @param lean of its top, radians, when it fails, beyond how it stands at rest.
-    FallingTree(const SwayingTree& tree, unsigned unit, double moment, double lean);
+    /// @param unit the tree falls about its base. @param moment of the wind at that base, N m.
+    /// @param lean of its top at failure, relative to rest, radians.
+    FallingTree(const TreeForm& tree, unsigned unit, double moment, double lean);
 
-    /// The level axis about which it falls when it falls the way it lies at rest, in the tree's own axes; of
-    /// a bough.
+    /// For a bough: the horizontal axis, in the tree's own axes, about which it swings down.
     const glm::vec2& axis() const { return _axis; }
 
-    /// Moves on by that many seconds.
     void step(double seconds);
-    /// From how it stood when it failed, radians.
-    double angle() const { return _angle; }
+    double angle() const { return _angle; } ///< Since failure, radians.
     double speed() const { return _speed; } ///< rad/s
-    /// That at which its crown lies on level ground, or a bough hangs.
+    /// Final angle, at which the crown lies on level ground or a bough hangs, radians.
     double restAngle() const { return _rest; }
-    /// Share of its sway that is left, 1 to 0.
-    double sway() const;
-    bool lies() const { return _angle >= _rest; }
+    /// Remaining share of the tree's sway, 1 to 0.
+    double swayShare() const;
+    bool isAtRest() const { return _angle >= _rest; } ///< Whether it has come to rest.
 
 private:
-    double _weight = 0.0, _push = 0.0, _drag = 0.0; ///< Over its inertia about the hinge: 1/s^2, 1/s^2, 1.
+    double _weight = 0.0, _push = 0.0, _drag = 0.0; ///< Per inertia about the hinge: 1/s^2, 1/s^2, 1.
     double _lean, _rest = 0.0, _angle = 0.0, _speed = 0.0;
     glm::vec2 _axis{0.0f, 1.0f};
 };

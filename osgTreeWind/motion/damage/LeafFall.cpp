@@ -9,16 +9,16 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float stripping = 33.0f; // m/s
+constexpr float strippingSpeed = 33.0f; // m/s
 
 } // namespace
 
-float LeafFall::ahead(float speed) const {
-    const auto force = [&](float wind) { return wind * wind * _foliage.drag(wind); };
-    return most * std::min(force(std::min(speed, stripping)) / force(stripping), 1.0f);
+float LeafFall::seasonAdvance(float speed) const {
+    const auto force = [&](float wind) { return wind * wind * _foliage.dragRatio(wind); };
+    return maxAdvance * std::min(force(std::min(speed, strippingSpeed)) / force(strippingSpeed), 1.0f);
 }
 
-float LeafFall::share(float season, float ahead) const {
+float LeafFall::remainingShare(float season, float ahead) const {
     return std::min(leafShare(*_appearance, season), leafShare(*_appearance, season + ahead));
 }
 

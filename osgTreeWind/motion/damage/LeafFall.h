@@ -6,23 +6,25 @@
 
 namespace osgTreeWind {
 
-/// Leaves that a gust takes before they would fall by themselves (docs/risk.md, "Leaves").
+/// Early leaf fall in gusts (docs/risk.md, "Leaves").
 ///
-/// A leaf's stalk loosens evenly over the fortnight before it falls, from what holds it in the wind that
-/// strips trees in leaf, 33 m/s, to nothing: whatever the drag of a gust exceeds by then is gone.
+/// The attachment of a leaf weakens linearly over the fortnight before it falls, from the drag at 33 m/s,
+/// which strips trees in full leaf, down to zero. A gust takes all leaves weaker than its drag.
 class LeafFall {
 public:
     /// @param species must outlive it.
     explicit LeafFall(const Species& species) : _appearance(&species.appearance), _foliage(species) {}
 
-    /// By how much of the year (Season.h) leaves fall early in a wind of `speed`, m/s: [0, most].
-    float ahead(float speed) const;
-    static constexpr float most = 14.0f / 91.3125f;
+    /// Share of the year (Season.h) by which leaves fall early in a wind, [0, maxAdvance]. @param speed m/s.
+    float seasonAdvance(float speed) const;
+    static constexpr float maxAdvance = 14.0f / 91.3125f;
 
-    /// Share of its leaves that a tree bears then, which lost all that would have fallen up to `ahead` later.
-    float share(float season, float ahead) const;
-    /// Whether a wind could take any.
-    bool someHangLoose(float season) const { return share(season, most) < share(season, 0.0f); }
+    /// Share of its leaves that a tree still bears. @param ahead the largest seasonAdvance() so far.
+    float remainingShare(float season, float ahead) const;
+    /// Whether a wind could take leaves at this time of year.
+    bool hasLooseLeaves(float season) const {
+        return remainingShare(season, maxAdvance) < remainingShare(season, 0.0f);
+    }
 
 private:
     const Appearance* _appearance;

@@ -11,14 +11,14 @@ namespace osgTreeWind {
 
 enum class DamageKind { Uprooted, Snapped, BoughTorn };
 
-/// What the wind has brought down of a tree: all of it, or a bough.
+/// Damage by wind: a fallen tree or a torn bough.
 struct TreeDamage {
-    TreeId tree = noTree;                   ///< The one it happened to.
-    DamageKind kind = DamageKind::Uprooted; ///< What happened.
-    unsigned unit = 0;                      ///< Of its trunk or the bough: about whose base it falls.
-    float moment = 0.0f;  ///< At its foot, or at the base of the bough, when that failed, N m; beyond what
-    float limit = 0.0f;   ///< roots, stem or bough bear, N m.
-    glm::vec3 wind{0.0f}; ///< In its crown then, scene axes, m/s.
+    TreeId tree = noTree;                   ///< The damaged tree.
+    DamageKind kind = DamageKind::Uprooted; ///< Kind of damage.
+    unsigned unit = 0;    ///< The part falls about the base of this unit of the trunk or bough.
+    float moment = 0.0f;  ///< At failure, at the foot of the tree or the base of the bough, N m.
+    float limit = 0.0f;   ///< The resistance exceeded, of roots, stem or bough, N m.
+    glm::vec3 wind{0.0f}; ///< In the crown at failure, scene axes, m/s.
 };
 
 using DamageCallback = std::function<void(const TreeDamage&)>;

@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Where the wind pushes, metres: the middle of the crown, from the foot of its lowest green bough on.
+/// Height at which the wind load acts, metres: the middle of the crown above its lowest green bough.
 double crownMiddle(const TreeModel& model, const TreeScale& scale) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const float height = model.skeleton.height();

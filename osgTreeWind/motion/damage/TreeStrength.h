@@ -7,15 +7,15 @@
 
 namespace osgTreeWind {
 
-/// Moments at the foot of a trunk that a tree bears, N m; 0: not known.
+/// Resistive moments of a tree at the foot of its trunk, N m; 0: unknown.
 ///
-/// Stems grow to bear alike all along (Morgan and Cannell 1994), and how a drawn one tapers says nothing of
-/// where it would break. So what one bears is told by breast height, at which the moment is the less the
-/// lower the wind pushes, in the middle of the crown, as ForestGALES has it (Gardiner et al. 2000; Hale et
-/// al. 2015).
+/// Stems grow to be equally strong all along (Morgan and Cannell 1994), and the taper of a drawn stem does
+/// not tell where it would break. So the stem is assessed at breast height, where the moment of a wind that
+/// acts in the middle of the crown is smaller than at the foot, as in ForestGALES (Gardiner et al. 2000; Hale
+/// et al. 2015).
 struct TreeStrength {
     double uproot = 0.0;   ///< overturningMoment()
-    double breaking = 0.0; ///< breakingMoment() at breast height, brought down to the foot.
+    double breaking = 0.0; ///< breakingMoment() at breast height, converted to the foot.
 
     TreeStrength() = default;
     TreeStrength(const TreeModel& model, const TreeScale& scale, const Species& species);

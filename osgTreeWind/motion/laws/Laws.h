@@ -14,9 +14,9 @@ namespace lawText {
 
 using namespace glm;
 
-/// The law files of shaders/law, compiled as C++. Functions in the body of a class are inline and may stay
-/// unused, which the same text in a namespace could not say. Stateless: call Laws().thesisBranchStep(...).
-/// Not for installed headers, since it needs shaders/.
+/// The law files of shaders/law, compiled as C++. They are included into a class body because functions there
+/// are implicitly inline and may stay unused. Stateless: call Laws().thesisBranchStep(...). Not for installed
+/// headers, since it needs shaders/.
 struct Laws {
     using real = float;
     static real every(float x) { return x; }

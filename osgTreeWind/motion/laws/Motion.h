@@ -17,9 +17,9 @@ class CanopyFlow;
 class ModalMotion;
 struct TreeFall;
 
-/// A law at work on the trees of a forest, which it knows by slot: ModalForest, where trees sway, or
-/// BranchwiseMotion, where branches do. Seconds, metres, scene coordinates; a wind of null is a calm.
-/// Not thread-safe, but for motion() of different trees.
+/// A law of motion applied to the trees of a forest, which are identified by slot: ModalForest sways whole
+/// trees, BranchwiseMotion single branches. Seconds, metres, scene coordinates; a null wind means calm. Not
+/// thread-safe, except for motion() of different trees.
 class Motion {
 public:
     Motion() = default;
@@ -27,53 +27,54 @@ public:
     Motion& operator=(const Motion&) = delete;
     virtual ~Motion() = default;
 
-    /// The trees that sway in modes; null under the laws of a branch.
+    /// The trees under the law `modal`; null under a branchwise law.
     virtual ModalMotion* modal() { return nullptr; }
-    /// The branches that have a state each; null under the law `modal`.
+    /// The branch states of a branchwise law; null under `modal`.
     virtual BranchwiseMotion* branches() { return nullptr; }
 
-    /// The same at rest in a calm. @param forest a copy of its own, which must outlive it.
-    virtual std::unique_ptr<Motion> restarted(const PlacedForest& forest) const = 0;
-    /// Threads to share the work of a step with; laws of a branch have none to share.
+    /// A copy at rest in calm. @param forest the copy's own; must outlive it.
+    virtual std::unique_ptr<Motion> cloneAtRest(const PlacedForest& forest) const = 0;
+    /// Sets the threads that share the work of a step. Branchwise laws ignore it.
     virtual void setExecutor(Executor) {}
 
-    /// Takes the wind of `time` as that of now, without moving.
-    virtual void meet(const WindField* wind, double time) = 0;
-    /// Moves on by `seconds` > 0 to `time`. Does not allocate in steady state.
+    /// Takes over the wind of `time` without moving the trees.
+    virtual void sampleWind(const WindField* wind, double time) = 0;
+    /// Advances by `seconds` > 0 to `time`. Does not allocate in steady state.
     virtual void step(const WindField* wind, double time, float seconds) = 0;
-    /// Back to rest, in a calm.
+    /// Back to rest, in calm.
     virtual void reset() = 0;
-    /// Trees stand in the company that they have in that wind: laws of a tree know of crowns that touch.
-    virtual void standIn(const CanopyFlow&) {}
-    /// Trees bear other leaves by now, and follow in full sway; laws of a branch know of no leaves.
-    virtual void followSeason() {}
-    /// Some of them do, at once.
-    virtual void followLeaves(const std::vector<std::size_t>&) {}
+    /// Updates crown contact and shelter from the canopy. Branchwise laws ignore it.
+    virtual void setCanopyFlow(const CanopyFlow&) {}
+    /// The leaf shares of all trees have changed; updates loads and keeps the motion. Branchwise laws ignore
+    /// it.
+    virtual void updateAllLeaves() {}
+    /// Like updateAllLeaves(), for some slots and at once.
+    virtual void updateLeaves(const std::vector<std::size_t>&) {}
 
-    /// Has trees sway as if they had stood there for `seconds` up to `time`.
-    virtual void runUp(const std::vector<std::size_t>&, const WindField*, double, float) {}
+    /// Gives trees the motion that they would have after `seconds` in the wind up to `time`.
+    virtual void spinUp(const std::vector<std::size_t>&, const WindField*, double, float) {}
 
-    /// Why its trees and species are those that it began with; empty where they come and go.
-    virtual Diagnostics fixed() const {
-        return {keyProblem("law", "trees and species come, go and change under the law modal only")};
+    /// Why trees and species cannot be edited; empty if they can.
+    virtual Diagnostics editProblems() const {
+        return {keyProblem("law", "only the law modal lets trees and species be added, removed or changed")};
     }
-    // Where fixed() is empty:
+    // The rest of the edits require that editProblems() is empty.
 
-    /// Puts up a tree at rest. @return its slot, for the forest to put it into.
+    /// Adds a tree at rest. @return its slot; the caller puts the tree into the forest.
     virtual std::size_t add(const PlacedTree&) { return 0; }
     virtual void remove(std::size_t) {}
-    /// Makes the tree of a slot that one, in full sway.
+    /// Replaces the tree of a slot, and keeps its motion.
     virtual void replace(std::size_t, const PlacedTree&) {}
-    /// How far a tree has come down; null: it stands.
+    /// The damage of a tree: its fallen parts; null if it is whole.
     virtual const TreeFall* fall(std::size_t) const { return nullptr; }
-    virtual void putUpright(std::size_t) {}
+    virtual void clearFall(std::size_t) {}
 
-    /// One tree as it stands now; nothing where none stands. Values stay where they are until the tree is
-    /// removed or the next call for it.
+    /// Present state of a tree; empty if the slot is. The spans stay valid until the tree is removed or asked
+    /// for again.
     virtual TreeMotion motion(std::size_t slot) const = 0;
-    /// The same; a law that works it out does so in `values`.
+    /// As above; a law that computes values on request writes them to `values`.
     virtual TreeMotion motion(std::size_t slot, UnitValues& values) const = 0;
-    /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
+    /// One unit of motion(), for the cost of its ancestor units. @param slot must hold a tree.
     virtual UnitMotion unitMotion(std::size_t slot, std::size_t unit) const = 0;
 };
 

@@ -17,7 +17,7 @@ NoiseTime split(double periods) {
     const double cell = std::floor(periods);
     const float fraction = static_cast<float>(periods - cell);
     const double wrapped = cell - 4294967296.0 * std::floor(cell / 4294967296.0);
-    if (fraction >= 1.0f) // rounded up from just below
+    if (fraction >= 1.0f) // the conversion to float rounded up
         return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(wrapped) + 1), 0.0f, 0.0f};
     return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(wrapped)), fraction, 0.0f};
 }

@@ -14,18 +14,18 @@ Reconfiguration::Reconfiguration(const Species& species) {
     streamlining = wood.streamlining;
     breezeStreamlining = wood.breezeStreamlining;
     streamlinedTo = wood.streamlinedTo;
-    mostPull = std::tan(clampedFields(species.leaf).maxDownwind);
+    maxPull = std::tan(clampedFields(species.leaf).maxDownwind);
 }
 
 glm::vec4 Reconfiguration::pull(const glm::vec3& wind) const {
-    return Laws().foliagePull(wind, streamlining, breezeStreamlining, streamlinedTo, mostPull);
+    return Laws().foliagePull(wind, streamlining, breezeStreamlining, streamlinedTo, maxPull);
 }
 
-float Reconfiguration::drag(float speed) const {
+float Reconfiguration::dragRatio(float speed) const {
     return Laws().foliageDrag(streamlining, breezeStreamlining, streamlinedTo, speed);
 }
 
-glm::quat drawnLeafTurn(const glm::quat& orientation, const glm::vec4& state, const glm::vec4& pull) {
+glm::quat downwindLeafTurn(const glm::quat& orientation, const glm::vec4& state, const glm::vec4& pull) {
     const glm::vec4 q =
         Laws().downwindTurn(orientation * glm::vec3(0.0f, 0.0f, 1.0f), state.w * glm::vec3(pull));
     return glm::quat(q.w, q.x, q.y, q.z) * orientation * leafRotation(state);

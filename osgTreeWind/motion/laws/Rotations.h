@@ -8,17 +8,17 @@
 
 namespace osgTreeWind {
 
-/// Turn of a branch about its base, in the tree's rest axes (shaders/law/rotation.glsl).
-/// @param state of TreeMotion::states.
+/// Rotation of a branch about its base, in the tree's rest axes (shaders/law/rotation.glsl).
+/// @param state from TreeMotion::states.
 glm::quat branchRotation(const glm::vec4& state);
 
-/// The same for the law `modal`: from the angles about the two axes of the branch.
-/// @param direction base to tip of the scaled unit at rest, unit length.
+/// Rotation of a branch under the law `modal`. @param angles about the two axes of the branch, radians.
+/// @param direction from base to tip of the scaled unit at rest, unit length.
 glm::quat swungRotation(const glm::vec2& angles, const glm::vec3& direction);
 
-/// Turn of a leaf cluster in its own frame: a corner of the leaf mesh is drawn, before the pose of its
-/// branch, at scaled anchor + size * (orientation * (leafRotation * corner)).
-/// @param state of TreeMotion::leaves.
+/// Rotation of a leaf cluster in its own frame. A corner of the leaf mesh is drawn, before the pose of its
+/// branch, at scaled anchor + size * (orientation * (leafRotation * corner)). @param state from
+/// TreeMotion::leaves.
 glm::quat leafRotation(const glm::vec4& state);
 
 } // namespace osgTreeWind

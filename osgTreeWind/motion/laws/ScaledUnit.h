@@ -11,9 +11,9 @@
 
 namespace osgTreeWind {
 
-/// A branch unit as large as the tree it is part of; metres, tree frame.
+/// A branch unit at the size of its tree; metres, tree frame.
 struct ScaledUnit {
-    glm::vec3 base, span; ///< `span` from the base to the tip.
+    glm::vec3 base, span; ///< `span` is the vector from base to tip.
     float length, baseDiameter, tipDiameter;
 
     ScaledUnit(const BranchUnit& unit, const TreeScale& scale)
@@ -27,8 +27,8 @@ struct ScaledUnit {
         return 0.26179939f * length *
                (baseDiameter * baseDiameter + baseDiameter * tipDiameter + tipDiameter * tipDiameter);
     }
-    /// From its base, where the drag on the unit itself acts: 3/8 of an even one, 0.263 of one half as thick
-    /// at its end.
+    /// Distance from the base at which the drag on the unit acts, metres: 3/8 of the length for constant
+    /// thickness, 0.263 for a tip half as thick as the base.
     float dragLever() const {
         return length * (0.375f - 0.224f * (1.0f - std::clamp(tipDiameter / baseDiameter, 0.0f, 1.0f)));
     }
@@ -37,17 +37,17 @@ struct ScaledUnit {
     }
 };
 
-/// Whether unit `i` carries on the axis of its parent: the trunk, a branch.
-inline bool carriesOn(const std::vector<BranchUnit>& units, std::size_t i) {
+/// Whether unit `i` continues the axis of its parent, such as the trunk or a branch.
+inline bool continuesParentAxis(const std::vector<BranchUnit>& units, std::size_t i) {
     return units[i].parent >= 0 && units[static_cast<std::size_t>(units[i].parent)].level == units[i].level;
 }
 
-/// Per unit, from its base to the tip of its axis, metres.
-inline std::vector<float> axisReaches(const std::vector<BranchUnit>& units, const TreeScale& scale) {
+/// Distance from the base of each unit to the tip of its axis, metres.
+inline std::vector<float> distancesToAxisTip(const std::vector<BranchUnit>& units, const TreeScale& scale) {
     std::vector<float> reaches(units.size(), 0.0f);
     for (std::size_t i = units.size(); i-- > 0;) {
         reaches[i] += ScaledUnit(units[i], scale).length;
-        if (carriesOn(units, i))
+        if (continuesParentAxis(units, i))
             reaches[static_cast<std::size_t>(units[i].parent)] = reaches[i];
     }
     return reaches;

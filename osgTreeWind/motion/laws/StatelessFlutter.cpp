@@ -12,22 +12,24 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double paces[] = {0.7071067811865476, 1.0, 1.618033988749895}; // over the noise frequency
+constexpr double frequencyRatios[] = {0.7071067811865476, 1.0,
+                                      1.618033988749895}; // relative to the noise frequency
 
 float wrapped(double periods) {
     const float fraction = static_cast<float>(periods - std::floor(periods));
-    return fraction < 1.0f ? fraction : 0.0f; // rounded up from just below; NaN
+    return fraction < 1.0f ? fraction : 0.0f; // catches rounding up to 1, and NaN
 }
 
 } // namespace
 
-float ownNumber(std::uint32_t seed) {
+float treeRandom(std::uint32_t seed) {
     return Laws().unitInterval(Laws().scrambleBits(seed));
 }
 
 glm::vec3 flutterPhases(double time, const LeafMotion& motion) {
     const double periods = time * static_cast<double>(motion.noiseFrequency);
-    return {wrapped(paces[0] * periods), wrapped(paces[1] * periods), wrapped(paces[2] * periods)};
+    return {wrapped(frequencyRatios[0] * periods), wrapped(frequencyRatios[1] * periods),
+            wrapped(frequencyRatios[2] * periods)};
 }
 
 glm::vec4 flutterLimits(const LeafMotion& given) {
@@ -38,12 +40,12 @@ glm::vec4 flutterLimits(const LeafMotion& given) {
 }
 
 glm::vec2 leafTremble(const LeafMotion& given) {
-    // Leaves of size D move at D u^2 / (740^2 nu), root mean square.
+    // The rms speed of leaves of size D in a wind u is D u^2 / (740^2 nu).
     constexpr float airViscosity = 1.5e-5f; // kinematic, m^2/s
-    constexpr float speedOfSize = 1.0f / (740.0f * 740.0f * airViscosity);
-    constexpr float cardSpeed = 17.0f; // rms of trembleWave(), the mean over a card, over the noise frequency
+    constexpr float speedPerSize = 1.0f / (740.0f * 740.0f * airViscosity);
+    constexpr float cardSpeed = 17.0f; // rms of trembleWave(), averaged over a card, over the noise frequency
     const LeafMotion motion = clampedFields(given);
-    const float stiffness = cardSpeed * motion.noiseFrequency / speedOfSize;
+    const float stiffness = cardSpeed * motion.noiseFrequency / speedPerSize;
     return {motion.size, std::max(stiffness, 1e-3f) / std::max(motion.tremble, 1e-6f)};
 }
 

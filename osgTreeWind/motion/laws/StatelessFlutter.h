@@ -13,35 +13,34 @@
 
 namespace osgTreeWind {
 
-// How leaves flutter under the law `modal`: a function of time and of the wind that nothing is kept for
-// (shaders/law/flutter.glsl, which vertex shaders share).
+// Flutter of leaves under the law `modal`, as a stateless function of time and wind
+// (shaders/law/flutter.glsl, shared with the vertex shaders).
 
-/// What the seed of a tree gives it of its own: colours and phases of its leaves, [0, 1).
-float ownNumber(std::uint32_t seed);
+/// Random number of a tree, [0, 1), for the colours and phases of its leaves.
+float treeRandom(std::uint32_t seed);
 
-/// Time in periods of a species' leaves, three of them that never meet, each wrapped to [0, 1): as exact
-/// after months as at once. @param time seconds; what is not finite counts as 0.
+/// Time in periods of a species' leaves, for three incommensurate frequencies, each wrapped to [0, 1).
+/// Precision does not degrade with time. @param time seconds; a value that is not finite counts as 0.
 glm::vec3 flutterPhases(double time, const LeafMotion& motion);
 
-/// How far they turn: maxAngleX, maxAngleZ, maxRotation (radians), linkedFactor. Within the ranges of
-/// LeafMotion, whatever it says.
+/// Amplitudes of flutter: maxAngleX, maxAngleZ, maxRotation (radians), linkedFactor; clamped as LeafMotion
+/// is.
 glm::vec4 flutterLimits(const LeafMotion& motion);
 
-/// How single leaves move within their cluster: their size, m, and the stiffness that trembleShare() takes,
-/// (m/s)^2.
+/// Motion of single leaves within their cluster: leaf size, m, and the stiffness for trembleShare(), (m/s)^2.
 glm::vec2 leafTremble(const LeafMotion& motion);
 
-/// The leaves of one tree as they stand in a wind.
+/// Computes the flutter of one tree's leaves.
 struct StatelessFlutter {
     Span<LeafCluster> leaves;
-    glm::vec3 axes{1.0f};   ///< TreeScale's.
+    glm::vec3 axes{1.0f};   ///< TreeScale::axes.
     Span<glm::vec3> winds;  ///< Per unit, m/s.
-    Span<glm::vec4> pulls;  ///< TreeMotion's.
+    Span<glm::vec4> pulls;  ///< TreeMotion::pulls.
     glm::vec3 phases{0.0f}; ///< flutterPhases().
     glm::vec4 limits{0.0f}; ///< flutterLimits().
-    float own = 0.0f;       ///< ownNumber().
+    float own = 0.0f;       ///< treeRandom().
 
-    /// @param states per cluster: TreeMotion::leaves.
+    /// @param states written per cluster: TreeMotion::leaves.
     void run(glm::vec4* states) const;
 };
 

@@ -18,11 +18,11 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Share of their drag that twigs keep among each other. An oak in leaf then has 1.5 times its bare load, a
-/// measured one 1.8 to 3.2 times (Angelou et al. 2019).
+/// Share of the drag of twigs that remains after they shelter each other. An oak in leaf then has 1.5 times
+/// its bare load; measurements gave 1.8 to 3.2 times (Angelou et al. 2019).
 constexpr float twigShelter = 0.5f;
 
-/// Share of the tree's leaves on each unit.
+/// Share of the tree's leaves per unit.
 std::vector<float> leafShares(const TreeModel& model) {
     std::vector<float> shares(model.skeleton.units.size());
     float sum = 0.0f;
@@ -36,7 +36,7 @@ std::vector<float> leafShares(const TreeModel& model) {
     return shares;
 }
 
-/// Outline of the crown seen from the side, taken as a rhombus, m^2.
+/// Side view area of the crown, taken as a rhombus, m^2.
 float crownOutline(const TreeModel& model, const TreeScale& scale) {
     if (model.leaves.empty())
         return 0.0f;
@@ -49,11 +49,10 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
     return 0.25f * (size.x + size.y) * size.z;
 }
 
-/// Brings the wood of all branches to the mass that such a tree has. A conifer's drawn branch stands for
-/// several side by side, which share their stiffness; a broadleaf's sections add up, so that twigs alone are
-/// missing.
-void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
-                   const WoodParameters& wood, double diameter, double height) {
+/// Scales the mass of all branches to that of a real tree. A drawn conifer branch represents several side by
+/// side, so its stiffness scales as well; sections of a drawn broadleaf add up, and only twigs are missing.
+void scaleBranchMass(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                     const WoodParameters& wood, double diameter, double height) {
     double trunk = 0.0, drawn = 0.0;
     for (std::size_t i = 0; i < units.size(); ++i) {
         (units[i].level > 0 ? drawn : trunk) += loads[i].woodMass;
@@ -72,9 +71,9 @@ void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& 
     }
 }
 
-/// What a unit carries, from its base along it.
+/// Loads carried by a unit, along its axis from its base.
 struct CarriedLoad {
-    float reach = 0.0f;   ///< Metres: the middle of the loads m r^2, and at least the tip of its axis.
+    float reach = 0.0f;   ///< Distance of the resultant of m r, but at least to the tip of the axis, metres.
     float moment = 0.0f;  ///< Sum of m r, kg m.
     float inertia = 0.0f; ///< Sum of m r^2, kg m^2.
 };
@@ -95,7 +94,7 @@ std::vector<CarriedLoad> carriedBy(const std::vector<UnitLoad>& loads, const std
             carried[carrier].inertia += mass * arm * arm;
         }
     }
-    const std::vector<float> reaches = axisReaches(units, scale);
+    const std::vector<float> reaches = distancesToAxisTip(units, scale);
     for (std::size_t i = 0; i < units.size(); ++i) {
         CarriedLoad& c = carried[i];
         c.reach = c.moment > 0.0f ? std::max(reaches[i], c.inertia / c.moment) : reaches[i];
@@ -103,24 +102,24 @@ std::vector<CarriedLoad> carriedBy(const std::vector<UnitLoad>& loads, const std
     return carried;
 }
 
-/// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own
-/// weight, however many units it is made of: twigs of a slender tree are not as slender as its trunk.
+/// Sets the joint stiffness from the bent wood. A branch is at least stiff enough not to sag under its own
+/// weight, for any number of units: twigs of a slender tree are not as slender as its trunk.
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
-    constexpr float deepestSag = 0.35f, g = static_cast<float>(gravity);
+    constexpr float maxSag = 0.35f, g = static_cast<float>(gravity);
     const std::vector<CarriedLoad> carried = carriedBy(loads, units, scale);
-    std::vector<float> branch = axisReaches(units, scale); // length of the one a unit is part of
+    std::vector<float> branch = distancesToAxisTip(units, scale); // length of the one a unit is part of
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        if (carriesOn(units, i))
+        if (continuesParentAxis(units, i))
             branch[i] = branch[static_cast<std::size_t>(units[i].parent)];
         loads[i].stiffness = static_cast<float>(jointStiffness(
             loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, carried[i].reach));
         if (units[i].level > 0)
             loads[i].stiffness =
-                std::max(loads[i].stiffness, g * carried[i].moment * branch[i] / (deepestSag * unit.length));
-        if (loads[i].rootGive > 0.0f)
-            loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
+                std::max(loads[i].stiffness, g * carried[i].moment * branch[i] / (maxSag * unit.length));
+        if (loads[i].rootCompliance > 0.0f)
+            loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootCompliance);
     }
 }
 
@@ -146,23 +145,24 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const WoodParameters& wood = species.wood;
     const std::vector<float> shares = leafShares(model);
-    const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
+    const bool isCrownMeasured = wood.crownDrag > 0.0f && !model.leaves.empty();
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
     const auto diameter = static_cast<float>(breastDiameter(model, scale));
     const float height = scale.axes.z * model.skeleton.height();
     const double modulus =
         std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
     const float area = leafArea(model, scale, species, share);
-    const float crown =
-        known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
-              : wood.leafDrag * area;
+    const float crown = isCrownMeasured ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) *
+                                              crownOutline(model, scale)
+                                        : wood.leafDrag * area;
     std::vector<UnitLoad> loads(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         const float d0 = unit.baseDiameter, d1 = unit.tipDiameter;
         loads[i].woodMass = wood.density * unit.volume();
         loads[i].modulus = static_cast<float>(units[i].level > 0 ? wood.branchModulus * modulus : modulus);
-        loads[i].rootGive = units[i].parent < 0 ? static_cast<float>(rootGive(wood, diameter, height)) : 0.0f;
+        loads[i].rootCompliance =
+            units[i].parent < 0 ? static_cast<float>(rootCompliance(wood, diameter, height)) : 0.0f;
         loads[i].leafArea = area * shares[i];
         loads[i].leafMass = wood.leafMass * loads[i].leafArea;
         loads[i].leafDrag = crown * shares[i];
@@ -172,7 +172,7 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
             loads[i].shootMass = wood.density * shoots.volume;
             loads[i].woodDrag += twigShelter * wood.woodDrag * shoots.outline;
         }
-        if (known && units[i].level > 0) // a crown is measured with its branches
+        if (isCrownMeasured && units[i].level > 0) // the measured drag of a crown includes its branches
             loads[i].woodDrag *= 1.0f - share;
     }
     return loads;
@@ -181,8 +181,8 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves) {
     std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
-    weighBranches(loads, model.skeleton.units, species.wood, breastDiameter(model, scale),
-                  static_cast<double>(scale.axes.z * model.skeleton.height()));
+    scaleBranchMass(loads, model.skeleton.units, species.wood, breastDiameter(model, scale),
+                    static_cast<double>(scale.axes.z * model.skeleton.height()));
     addStiffness(loads, model.skeleton.units, scale);
     return loads;
 }

@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base) {
+UnitPose childPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base) {
     UnitPose pose;
     pose.rotation = parent.rotation * rotation;
     pose.translation = parent.apply(base) - pose.rotation * base;
@@ -23,12 +23,12 @@ void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::q
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const BranchUnit& unit = skeleton.units[i];
         const UnitPose& parent = unit.parent < 0 ? ground : poses[unit.parent];
-        poses[i] = carriedPose(parent, rotations[i], scale.axes * unit.base);
+        poses[i] = childPose(parent, rotations[i], scale.axes * unit.base);
     }
 }
 
-void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
-                glm::quat* rotations, UnitPose* poses) {
+void composeModalPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
+                       glm::quat* rotations, UnitPose* poses) {
     for (std::size_t i = 0; i < skeleton.units.size(); ++i)
         rotations[i] = swungRotation(skeleton.units[i], scale, angles[i]);
     composePoses(skeleton, scale, rotations, poses);

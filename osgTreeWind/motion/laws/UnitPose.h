@@ -10,21 +10,20 @@
 
 namespace osgTreeWind {
 
-/// M(unit) = M(parent) * T(base) * R(unit) * T(-base) (thesis §3.1.3), of one unit.
-UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base);
+/// Pose of one unit: M(unit) = M(parent) * T(base) * R(unit) * T(-base) (thesis §3.1.3).
+UnitPose childPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base);
 
-/// Composes M(unit) down the hierarchy, with `rotations` the turn of each unit about its own base in the
-/// tree's rest axes.
+/// Composes the poses down the hierarchy. @param rotations of each unit about its base, in the tree's rest
+/// axes.
 /// @param rotations, poses skeleton.units.size() elements each.
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
                   UnitPose* poses);
 
-/// The turn of a unit from its angles about its own two axes (law `modal`).
+/// Rotation of a unit from the angles about its two axes (law `modal`).
 glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles);
 
-/// The same from the angles of each unit about its own two axes (law `modal`), with the
-/// rotations on the way.
-void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
-                glm::quat* rotations, UnitPose* poses);
+/// Computes rotations and poses from the angles of each unit about its two axes (law `modal`).
+void composeModalPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
+                       glm::quat* rotations, UnitPose* poses);
 
 } // namespace osgTreeWind

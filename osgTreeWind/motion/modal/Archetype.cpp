@@ -20,18 +20,18 @@ namespace osgTreeWind {
 
 namespace {
 
-// Steps between rungs: of logarithms, and of the leaves' share.
+// Distance between size classes: of logarithms, and of the share of leaves.
 constexpr float heightStep = 0.7f, supportStep = 0.6f, widthStep = 0.2f, leavesStep = 0.25f;
 
-JointTree jointsOf(const SwayingTree& tree) {
+JointTree jointsOf(const TreeForm& tree) {
     return makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
 }
 
-float widthOver(const TreeScale& scale) {
+float relativeWidth(const TreeScale& scale) {
     return scale.axes.x / scale.axes.z;
 }
 
-float girthOver(const TreeScale& scale) {
+float relativeGirth(const TreeScale& scale) {
     return scale.radius / scale.axes.z;
 }
 
@@ -39,9 +39,9 @@ int steps(float value, float step) {
     return static_cast<int>(std::lround(std::clamp(value / step, -100.0f, 100.0f)));
 }
 
-/// Logarithms of what growth gives to a tree beside its scale; of its leaves, over the mass of wood of that
-/// scale.
-SizePowers growthOf(const SwayingTree& tree, float leaves) {
+/// Logarithms of growth quantities that do not follow from a tree's scale; leaves over the mass of wood at
+/// that scale.
+SizePowers growthOf(const TreeForm& tree, float leaves) {
     const WoodParameters& wood = tree.species->wood;
     double trunk = 0.0, drawn = 0.0, height = 0.0;
     for (const BranchUnit& unit : tree.model->skeleton.units) {
@@ -57,15 +57,14 @@ SizePowers growthOf(const SwayingTree& tree, float leaves) {
         drawn > 0.0
             ? static_cast<float>(std::log(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn))
             : 0.0f;
-    logs.width = std::log(widthOver(tree.scale));
+    logs.width = std::log(relativeWidth(tree.scale));
     logs.leaves = leaves > 0.0f ? std::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
     return logs;
 }
 
-constexpr double little = 0.1; // of a logarithm
+constexpr double logStep = 0.1; // change of a logarithm
 
-/// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
-/// it.
+/// Sets the powers with which modal stiffness follows one quantity, from a tree with e^change as much of it.
 void addStiffnessPowers(std::vector<ModalModel>& models, const JointTree& other, double change,
                         float SizePowers::*size) {
     const std::vector<double> ratios = stiffnessRatios(models.front(), other);
@@ -83,10 +82,10 @@ void addPowers(std::vector<ModalModel>& models, const JointTree& other, double c
             model.modes[k].mass.*size = static_cast<float>(std::log(ratios[k]) / change);
 }
 
-/// The tree with more wood in its branches.
-JointTree withBranches(const SwayingTree& tree, double factor) {
+/// The joints of the tree with `factor` times as much wood in its branches.
+JointTree withBranchWood(const TreeForm& tree, double factor) {
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
-    SwayingTree bare = tree;
+    TreeForm bare = tree;
     bare.leaves = 0.0f;
     JointTree joints = jointsOf(tree);
     const JointTree wood = jointsOf(bare);
@@ -94,72 +93,72 @@ JointTree withBranches(const SwayingTree& tree, double factor) {
         if (units[joints.points[i].link].level > 0)
             joints.points[i].mass += (factor - 1.0) * wood.points[i].mass;
     if (tree.species->wood.branchWood ==
-        WoodAllometry::Conifer) // several side by side, which share stiffness
+        WoodAllometry::Conifer) // a drawn branch represents several side by side, which share stiffness
         for (std::size_t i = 0; i < units.size(); ++i)
             if (units[i].level > 0)
                 joints.links[i].stiffness *= factor;
     return joints;
 }
 
-/// The tree with a crown as many times wider, and the same wood in its branches.
-JointTree withWidth(const SwayingTree& tree, float factor) {
-    SwayingTree other = tree;
+/// The joints of the tree with a crown `factor` times wider, and the same wood in its branches.
+JointTree withWidth(const TreeForm& tree, float factor) {
+    TreeForm other = tree;
     other.scale.axes.x *= factor;
     other.scale.axes.y *= factor;
-    return withBranches(
+    return withBranchWood(
         other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
 }
 
-void addPowers(std::vector<ModalModel>& models, const SwayingTree& tree) {
-    const double more = std::exp(little);
+void addPowers(std::vector<ModalModel>& models, const TreeForm& tree) {
+    const double more = std::exp(logStep);
     Species other = *tree.species;
     other.wood.elasticModulus *= static_cast<float>(more);
-    SwayingTree changed = tree;
+    TreeForm changed = tree;
     changed.species = &other;
-    addStiffnessPowers(models, jointsOf(changed), little, &SizePowers::modulus);
+    addStiffnessPowers(models, jointsOf(changed), logStep, &SizePowers::modulus);
     other = *tree.species;
     other.wood.anchorage *= static_cast<float>(more);
-    addStiffnessPowers(models, jointsOf(changed), little, &SizePowers::roots);
-    for (ModalModel& model : models) // what is stiff neither by its wood nor by its roots
+    addStiffnessPowers(models, jointsOf(changed), logStep, &SizePowers::roots);
+    for (ModalModel& model : models) // the rest of the stiffness: branches that hold themselves up
         for (ModalModel::Mode& mode : model.modes)
             mode.stiffness.support = 1.0f - mode.stiffness.modulus - mode.stiffness.roots;
-    addPowers(models, withBranches(tree, more), little, &SizePowers::branches);
-    addPowers(models, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
+    addPowers(models, withBranchWood(tree, more), logStep, &SizePowers::branches);
+    addPowers(models, withWidth(tree, static_cast<float>(more)), logStep, &SizePowers::width);
     changed = tree;
     changed.leaves *= static_cast<float>(1.0 / more);
-    addPowers(models, jointsOf(changed), -little, &SizePowers::leaves);
+    addPowers(models, jointsOf(changed), -logStep, &SizePowers::leaves);
 }
 
-/// How heavy for its stiffness a tree of its form is: weight times length over what its wood can hold.
-float supportOf(const TreeScale& scale) {
-    return std::log(scale.axes.z) - 2.0f * std::log(girthOver(scale));
+/// Logarithm of weight times length over wood stiffness.
+float logSupport(const TreeScale& scale) {
+    return std::log(scale.axes.z) - 2.0f * std::log(relativeGirth(scale));
 }
 
 } // namespace
 
-ArchetypeRung nearestRung(const SwayingTree& tree) {
+TreeSizeClass sizeClassOf(const TreeForm& tree) {
     return {tree.model,
             tree.species,
             steps(std::log(tree.scale.axes.z), heightStep),
-            steps(supportOf(tree.scale), supportStep),
-            steps(std::log(widthOver(tree.scale)), widthStep),
+            steps(logSupport(tree.scale), supportStep),
+            steps(std::log(relativeWidth(tree.scale)), widthStep),
             steps(tree.leaves, leavesStep)};
 }
 
-SwayingTree treeOn(const ArchetypeRung& rung) {
-    SwayingTree tree{rung.model, rung.species, {}, leavesStep * static_cast<float>(rung.leaves)};
-    tree.scale.axes.z = std::exp(heightStep * static_cast<float>(rung.height));
-    const float girth =
-        0.5f * (heightStep * static_cast<float>(rung.height) -
-                supportStep * static_cast<float>(rung.support)); // of its logarithm, over height
+TreeForm typicalTree(const TreeSizeClass& sizeClass) {
+    TreeForm tree{sizeClass.model, sizeClass.species, {}, leavesStep * static_cast<float>(sizeClass.leaves)};
+    tree.scale.axes.z = std::exp(heightStep * static_cast<float>(sizeClass.height));
+    const float girth = // logarithm of girth over height
+        0.5f * (heightStep * static_cast<float>(sizeClass.height) -
+                supportStep * static_cast<float>(sizeClass.support));
     tree.scale.radius = tree.scale.axes.z * std::exp(girth);
     tree.scale.axes.x = tree.scale.axes.y =
-        tree.scale.axes.z * std::exp(widthStep * static_cast<float>(rung.width));
+        tree.scale.axes.z * std::exp(widthStep * static_cast<float>(sizeClass.width));
     tree.scale.leaf = std::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
     return tree;
 }
 
-Archetype::Archetype(const SwayingTree& tree)
+Archetype::Archetype(const TreeForm& tree)
     : _scale(tree.scale), _leaves(tree.leaves),
       _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)),
       _logs(growthOf(tree, _leafArea)) {
@@ -177,29 +176,29 @@ Archetype::Archetype(const SwayingTree& tree)
     _other[1] = nearestPatches(_models[1], 1.0f, _models[0], 1.0f);
 }
 
-TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
+TreeFactors Archetype::factors(const TreeForm& tree, float heading) const {
     const float l = tree.scale.axes.z / _scale.axes.z, r = tree.scale.radius / _scale.radius;
     TreeFactors f;
     f.cosine = std::cos(heading);
     f.sine = std::sin(heading);
     f.length = l;
-    f.pace = r * r / (l * l * l * l);
+    f.omegaSquare = r * r / (l * l * l * l);
     const float leaves = leafArea(*tree.model, tree.scale, *tree.species, tree.leaves);
     const SizePowers logs = growthOf(tree, leaves);
     f.logs.modulus = logs.modulus - _logs.modulus;
     f.logs.branches = logs.branches - _logs.branches;
     f.logs.width = logs.width - _logs.width;
-    f.logs.support = std::log(l * l * l / (r * r)); // weight times length over stiffness of wood,
-    f.logs.roots = std::log(l * l / (r * r));       // and weight over it
+    f.logs.support = std::log(l * l * l / (r * r)); // weight times length over wood stiffness
+    f.logs.roots = std::log(l * l / (r * r));       // weight over wood stiffness
     f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
     f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _leaves > 0.0f
-                     ? l * tree.scale.axes.x / _scale.axes.x * tree.leaves / _leaves // its outline
+                     ? l * tree.scale.axes.x / _scale.axes.x * tree.leaves / _leaves // outline
                      : f.stillDrag;
     return f;
 }
 
-std::shared_ptr<const Archetype> sharedArchetype(const SwayingTree& tree) {
+std::shared_ptr<const Archetype> sharedArchetype(const TreeForm& tree) {
     static SharedConstants<std::pair<std::uint64_t, std::string>, Archetype> archetypes;
     if (tree.model->identity == 0)
         return std::make_shared<const Archetype>(tree);

@@ -7,7 +7,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Drag, and where it is.
+/// Drag area and its first moment.
 struct Drag {
     double area = 0.0;
     glm::dvec3 moment{0.0};
@@ -19,8 +19,8 @@ struct Drag {
     Drag without(const Drag& other) const { return {area - other.area, moment - other.moment}; }
 };
 
-/// By how much the spread (area times squared distance from the middle) falls as a whole is parted in two.
-double gainOfParting(const Drag& a, const Drag& b) {
+/// Decrease of the spread (area times squared distance from the centre) when a patch is split in two.
+double spreadReduction(const Drag& a, const Drag& b) {
     if (!(a.area > 0.0) || !(b.area > 0.0))
         return 0.0;
     const glm::dvec3 apart = a.moment / a.area - b.moment / b.area;
@@ -39,7 +39,7 @@ std::vector<std::size_t> dragPatches(const JointTree& tree, std::size_t count) {
     }
     std::vector<std::size_t> patch(links, 0);
     for (std::size_t made = 1; made < count; ++made) {
-        std::vector<Drag> carried = own; // by each link within its patch
+        std::vector<Drag> carried = own; // of each link and its descendants within its patch
         std::vector<Drag> whole(made);
         for (std::size_t i = links; i-- > 0;) {
             const bool goesOn = tree.links[i].parent >= 0 && patch[parent(i)] == patch[i];
@@ -48,7 +48,7 @@ std::vector<std::size_t> dragPatches(const JointTree& tree, std::size_t count) {
         std::size_t cut = links;
         double best = 0.0;
         for (std::size_t i = 0; i < links; ++i) {
-            const double gain = gainOfParting(carried[i], whole[patch[i]].without(carried[i]));
+            const double gain = spreadReduction(carried[i], whole[patch[i]].without(carried[i]));
             if (gain > best * (1.0 + 1e-9)) {
                 best = gain;
                 cut = i;

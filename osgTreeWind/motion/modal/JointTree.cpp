@@ -13,9 +13,8 @@ namespace {
 
 constexpr int pointsPerUnit = 8;
 
-/// How far an even beam of that length, part of an axis that reaches `reach` on, moves at `at` from its base
-/// as it is bent by a force at the tip of the axis, over the angle of the joint that stands for it
-/// (jointStiffness()).
+/// Lever of a point at distance `at` on a bent unit: its deflection under a force at the tip of the axis,
+/// over the angle of the equivalent joint (jointStiffness()). The beam is uniform.
 double bentLever(double at, double length, double reach) {
     const double rest = reach - length;
     return at * at * (3.0 * reach - at) * reach / (2.0 * (reach * reach + reach * rest + rest * rest)) /
@@ -33,7 +32,7 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
                         float leaves) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const std::vector<UnitLoad> loads = makeUnitLoads(model, scale, species, leaves);
-    const std::vector<float> reach = axisReaches(units, scale);
+    const std::vector<float> reach = distancesToAxisTip(units, scale);
     JointTree tree;
     tree.links.reserve(units.size());
     tree.points.reserve(units.size() * (pointsPerUnit + 1));

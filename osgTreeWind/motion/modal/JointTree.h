@@ -13,43 +13,43 @@
 
 namespace osgTreeWind {
 
-/// A tree as stiff links on springs, with masses and drag at points of them: what its modes are worked out
-/// from. SI units, the tree's own frame at rest (Z up).
+/// Multibody model of a tree: rigid links on rotational springs, with point masses and drag. The input of
+/// modal analysis. SI units, the tree's own frame at rest (Z up).
 struct JointTree {
     /// A link turns about two axes at its base.
     struct Link {
-        int parent = -1; ///< Index; -1 for one that stands on the ground. Always < own index.
+        int parent = -1; ///< Index, less than its own; -1 for a link on the ground.
         glm::dvec3 base{0.0};
-        std::array<glm::dvec3, 2> axes{glm::dvec3(0, 1, 0),
-                                       glm::dvec3(-1, 0, 0)}; ///< Unit length, across it.
-        double stiffness = 1.0;                               ///< Of either axis, N m/rad.
+        /// Unit length, perpendicular to the link.
+        std::array<glm::dvec3, 2> axes{glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0)};
+        double stiffness = 1.0; ///< About each axis, N m/rad.
     };
 
-    /// A point of a link.
+    /// A point mass or drag area on a link.
     struct Point {
         std::size_t link = 0;
         glm::dvec3 place{0.0};
-        /// From the base of its link, how far it moves as that link's own joint turns; along the link, and
-        /// less than its distance where the link stands for bending wood.
+        /// Displacement direction and lever of the point about its own link's joint, along the link; shorter
+        /// than the distance where the link represents bending wood.
         glm::dvec3 lever{0.0};
         double mass = 0.0;      ///< kg
-        double woodDrag = 0.0;  ///< CdA of bare wood, m^2.
-        double leafDrag = 0.0;  ///< CdA of leaves in a wind of 10 m/s, m^2.
+        double woodDrag = 0.0;  ///< CdA of wood, m^2.
+        double leafDrag = 0.0;  ///< CdA of leaves at 10 m/s, m^2.
         double stillDrag = 0.0; ///< CdA of leaves that move through still air, m^2.
     };
 
     std::vector<Link> links;
     std::vector<Point> points;
 
-    /// Number of joint angles: two a link, 2 * link + axis.
+    /// Number of joint angles, two per link; the index is 2 * link + axis.
     std::size_t jointCount() const { return 2 * links.size(); }
-    /// Displacement of a point per angle of a joint of a link that carries it.
+    /// Displacement of a point per radian of a joint. @param link carries the point.
     glm::dvec3 displacement(const Point& point, std::size_t link, std::size_t axis) const;
 };
 
-/// The joints of a tree model: a link a unit, with the axes, the springs and the loads of UnitLoads.h.
-/// Wood moves as a bent beam does within its own unit, so that a pole of one unit has its pace within 2 %.
-/// @param leaves share of its leaves that the tree bears, 0 bare to 1.
+/// Builds the joints of a tree model: one link per unit, with the stiffness and loads of UnitLoads.h. Wood
+/// within a unit moves like a bent beam, so that the frequency of a one-unit pole is accurate to 2 %.
+/// @param leaves share of its leaves that the tree bears, 0 (bare) to 1.
 JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Species& species,
                         float leaves = 1.0f);
 

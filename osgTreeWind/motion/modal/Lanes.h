@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// As many floats as one instruction takes, as one number, and the law files compiled for it. For sources that
-// are compiled once for each instruction set: all of it is local to them.
+// SIMD lanes: a vector of floats that behaves as one number, and the law files compiled for it. For sources
+// that are compiled once per instruction set; all of it has internal linkage.
 
 namespace osgTreeWind {
 namespace {
@@ -32,7 +32,7 @@ inline real sqrt(real x) {
         x[i] = __builtin_sqrtf(x[i]);
     return x;
 }
-/// For numbers within the range of an int.
+/// For values in the range of int.
 inline real floor(real x) {
     const real whole = __builtin_convertvector(__builtin_convertvector(x, wholeLanes), real);
     return whole > x ? whole - 1.0f : whole;
@@ -41,7 +41,7 @@ inline real halvings(real n) {
     return reinterpret_cast<real>((127 - __builtin_convertvector(n, wholeLanes)) << 23);
 }
 
-/// The law files that say `real`.
+/// The law files that are written for `real`.
 struct LaneLaws {
 #include <shaders/law/limits.glsl>
 
@@ -52,7 +52,7 @@ struct LaneLaws {
 #include <shaders/law/modal.glsl>
 };
 
-/// What ModalAir needs to know of them.
+/// Traits for ModalAir.
 struct Lanes {
     using Number = real;
     using Laws = LaneLaws;

@@ -3,13 +3,13 @@
 
 #include <osgTreeWind/motion/modal/ModalKernel.h>
 
-// What the air does under the law `modal`, to as many trees at once as `Lanes` has: those of an instruction
-// set (Lanes.h), for which all of it is local to a source, or one.
+// Aerodynamics of the law `modal`, for one tree or for the lanes of an instruction set (Lanes.h); internal
+// linkage in both cases.
 
 namespace osgTreeWind {
 namespace {
 
-/// The floats from `first` on of each number of a block.
+/// Lanes from `first` on, of each number in a block.
 template <typename Lanes>
 class LaneColumn {
 public:
@@ -24,43 +24,43 @@ private:
     std::size_t _first;
 };
 
-/// A TreeFactors of each tree, and what follows from it.
+/// The TreeFactors of each lane, and derived quantities.
 template <typename Lanes>
 struct LaneFactors {
     using Number = typename Lanes::Number;
-    Number cosine, sine, length, pace, modulus, branches, width, leaves, support, roots, leafDrag, stillDrag,
-        contact, shelter;
-    Number reach;  ///< Speed of a patch by that of modes: lengths over the gain.
-    Number drive;  ///< Force on a mode, times the gain.
-    Number weight; ///< On the shares of weight.
+    Number cosine, sine, length, omegaSquare, modulus, branches, width, leaves, support, roots, leafDrag,
+        stillDrag, contact, shelter;
+    Number velocityScale; ///< From modal to patch velocity: length over gain.
+    Number forceScale;    ///< From patch to modal force, including the gain.
+    Number weightScale;   ///< Scale of the weight shares.
     Number woodDrag;
 
     LaneFactors(const LaneColumn<Lanes>& c, float gain)
-        : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
-          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]), contact(c[12]),
-          shelter(c[13]) {
+        : cosine(c[0]), sine(c[1]), length(c[2]), omegaSquare(c[3]), modulus(c[4]), branches(c[5]),
+          width(c[6]), leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]),
+          contact(c[12]), shelter(c[13]) {
         const Number cube = length * length * length;
-        reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
-        drive = gain / (pace * cube * cube);
-        weight = 1.0f / (pace * length);
-        woodDrag = Lanes::root(pace) * cube;
+        velocityScale = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
+        forceScale = gain / (omegaSquare * cube * cube);
+        weightScale = 1.0f / (omegaSquare * length);
+        woodDrag = Lanes::root(omegaSquare) * cube;
     }
 
-    /// What has those powers, over what it is on a tree that was only scaled.
-    Number grown(const SizePowers& p) const {
+    /// Ratio of a modal property to its value on a tree that was only scaled.
+    Number sizeFactor(const SizePowers& p) const {
         return typename Lanes::Laws().nearExponential(p.modulus * modulus + p.branches * branches +
                                                       p.width * width + p.leaves * leaves +
                                                       p.support * support + p.roots * roots);
     }
-    /// Share of its stiffness that weight leaves a mode: what slows it deepens its lean as well.
-    /// @param stiffness, mass grown() of it.
-    Number leftByWeight(const ModalModel::Mode& mode, const Number& stiffness, const Number& mass) const {
-        return typename Lanes::Laws().weightLeaves(mode.weightShare * weight * mass / stiffness);
+    /// Share of its stiffness that gravity leaves to a mode; it reduces the frequency and increases the lean.
+    /// @param stiffness, mass sizeFactor() of the mode.
+    Number stiffnessLeft(const ModalModel::Mode& mode, const Number& stiffness, const Number& mass) const {
+        return typename Lanes::Laws().weightLeaves(mode.weightShare * weightScale * mass / stiffness);
     }
 };
-static_assert(sizeof(TreeFactors) == 14 * sizeof(float), "LaneFactors takes them in their order");
+static_assert(sizeof(TreeFactors) == 14 * sizeof(float), "LaneFactors reads them in this order");
 
-/// The air at the patches of the trees from `first` on.
+/// Wind and drag at the patches of the trees from lane `first` on.
 template <typename Lanes>
 class ModalAir {
 public:
@@ -72,8 +72,8 @@ public:
 
     const LaneFactors<Lanes>& factors() const { return _factors; }
 
-    /// A wind in the trees' own axes reaches a patch.
-    void meet(std::size_t p, const Number& x, const Number& y, const Number& z) {
+    /// Sets the wind at a patch, in the trees' own axes, and computes its drag.
+    void setWind(std::size_t p, const Number& x, const Number& y, const Number& z) {
         const ModalModel::Patch& patch = _model.patches[p];
         Number* wind = _wind + 3 * p;
         wind[0] = x;
@@ -82,31 +82,32 @@ public:
         _square[p] = x * x + y * y + z * z;
         const Number wood = patch.woodDrag * _factors.woodDrag;
         Number swings;
-        const Number relative = pass(p, _speed, _past + 3 * p, _ownShare[p], swings);
+        const Number relative = relativeMotion(p, _speed, _relativeWind + 3 * p, _ownShare[p], swings);
         _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
         _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) * streamlined(p, relative);
         _brake[p] = typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], swings, relative);
     }
 
-    /// Of a patch that was met, as the modes have their speeds: kg/s, and the air past it, x, y, z.
+    /// Drag coefficient of a patch at the present modal speeds, kg/s, and the relative wind, x, y, z.
     const Number& brake(std::size_t p) const { return _brake[p]; }
-    const Number* past(std::size_t p) const { return _past + 3 * p; }
-    /// How much of the patch's own speed the air past it has: crowns of a stand shelter each other from the
+    const Number* relativeWind(std::size_t p) const { return _relativeWind + 3 * p; }
+    /// Share of the patch's own velocity in the relative wind: crowns in a stand shelter each other from the
     /// wind and from their own motion alike.
     const Number& ownShare(std::size_t p) const { return _ownShare[p]; }
 
-    /// The same as the modes have other speeds, with leaves turned as they were.
+    /// Drag coefficient of a patch at other modal speeds, with streamlining as at the present ones.
     template <typename Speeds>
     Number brakeAt(std::size_t p, const Speeds& speeds) const {
-        Number past[3], ownShare, swings;
-        const Number relative = pass(p, speeds, past, ownShare, swings);
+        Number relativeWind[3], ownShare, swings;
+        const Number relative = relativeMotion(p, speeds, relativeWind, ownShare, swings);
         return typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], swings, relative);
     }
 
 private:
-    /// Square of the speed of the air past a patch.
+    /// Squared speed of the relative wind at a patch.
     template <typename Speeds>
-    Number pass(std::size_t p, const Speeds& speeds, Number* past, Number& ownShare, Number& swings) const {
+    Number relativeMotion(std::size_t p, const Speeds& speeds, Number* relativeWind, Number& ownShare,
+                          Number& swings) const {
         const std::size_t modes = _model.modes.size();
         const float* lever = _model.levers.data() + 3 * modes * p;
         Number own[3];
@@ -114,18 +115,18 @@ private:
             Number sum = Lanes::every(0.0f);
             for (std::size_t k = 0; k < modes; ++k)
                 sum += lever[c * modes + k] * speeds[k];
-            own[c] = sum * _factors.reach;
+            own[c] = sum * _factors.velocityScale;
         }
         swings =
             typename Lanes::Laws().swinging(_square[p], own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
         ownShare = _factors.shelter + (1.0f - _factors.shelter) * swings;
         for (std::size_t c = 0; c < 3; ++c)
-            past[c] = _wind[3 * p + c] - ownShare * own[c];
-        return past[0] * past[0] + past[1] * past[1] + past[2] * past[2];
+            relativeWind[c] = _wind[3 * p + c] - ownShare * own[c];
+        return relativeWind[0] * relativeWind[0] + relativeWind[1] * relativeWind[1] +
+               relativeWind[2] * relativeWind[2];
     }
 
-    /// Share of its drag at 10 m/s: leaves turn out of the air that goes past them, their own motion
-    /// included.
+    /// Drag relative to that at 10 m/s: leaves streamline in the relative wind.
     Number streamlined(std::size_t p, const Number& relative) const {
         const ModalModel::Patch& patch = _model.patches[p];
         return typename Lanes::Laws().streamlinedShare(
@@ -136,7 +137,7 @@ private:
     const ModalModel& _model;
     const LaneColumn<Lanes> _speed;
     const LaneFactors<Lanes> _factors;
-    Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches],
+    Number _wind[3 * ModalDetail::maxPatches], _relativeWind[3 * ModalDetail::maxPatches],
         _ownShare[ModalDetail::maxPatches];
     Number _square[ModalDetail::maxPatches]; ///< Of the wind's speed.
     Number _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches],

@@ -5,27 +5,28 @@
 
 namespace osgTreeWind {
 
-std::uint32_t ModalArchetypes::indexOf(const SwayingTree& form) {
-    const auto next = static_cast<std::uint32_t>(_made.size() + _missing.size());
-    const std::uint32_t index = _exact ? next : _rungs.emplace(nearestRung(form), next).first->second;
+std::uint32_t ModalArchetypes::indexOf(const TreeForm& form) {
+    const auto next = static_cast<std::uint32_t>(_archetypes.size() + _missing.size());
+    const std::uint32_t index = _exact ? next : _indices.emplace(sizeClassOf(form), next).first->second;
     if (index == next)
-        _missing.push_back(_exact ? form : treeOn(nearestRung(form)));
+        _missing.push_back(_exact ? form : typicalTree(sizeClassOf(form)));
     return index;
 }
 
-void ModalArchetypes::make(const Executor& executor) {
+void ModalArchetypes::makeMissing(const Executor& executor) {
     if (_missing.empty())
         return;
-    const std::size_t first = _made.size();
-    std::vector<SwayingTree> missing;
+    const std::size_t first = _archetypes.size();
+    std::vector<TreeForm> missing;
     missing.swap(_missing);
-    _made.resize(first + missing.size());
-    runJobs(executor, missing.size(), [&](std::size_t i) { _made[first + i] = sharedArchetype(missing[i]); });
+    _archetypes.resize(first + missing.size());
+    runJobs(executor, missing.size(),
+            [&](std::size_t i) { _archetypes[first + i] = sharedArchetype(missing[i]); });
 }
 
 std::size_t ModalArchetypes::bytes() const {
     std::size_t bytes = 0;
-    for (const auto& archetype : _made)
+    for (const auto& archetype : _archetypes)
         for (std::size_t level = 0; level < Archetype::levels; ++level) {
             const ModalModel& model = archetype->model(level);
             bytes += sizeof(float) * (model.poses.size() + model.levers.size() + model.brakes.size()) +

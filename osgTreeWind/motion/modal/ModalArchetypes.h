@@ -11,28 +11,28 @@
 
 namespace osgTreeWind {
 
-/// The archetypes of a forest's trees: one for all near a rung.
+/// The archetypes of a forest: one per size class.
 class ModalArchetypes {
 public:
-    /// @param exact gives each tree one of its own, which takes milliseconds and tens of kB a tree.
+    /// @param exact gives each tree an archetype of its own, for milliseconds and tens of kB per tree.
     explicit ModalArchetypes(bool exact) : _exact(exact) {}
 
-    /// Index of the one that a form has, or is to have: then it is missing until make().
-    std::uint32_t indexOf(const SwayingTree& form);
-    bool isNew(const SwayingTree& form) const { return _exact || _rungs.count(nearestRung(form)) == 0; }
-    std::size_t missing() const { return _missing.size(); }
-    /// Makes those that are missing, milliseconds each.
-    void make(const Executor& executor);
+    /// Index of the archetype of a tree. A new archetype is missing until makeMissing().
+    std::uint32_t indexOf(const TreeForm& form);
+    bool isNew(const TreeForm& form) const { return _exact || _indices.count(sizeClassOf(form)) == 0; }
+    std::size_t missingCount() const { return _missing.size(); }
+    /// Makes the missing archetypes, in milliseconds each.
+    void makeMissing(const Executor& executor);
 
-    std::size_t size() const { return _made.size(); }
-    const Archetype& operator[](std::size_t index) const { return *_made[index]; }
+    std::size_t size() const { return _archetypes.size(); }
+    const Archetype& operator[](std::size_t index) const { return *_archetypes[index]; }
     std::size_t bytes() const;
 
 private:
     bool _exact;
-    std::map<ArchetypeRung, std::uint32_t> _rungs; ///< To an index.
-    std::vector<std::shared_ptr<const Archetype>> _made;
-    std::vector<SwayingTree> _missing;
+    std::map<TreeSizeClass, std::uint32_t> _indices; ///< Index by size class.
+    std::vector<std::shared_ptr<const Archetype>> _archetypes;
+    std::vector<TreeForm> _missing;
 };
 
 } // namespace osgTreeWind

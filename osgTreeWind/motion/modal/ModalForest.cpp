@@ -14,43 +14,43 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double longestPart = 0.1 + 1e-6; // seconds from one sample of the wind to the next
+constexpr double maxWindInterval = 0.1 + 1e-6; // seconds between samples of the wind
 
 } // namespace
 
 ModalForest::ModalForest(const PlacedForest& forest, ModalLevel level, bool leaves, Executor executor)
     : _forest(forest), _level(level), _withLeaves(leaves),
-      _sway(swayingTrees(), forest.description().gain, std::move(executor)) {}
+      _sway(makeModalTrees(), forest.description().gain, std::move(executor)) {}
 
 ModalForest::ModalForest(const ModalForest& other, const PlacedForest& forest)
     : _forest(forest), _level(other._level), _withLeaves(other._withLeaves), _sway(other._sway),
-      _behind(other._behind) {
+      _nextLeafUpdate(other._nextLeafUpdate) {
     _sway.reset();
 }
 
-std::unique_ptr<Motion> ModalForest::restarted(const PlacedForest& forest) const {
+std::unique_ptr<Motion> ModalForest::cloneAtRest(const PlacedForest& forest) const {
     return std::unique_ptr<Motion>(new ModalForest(*this, forest));
 }
 
-std::vector<ModalTree> ModalForest::swayingTrees() const {
+std::vector<ModalTree> ModalForest::makeModalTrees() const {
     std::vector<ModalTree> trees;
     trees.reserve(_forest.trees.size());
     for (const PlacedTree& tree : _forest.trees)
-        trees.push_back(swayingTree(_forest, tree, _level));
+        trees.push_back(makeModalTree(_forest, tree, _level));
     return trees;
 }
 
-void ModalForest::meet(const WindField* wind, double time) {
+void ModalForest::sampleWind(const WindField* wind, double time) {
     _time = time;
-    _sway.meet(wind, time);
+    _sway.sampleWind(wind, time);
 }
 
 void ModalForest::step(const WindField* wind, double time, float seconds) {
     _time = time;
-    if (_behind < _forest.trees.size())
-        followOn();
+    if (_nextLeafUpdate < _forest.trees.size())
+        updateNextLeaves();
     const auto elapsed = static_cast<double>(seconds);
-    const int parts = static_cast<int>(std::ceil(elapsed / longestPart));
+    const int parts = static_cast<int>(std::ceil(elapsed / maxWindInterval));
     for (int part = parts - 1; part >= 0; --part)
         _sway.step(wind, time - elapsed * part / parts, static_cast<float>(elapsed / parts));
 }
@@ -60,35 +60,35 @@ void ModalForest::reset() {
     _sway.reset();
 }
 
-void ModalForest::standIn(const CanopyFlow& wind) {
+void ModalForest::setCanopyFlow(const CanopyFlow& wind) {
     for (std::size_t slot = 0; slot < _forest.trees.size(); ++slot)
         if (_sway.holds(slot))
-            _sway.setCompany(slot, wind.companyAt(glm::vec2(_forest.trees[slot].position)));
+            _sway.setNeighbourEffect(slot, wind.neighbourEffectAt(glm::vec2(_forest.trees[slot].position)));
 }
 
-void ModalForest::followSeason() {
-    _behind = 0;
-    followOn();
+void ModalForest::updateAllLeaves() {
+    _nextLeafUpdate = 0;
+    updateNextLeaves();
 }
 
-void ModalForest::followOn() {
+void ModalForest::updateNextLeaves() {
     std::vector<std::size_t> slots;
     std::vector<ModalTree> wanted;
-    for (; _behind < _forest.trees.size() && slots.size() < treesAtOnce; ++_behind)
-        if (_forest.trees[_behind].alive) {
-            slots.push_back(_behind);
-            wanted.push_back(swayingTree(_forest, _forest.trees[_behind], _level));
+    for (; _nextLeafUpdate < _forest.trees.size() && slots.size() < leafUpdatesPerStep; ++_nextLeafUpdate)
+        if (_forest.trees[_nextLeafUpdate].alive) {
+            slots.push_back(_nextLeafUpdate);
+            wanted.push_back(makeModalTree(_forest, _forest.trees[_nextLeafUpdate], _level));
         }
-    const std::size_t ready = _sway.prepare(wanted, archetypesAtOnce);
+    const std::size_t ready = _sway.makeArchetypesFor(wanted, newArchetypesPerStep);
     for (std::size_t i = 0; i < ready; ++i)
         _sway.replace(slots[i], wanted[i]);
     if (ready < slots.size())
-        _behind = slots[ready];
+        _nextLeafUpdate = slots[ready];
 }
 
-void ModalForest::followLeaves(const std::vector<std::size_t>& slots) {
+void ModalForest::updateLeaves(const std::vector<std::size_t>& slots) {
     for (const std::size_t slot : slots)
-        _sway.replace(slot, swayingTree(_forest, _forest.trees[slot], _level));
+        _sway.replace(slot, makeModalTree(_forest, _forest.trees[slot], _level));
 }
 
 void ModalForest::remove(std::size_t slot) {
@@ -111,12 +111,13 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
     const PlacedTree& tree = _forest.trees[slot];
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
     const std::size_t units = skeleton.units.size();
-    values.resize(units, _withLeaves ? _forest.leavesOf(tree) : 0);
+    values.resize(units, _withLeaves ? _forest.leafCount(tree) : 0);
     _sway.angles(slot, values.angles.data());
     _sway.winds(slot, values.winds.data());
     for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
-    swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
+    composeModalPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(),
+                      values.poses.data());
     if (const TreeFall* fall = _sway.fall(slot)) {
         for (std::size_t unit = 0; unit < units; ++unit)
             values.rotations[unit] = fall->turned(unit, values.rotations[unit]);
@@ -146,7 +147,7 @@ UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
         glm::quat rotation = swungRotation(units[at], tree.scale, _sway.unitAngles(slot, at, vector));
         if (fall)
             rotation = fall->turned(at, rotation);
-        return {carriedPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
+        return {childPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
     };
     return motionOf(motionOf, unit);
 }
@@ -171,7 +172,7 @@ void ModalForest::flutter(const PlacedTree& tree, UnitValues& values) const {
                      {values.pulls.data(), values.pulls.size()},
                      flutterPhases(_time, leaf),
                      flutterLimits(leaf),
-                     ownNumber(tree.seed)}
+                     treeRandom(tree.seed)}
         .run(values.leaves.data());
 }
 

@@ -9,45 +9,47 @@
 
 namespace osgTreeWind {
 
-/// The law `modal` for a placed forest: its trees in a ModalMotion, and their poses when they are asked for.
+/// The law `modal` for a placed forest; computes poses on request.
 class ModalForest final : public Motion {
 public:
-    /// At rest. @param forest must outlive it. @param level of its trees and of those added later.
-    /// @param leaves whether they flutter.
+    /// Trees start at rest. @param forest must outlive it. @param level of all trees.
+    /// @param leaves whether leaves flutter.
     ModalForest(const PlacedForest& forest, ModalLevel level, bool leaves, Executor executor);
 
     ModalMotion* modal() override { return &_sway; }
-    std::unique_ptr<Motion> restarted(const PlacedForest& forest) const override;
+    std::unique_ptr<Motion> cloneAtRest(const PlacedForest& forest) const override;
     void setExecutor(Executor executor) override { _sway.setExecutor(std::move(executor)); }
-    void meet(const WindField* wind, double time) override;
-    /// Meets the wind every tenth of a second on its way.
+    void sampleWind(const WindField* wind, double time) override;
+    /// Samples the wind every tenth of a second.
     void step(const WindField* wind, double time, float seconds) override;
     void reset() override;
-    void standIn(const CanopyFlow& wind) override;
-    /// `treesAtOnce` at most, with `archetypesAtOnce` new archetypes, and as many in each step that comes.
-    void followSeason() override;
-    static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;
-    void followLeaves(const std::vector<std::size_t>& slots) override;
-    void runUp(const std::vector<std::size_t>& slots, const WindField* wind, double time,
-               float seconds) override {
-        _sway.runUp(slots, wind, time, seconds);
+    void setCanopyFlow(const CanopyFlow& wind) override;
+    /// Updates at most leafUpdatesPerStep trees with newArchetypesPerStep new archetypes per step.
+    void updateAllLeaves() override;
+    static constexpr std::size_t leafUpdatesPerStep = 256, newArchetypesPerStep = 2;
+    void updateLeaves(const std::vector<std::size_t>& slots) override;
+    void spinUp(const std::vector<std::size_t>& slots, const WindField* wind, double time,
+                float seconds) override {
+        _sway.spinUp(slots, wind, time, seconds);
     }
-    Diagnostics fixed() const override { return {}; }
-    std::size_t add(const PlacedTree& tree) override { return _sway.add(swayingTree(_forest, tree, _level)); }
+    Diagnostics editProblems() const override { return {}; }
+    std::size_t add(const PlacedTree& tree) override {
+        return _sway.add(makeModalTree(_forest, tree, _level));
+    }
     void remove(std::size_t slot) override;
     void replace(std::size_t slot, const PlacedTree& tree) override {
-        _sway.replace(slot, swayingTree(_forest, tree, _level));
+        _sway.replace(slot, makeModalTree(_forest, tree, _level));
     }
     const TreeFall* fall(std::size_t slot) const override { return _sway.fall(slot); }
-    void putUpright(std::size_t slot) override { _sway.putUpright(slot); }
+    void clearFall(std::size_t slot) override { _sway.clearFall(slot); }
     TreeMotion motion(std::size_t slot) const override;
     TreeMotion motion(std::size_t slot, UnitValues& values) const override;
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const override;
 
 private:
     ModalForest(const ModalForest& other, const PlacedForest& forest);
-    void followOn();
-    std::vector<ModalTree> swayingTrees() const;
+    void updateNextLeaves();
+    std::vector<ModalTree> makeModalTrees() const;
     UnitValues& valuesOf(std::size_t slot) const;
     void pull(std::size_t slot, UnitValues& values) const;
     void flutter(const PlacedTree& tree, UnitValues& values) const;
@@ -57,9 +59,9 @@ private:
     bool _withLeaves;
     ModalMotion _sway;
     double _time = 0.0;
-    std::size_t _behind = ~std::size_t(0); ///< The first slot whose tree has yet to follow the season.
-    mutable std::mutex _valuesMutex;       // guards _values
-    mutable std::unordered_map<std::size_t, UnitValues> _values; ///< Of trees asked for.
+    std::size_t _nextLeafUpdate = ~std::size_t(0); ///< First slot whose leaves are to be updated.
+    mutable std::mutex _valuesMutex;               // guards _values
+    mutable std::unordered_map<std::size_t, UnitValues> _values; ///< By slot, for motion() without `values`.
 };
 
 } // namespace osgTreeWind

@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-// Each in a source of its own, compiled for its set.
+// One source file per instruction set defines each of these.
 void stepTreesBaseline(const ModalStep& step);
 #ifdef OSGTREEWIND_X86_KERNELS
 void stepTreesAvx2(const ModalStep& step);

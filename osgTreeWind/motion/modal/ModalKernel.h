@@ -7,29 +7,29 @@
 
 namespace osgTreeWind {
 
-/// One number of each of eight trees that are stepped together.
+/// One number for each of eight trees that are stepped together.
 struct alignas(32) TreeLanes {
     static constexpr std::size_t count = 8;
     float tree[count] = {};
 };
 
-/// A tree's own numbers beside its model's, in the order in which they stand in a block of trees.
+/// Factors that fit a model to one tree, in the order in which a block stores them.
 ///
-/// All lengths times l and all radii times r change stiffness by r^4 / l and mass by r^2 l^3. Where a tree is
-/// not so simple (its modulus follows its slenderness, its leaves do not follow its wood), the modes'
-/// SizePowers say how.
+/// Scaling all lengths by l and all radii by r changes stiffness by r^4 / l and mass by r^2 l^3. The modes'
+/// SizePowers describe what deviates from that: the modulus follows slenderness, and leaves do not follow
+/// wood.
 struct TreeFactors {
-    float cosine = 1.0f, sine = 0.0f;        ///< Of its heading.
+    float cosine = 1.0f, sine = 0.0f;        ///< Of the heading.
     float length = 1.0f;                     ///< l
-    float pace = 1.0f;                       ///< r^2 / l^4: stiffness over mass.
-    SizePowers logs;                         ///< Logarithms of what else is not as on the model's tree.
-    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the model's; that of wood is r l.
-    float contact = 0.0f;                    ///< Damping ratio that the crowns of neighbours add.
-    float shelter = 1.0f;                    ///< TreeCompany::shelter
+    float omegaSquare = 1.0f;                ///< r^2 / l^4: stiffness over mass.
+    SizePowers logs;                         ///< Logarithms of growth quantities, over the model's tree.
+    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Relative to the model's; that of wood is r l.
+    float contact = 0.0f;                    ///< Damping ratio added by contact with neighbouring crowns.
+    float shelter = 1.0f;                    ///< NeighbourEffect::shelter
 };
 
-/// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
-/// the tree's own axes), its factors.
+/// Floats per tree in a block: modal amplitudes, modal speeds, the wind at the patches (x, y, z, in the
+/// tree's own axes), TreeFactors.
 constexpr std::size_t treeFloats(std::size_t modes, std::size_t patches) {
     return 2 * modes + 3 * patches + sizeof(TreeFactors) / sizeof(float);
 }
@@ -42,20 +42,20 @@ struct ModalStep {
     const ModalModel* model = nullptr;
     TreeLanes* block = nullptr; ///< treeFloats() elements.
     TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
-    float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.
-    int substeps = 1;           ///< 0: the wind is taken for that of now, and nothing moves.
+    float seconds = 0.0f;       ///< > 0; the wind changes linearly within the step.
+    int substeps = 1;           ///< 0: sets the wind and does not move the trees.
     float gain = 1.0f;          ///< [0, 100]
 };
 
-/// Instruction sets the law is compiled for. All give the same bits.
+/// Instruction sets the law is compiled for. Results are identical to the bit.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-/// The widest one this machine has; the environment's OSGTREEWIND_INSTRUCTIONS (baseline, avx2, avx512)
-/// narrows it.
+/// The widest set of this machine, limited by the environment variable OSGTREEWIND_INSTRUCTIONS (baseline,
+/// avx2, avx512).
 InstructionSet bestInstructionSet();
 const char* nameOf(InstructionSet set);
 
-/// Steps with that set; only one that the machine has.
+/// Steps the trees. @param set must be supported by the machine.
 void stepTrees(const ModalStep& step, InstructionSet set);
 
 } // namespace osgTreeWind

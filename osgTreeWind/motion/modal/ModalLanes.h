@@ -4,17 +4,17 @@
 #include <osgTreeWind/motion/modal/Lanes.h>
 #include <osgTreeWind/motion/modal/ModalAir.h>
 
-// The law `modal` for eight trees at once, compiled once for each instruction set (ModalKernel.cpp chooses).
+// The law `modal` for as many trees as there are lanes; compiled once per instruction set (ModalKernel.cpp).
 
 namespace osgTreeWind {
 namespace {
 
-/// What a mode is on each tree.
+/// Properties of a mode on each tree.
 struct LaneMode {
-    real pace, drive, limit;
+    real omega, forceScale, limit;
 };
 
-/// The trees from `first` on, as many as there are lanes, through a step.
+/// Steps the trees from lane `first` on.
 class ModalLanes {
 public:
     ModalLanes(const ModalStep& step, std::size_t first)
@@ -26,14 +26,14 @@ public:
         fitModes();
         const float h = _step.substeps > 0 ? _step.seconds / static_cast<float>(_step.substeps) : 0.0f;
         for (int i = 0; i < _step.substeps; ++i) {
-            blow((static_cast<float>(i) + 0.5f) / static_cast<float>(_step.substeps));
-            push([this](std::size_t p) { return _air.brake(p); });
+            setWindAt((static_cast<float>(i) + 0.5f) / static_cast<float>(_step.substeps));
+            sumForces([this](std::size_t p) { return _air.brake(p); });
             real middle[ModalDetail::maxModes];
             for (std::size_t k = 0; k < _modes; ++k)
-                middle[k] = swing(k, 0.5f * h).speed;
-            push([&](std::size_t p) { return _air.brakeAt(p, middle); });
+                middle[k] = stepMode(k, 0.5f * h).speed;
+            sumForces([&](std::size_t p) { return _air.brakeAt(p, middle); });
             for (std::size_t k = 0; k < _modes; ++k) {
-                const LaneLaws::Swing next = swing(k, h);
+                const LaneLaws::Swing next = stepMode(k, h);
                 number(k) = next.angle;
                 number(_modes + k) = next.speed;
             }
@@ -45,7 +45,7 @@ public:
 private:
     real& number(std::size_t i) { return *reinterpret_cast<real*>(_step.block[i].tree + _first); }
 
-    /// The wind at the end of the step in the trees' own axes, bounded.
+    /// Rotates the wind at the end of the step into the trees' own axes, and bounds it.
     void turnWind() {
         const LaneColumn<Lanes> wind(_step.wind, _first);
         const real &cosine = _air.factors().cosine, &sine = _air.factors().sine;
@@ -61,27 +61,27 @@ private:
         const LaneFactors<Lanes>& factors = _air.factors();
         for (std::size_t k = 0; k < _modes; ++k) {
             const ModalModel::Mode& mode = _model.modes[k];
-            const real stiffness = factors.grown(mode.stiffness), mass = factors.grown(mode.mass);
-            const real left = factors.leftByWeight(mode, stiffness, mass), eased = 1.0f / mass;
-            _mode[k].pace = mode.pace * sqrt(factors.pace * stiffness * left * eased);
-            _mode[k].drive = factors.drive * eased;
+            const real stiffness = factors.sizeFactor(mode.stiffness), mass = factors.sizeFactor(mode.mass);
+            const real left = factors.stiffnessLeft(mode, stiffness, mass), eased = 1.0f / mass;
+            _mode[k].omega = mode.omega * sqrt(factors.omegaSquare * stiffness * left * eased);
+            _mode[k].forceScale = factors.forceScale * eased;
             _mode[k].limit = every(mode.limit);
         }
     }
 
-    /// The wind part of the way through the step.
-    void blow(float at) {
+    /// Sets the wind at a fraction of the step.
+    void setWindAt(float at) {
         const auto wind = [&](std::size_t i) {
             const real before = number(2 * _modes + i);
             return before + at * (_windNow[i] - before);
         };
         for (std::size_t p = 0; p < _patches; ++p)
-            _air.meet(p, wind(3 * p), wind(3 * p + 1), wind(3 * p + 2));
+            _air.setWind(p, wind(3 * p), wind(3 * p + 1), wind(3 * p + 2));
     }
 
-    /// The forces of the air at the start of the step, braked so.
+    /// Sums the modal forces and damping of the air, with the drag coefficient of each patch.
     template <typename BrakeOf>
-    void push(const BrakeOf& brakeOf) {
+    void sumForces(const BrakeOf& brakeOf) {
         for (std::size_t k = 0; k < _modes; ++k)
             _force[k] = _brake[k] = every(0.0f);
         for (std::size_t p = 0; p < _patches; ++p) {
@@ -89,7 +89,7 @@ private:
             const float* brakes = _model.brakes.data() + _modes * p;
             const real brake = brakeOf(p);
             for (std::size_t c = 0; c < 3; ++c) {
-                const real force = brake * _air.past(p)[c];
+                const real force = brake * _air.relativeWind(p)[c];
                 for (std::size_t k = 0; k < _modes; ++k)
                     _force[k] += lever[c * _modes + k] * force;
             }
@@ -99,14 +99,14 @@ private:
         }
     }
 
-    LaneLaws::Swing swing(std::size_t k, float seconds) {
+    LaneLaws::Swing stepMode(std::size_t k, float seconds) {
         const LaneMode& mode = _mode[k];
         LaneLaws::Swing start;
         start.angle = number(k);
         start.speed = number(_modes + k);
-        return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _air.factors().reach * _brake[k],
-                              mode.pace, _air.factors().contact + _model.dampingRatio, mode.limit,
-                              every(seconds));
+        return _laws.modeStep(start, mode.forceScale * _force[k],
+                              mode.forceScale * _air.factors().velocityScale * _brake[k], mode.omega,
+                              _air.factors().contact + _model.dampingRatio, mode.limit, every(seconds));
     }
 
     LaneLaws _laws;

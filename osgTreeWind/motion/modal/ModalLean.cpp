@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A place that moves with a unit.
+/// A point that moves with a unit.
 struct CrownPoint {
     std::size_t unit;
     glm::dvec3 place;
@@ -28,11 +28,11 @@ std::vector<CrownPoint> crownOf(const TreeModel& model, const TreeScale& scale) 
     return crown;
 }
 
-/// How far the crown moves, as the mean over its points, per number that poses a tree: amplitudes of the
-/// modes, then forces on patches. Metres.
-std::vector<glm::dvec2> crownMoves(const std::vector<CrownPoint>& crown, const JointTree& joints,
-                                   const ModalModel& modal) {
-    std::vector<glm::dvec2> moves(modal.columns(), glm::dvec2(0.0));
+/// Mean horizontal displacement of the crown points per element of the pose vector (modal amplitudes, then
+/// patch forces), metres.
+std::vector<glm::dvec2> crownDisplacements(const std::vector<CrownPoint>& crown, const JointTree& joints,
+                                           const ModalModel& modal) {
+    std::vector<glm::dvec2> displacements(modal.columns(), glm::dvec2(0.0));
     for (const CrownPoint& point : crown)
         for (int i = static_cast<int>(point.unit); i >= 0;
              i = joints.links[static_cast<std::size_t>(i)].parent)
@@ -41,32 +41,32 @@ std::vector<glm::dvec2> crownMoves(const std::vector<CrownPoint>& crown, const J
                 const JointTree::Link& link = joints.links[carrier];
                 const glm::dvec2 arm(glm::cross(link.axes[axis], point.place - link.base));
                 const float* angles = modal.poses.data() + (2 * carrier + axis) * modal.columns();
-                for (std::size_t c = 0; c < moves.size(); ++c)
-                    moves[c] += static_cast<double>(angles[c]) * arm;
+                for (std::size_t c = 0; c < displacements.size(); ++c)
+                    displacements[c] += static_cast<double>(angles[c]) * arm;
             }
-    for (glm::dvec2& move : moves)
+    for (glm::dvec2& move : displacements)
         move /= static_cast<double>(std::max<std::size_t>(crown.size(), 1));
-    return moves;
+    return displacements;
 }
 
-/// How far all of a crown moves in a steady wind over how far its modes do: what is bent beside them follows
+/// Displacement of the crown in a steady wind over that of its modes alone; the residual flexibility follows
 /// the same wind.
-double wholeOverModes(const std::vector<glm::dvec2>& moves, const ModalModel& modal) {
+double staticCorrection(const std::vector<glm::dvec2>& displacements, const ModalModel& modal) {
     const std::size_t modes = modal.modes.size();
-    double byModes = 0.0, beside = 0.0;
+    double byModes = 0.0, residual = 0.0;
     for (int axis = 0; axis < 2; ++axis)
         for (std::size_t p = 0; p < modal.patches.size(); ++p) {
             const auto c = static_cast<std::size_t>(axis);
             const double force = static_cast<double>(modal.patches[p].woodDrag) +
                                  static_cast<double>(modal.patches[p].leafDrag);
             for (std::size_t k = 0; k < modes; ++k) {
-                const double pace = modal.modes[k].pace;
+                const double omega = modal.modes[k].omega;
                 byModes += force * static_cast<double>(modal.levers[(3 * p + c) * modes + k]) /
-                           (pace * pace) * moves[k][axis];
+                           (omega * omega) * displacements[k][axis];
             }
-            beside += force * moves[modes + 3 * p + c][axis];
+            residual += force * displacements[modes + 3 * p + c][axis];
         }
-    return byModes > 0.0 ? std::max(1.0 + beside / byModes, 0.0) : 1.0;
+    return byModes > 0.0 ? std::max(1.0 + residual / byModes, 0.0) : 1.0;
 }
 
 } // namespace
@@ -79,11 +79,11 @@ std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale
     for (const CrownPoint& point : crown)
         shares += std::pow(std::max(point.place.z / height, 0.0), static_cast<double>(leanPower));
     const double mean = shares / static_cast<double>(std::max<std::size_t>(crown.size(), 1));
-    const std::vector<glm::dvec2> moves = crownMoves(crown, joints, modal);
-    const double whole = wholeOverModes(moves, modal);
+    const std::vector<glm::dvec2> displacements = crownDisplacements(crown, joints, modal);
+    const double whole = staticCorrection(displacements, modal);
     std::vector<glm::vec2> leans;
     for (std::size_t k = 0; k < modal.modes.size(); ++k)
-        leans.emplace_back(whole / mean * moves[k]);
+        leans.emplace_back(whole / mean * displacements[k]);
     return leans;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t candidates = 32;
 constexpr std::size_t fewestModes = 8;
 constexpr double enoughEnergy = 0.95;
 
-/// Torque on each joint of unit forces x, y, z on a patch, spread over it as its drag is.
+/// Generalized force on each joint of unit forces x, y, z on a patch, distributed over the patch by its drag.
 using PatchTorques = std::vector<std::vector<glm::dvec3>>; // per patch and joint
 
 struct Patches {
@@ -29,7 +29,7 @@ struct Patches {
     PatchTorques torques;
 };
 
-Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, std::size_t count) {
+Patches makePatches(const JointTree& tree, const ModalMaterial& material, std::size_t count) {
     std::vector<std::size_t> ofLink = dragPatches(tree, count);
     std::size_t made = 0;
     for (const std::size_t patch : ofLink)
@@ -82,9 +82,9 @@ glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
     return sum;
 }
 
-/// Square of what pushes under horizontal gusts as large at each patch, half of them of the whole crown at
-/// once.
-/// @param leverOf of a patch.
+/// Squared response to horizontal gusts of equal strength at all patches, half of them common to the whole
+/// crown.
+/// @param leverOf lever of a patch.
 template <typename LeverOf>
 double squareUnderGusts(const Patches& patches, const LeverOf& leverOf) {
     double alone = 0.0;
@@ -101,22 +101,23 @@ double squareUnderGusts(const Patches& patches, const LeverOf& leverOf) {
 /// Static energy of a mode under gusts.
 double energyUnderGusts(const TreeMode& mode, const Patches& patches) {
     return squareUnderGusts(patches, [&](std::size_t p) { return lever(mode, patches.torques[p]); }) /
-           (mode.speed * mode.speed);
+           (mode.omega * mode.omega);
 }
 
-/// Modes in the order of the energy with which gusts make them swing: slow ones are met by more of their
-/// spectrum, whose power falls as f^-5/3.
-std::vector<std::size_t> byEnergy(const std::vector<TreeMode>& modes, const std::vector<double>& energies) {
+/// Sorts modes by the energy with which gusts excite them: low frequencies meet more of the gust spectrum,
+/// whose power falls as f^-5/3.
+std::vector<std::size_t> sortedByEnergy(const std::vector<TreeMode>& modes,
+                                        const std::vector<double>& energies) {
     std::vector<std::size_t> order(modes.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto swing = [&](std::size_t k) { return energies[k] * std::pow(modes[k].speed, -2.0 / 3.0); };
+    const auto swing = [&](std::size_t k) { return energies[k] * std::pow(modes[k].omega, -2.0 / 3.0); };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return swing(a) > swing(b); });
     return order;
 }
 
-/// Static energy of all modes, kept or not.
-double wholeEnergy(const JointTree& tree, const Patches& patches) {
+/// Static energy of all modes, including those that are not kept.
+double totalEnergy(const JointTree& tree, const Patches& patches) {
     double energy = 0.0;
     for (std::size_t i = 0; i < tree.jointCount(); ++i)
         energy += squareUnderGusts(patches, [&](std::size_t p) { return patches.torques[p][i]; }) /
@@ -124,9 +125,10 @@ double wholeEnergy(const JointTree& tree, const Patches& patches) {
     return energy;
 }
 
-/// With those modes, in their order.
-ModalModel modelOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
-                   const std::vector<double>& shares, const Patches& patches) {
+/// Builds a model with these modes.
+ModalModel buildModel(const JointTree& tree, const ModalMaterial& material,
+                      const std::vector<TreeMode>& modes, const std::vector<double>& shares,
+                      const Patches& patches) {
     ModalModel model;
     const std::size_t joints = tree.jointCount(), count = modes.size(), patchCount = patches.list.size();
     model.joints = joints;
@@ -142,13 +144,13 @@ ModalModel modelOf(const JointTree& tree, const ModalMaterial& material, const s
 
     for (std::size_t k = 0; k < count; ++k) {
         ModalModel::Mode mode;
-        mode.pace = static_cast<float>(modes[k].speed);
+        mode.omega = static_cast<float>(modes[k].omega);
         mode.weightShare = static_cast<float>(modes[k].weightShare);
         mode.energyShare = static_cast<float>(shares[k]);
-        double square = 1e-18; // mean of the squared angle, by elastic energy
+        double square = 1e-18; // mean of the squared joint angles, weighted by elastic energy
         for (std::size_t i = 0; i < joints; ++i) {
             const double angle = modes[k].angles[i] * modes[k].angles[i];
-            square += angle * angle * tree.links[i / 2].stiffness / (modes[k].speed * modes[k].speed);
+            square += angle * angle * tree.links[i / 2].stiffness / (modes[k].omega * modes[k].omega);
         }
         mode.limit = static_cast<float>(10.0 * static_cast<double>(material.maxAngle) / std::sqrt(square));
         model.modes.push_back(mode);
@@ -167,7 +169,7 @@ ModalModel modelOf(const JointTree& tree, const ModalMaterial& material, const s
         for (std::size_t p = 0; p < patchCount; ++p) {
             glm::dvec3 rest = patches.torques[p][i] / tree.links[i / 2].stiffness;
             for (std::size_t k = 0; k < count; ++k)
-                rest -= modes[k].angles[i] / (modes[k].speed * modes[k].speed) * levers[p][k];
+                rest -= modes[k].angles[i] / (modes[k].omega * modes[k].omega) * levers[p][k];
             for (int axis = 0; axis < 3; ++axis)
                 model.poses.push_back(static_cast<float>(rest[axis]));
         }
@@ -180,20 +182,20 @@ ModalModel modelOf(const JointTree& tree, const ModalMaterial& material, const s
 std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details) {
     std::vector<ModalModel> models;
-    std::vector<TreeMode> modes; // kept at the finest detail, in their order
+    std::vector<TreeMode> modes; // kept at the finest detail, in order of energy
     std::vector<double> shares;
     for (const ModalDetail& detail : details) {
-        const Patches patches = partIntoPatches(
-            tree, material, std::clamp<std::size_t>(detail.patches, 1, ModalDetail::maxPatches));
+        const Patches patches =
+            makePatches(tree, material, std::clamp<std::size_t>(detail.patches, 1, ModalDetail::maxPatches));
         const std::size_t most = std::clamp<std::size_t>(detail.modes, 1, ModalDetail::maxModes);
         if (models.empty()) {
-            const std::vector<TreeMode> found = slowestModes(tree, candidates);
+            const std::vector<TreeMode> found = lowestModes(tree, candidates);
             std::vector<double> energies;
             for (const TreeMode& mode : found)
                 energies.push_back(energyUnderGusts(mode, patches));
-            const double whole = wholeEnergy(tree, patches);
+            const double whole = totalEnergy(tree, patches);
             double kept = 0.0;
-            for (const std::size_t k : byEnergy(found, energies)) {
+            for (const std::size_t k : sortedByEnergy(found, energies)) {
                 if (modes.size() == most || (modes.size() >= fewestModes && kept >= enoughEnergy))
                     break;
                 modes.push_back(found[k]);
@@ -202,9 +204,9 @@ std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMateri
             }
         }
         const std::size_t count = std::min(most, modes.size());
-        models.push_back(modelOf(tree, material,
-                                 {modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count)}, shares,
-                                 patches));
+        models.push_back(buildModel(tree, material,
+                                    {modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count)},
+                                    shares, patches));
     }
     return models;
 }
@@ -232,8 +234,8 @@ std::vector<double> stiffnessRatios(const ModalModel& model, const JointTree& ot
             const double angle = model.poses[i * model.columns() + k];
             stiffness += angle * angle * other.links[i / 2].stiffness;
         }
-        const double pace = model.modes[k].pace;
-        ratios.push_back(stiffness / (pace * pace));
+        const double omega = model.modes[k].omega;
+        ratios.push_back(stiffness / (omega * omega));
     }
     return ratios;
 }

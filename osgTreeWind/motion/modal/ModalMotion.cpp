@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/ClampOr.h>
-#include <osgTreeWind/base/RoomFor.h>
-#include <osgTreeWind/motion/modal/CarriedSway.h>
+#include <osgTreeWind/base/ReserveGrowth.h>
+#include <osgTreeWind/motion/modal/SwayTransfer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float runUpStep = 0.1f; // seconds
+constexpr float spinUpStep = 0.1f; // seconds
 
-/// Damping ratio of crowns that touch all around. In a stand of Sitka spruces contact took five times what
-/// stems did (Milne 1991), and stripped stems have 0.01 at least (Moore and Maguire 2005).
+/// Damping ratio of a crown in contact all around. In a stand of Sitka spruce, contact took five times as
+/// much energy as stems did (Milne 1991), and stripped stems have 0.01 at least (Moore and Maguire 2005).
 constexpr float contactDamping = 0.05f;
 
-std::size_t groupAt(std::size_t archetype, ModalLevel level) {
+std::size_t groupIndex(std::size_t archetype, ModalLevel level) {
     return Archetype::levels * archetype + static_cast<std::size_t>(level);
 }
 
@@ -34,7 +34,7 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     std::vector<std::size_t> groups; // per tree
     groups.reserve(trees.size());
     for (const Tree& tree : trees)
-        groups.push_back(groupAt(_archetypes.indexOf(tree.form), tree.level));
+        groups.push_back(groupIndex(_archetypes.indexOf(tree.form), tree.level));
     makeArchetypes();
     std::vector<std::size_t> sizes(_state.groups.size(), 0);
     for (const std::size_t group : groups)
@@ -42,27 +42,27 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     for (std::size_t i = 0; i < sizes.size(); ++i)
         _state.groups[i].reserve(sizes[i]);
     for (std::size_t i = 0; i < trees.size(); ++i)
-        _state.put(i, groups[i]);
-    runInBatches(_executor, trees.size(), [&](std::size_t i) { stand(i, trees[i], {}); });
+        _state.addToGroup(i, groups[i]);
+    runInBatches(_executor, trees.size(), [&](std::size_t i) { placeTree(i, trees[i], {}); });
 }
 
 void ModalMotion::setExecutor(Executor executor) {
     _executor = executor ? std::move(executor) : Executor(runInTurn);
 }
 
-/// With their groups, in order.
+/// Makes missing archetypes, and their groups in the same order.
 void ModalMotion::makeArchetypes() {
     const std::size_t first = _archetypes.size();
-    _archetypes.make(_executor);
+    _archetypes.makeMissing(_executor);
     for (std::size_t i = first; i < _archetypes.size(); ++i)
         for (std::size_t level = 0; level < Archetype::levels; ++level)
             _state.groups.emplace_back(_archetypes[i], level);
 }
 
-std::size_t ModalMotion::prepare(const std::vector<Tree>& trees, std::size_t most) {
+std::size_t ModalMotion::makeArchetypesFor(const std::vector<Tree>& trees, std::size_t most) {
     std::size_t ready = 0;
     for (; ready < trees.size(); ++ready) {
-        if (_archetypes.missing() == most && _archetypes.isNew(trees[ready].form))
+        if (_archetypes.missingCount() == most && _archetypes.isNew(trees[ready].form))
             break;
         _archetypes.indexOf(trees[ready].form);
     }
@@ -78,56 +78,56 @@ std::size_t ModalMotion::add(const Tree& tree) {
         number = _free.back();
         _free.pop_back();
     }
-    const std::size_t group = groupAt(_archetypes.indexOf(tree.form), tree.level);
+    const std::size_t group = groupIndex(_archetypes.indexOf(tree.form), tree.level);
     makeArchetypes();
-    _state.put(number, group);
-    stand(number, tree, {});
-    _state.refreshLean(number);
+    _state.addToGroup(number, group);
+    placeTree(number, tree, {});
+    _state.updateLean(number);
     return number;
 }
 
 void ModalMotion::remove(std::size_t tree) {
     if (!holds(tree))
         return;
-    _state.take(tree);
+    _state.removeFromGroup(tree);
     _state.leans[tree] = glm::vec2(0.0f);
-    putUpright(tree);
+    clearFall(tree);
     _free.push_back(static_cast<std::uint32_t>(tree));
 }
 
 void ModalMotion::replace(std::size_t tree, const Tree& other) {
     const std::size_t before = _state.slots[tree].group;
-    const std::size_t after = groupAt(_archetypes.indexOf(other.form), level(tree));
+    const std::size_t after = groupIndex(_archetypes.indexOf(other.form), level(tree));
     makeArchetypes();
     const TreeFactors was = factors(tree);
     if (after == before) {
-        stand(tree, other, was);
+        placeTree(tree, other, was);
     } else {
         const ModalModel& from = model(tree);
         const std::vector<float> numbers = moveTo(tree, after);
-        stand(tree, other, was);
-        const CarriedSway sway(from, was.length, model(tree), factors(tree).length);
+        placeTree(tree, other, was);
+        const SwayTransfer sway(from, was.length, model(tree), factors(tree).length);
         for (const std::size_t part : {0, 1}) { // amplitudes, speeds
-            const std::vector<float> carried = sway.carried(numbers.data() + part * from.modes.size());
-            for (std::size_t k = 0; k < carried.size(); ++k)
-                _state.number(tree, part * carried.size() + k) = carried[k];
+            const std::vector<float> transferred = sway.transfer(numbers.data() + part * from.modes.size());
+            for (std::size_t k = 0; k < transferred.size(); ++k)
+                _state.number(tree, part * transferred.size() + k) = transferred[k];
         }
         setWinds(tree, numbers.data() + 2 * from.modes.size(), sway.patches());
     }
-    _state.refreshLean(tree);
+    _state.updateLean(tree);
 }
 
-/// In a calm, at rest, and without its factors. @return all that it had but those.
+/// Moves a tree to another group, at rest, in calm and with default factors. @return its old state.
 std::vector<float> ModalMotion::moveTo(std::size_t tree, std::size_t group) {
     std::vector<float> numbers(_state.groupOf(tree).firstFactor());
     for (std::size_t n = 0; n < numbers.size(); ++n)
         numbers[n] = _state.number(tree, n);
-    _state.take(tree);
-    _state.put(tree, group);
+    _state.removeFromGroup(tree);
+    _state.addToGroup(tree, group);
     return numbers;
 }
 
-/// The winds at its patches from those at other ones: `patches` says which.
+/// Sets the wind at the patches of a tree. @param patches per patch, the index into `winds`.
 void ModalMotion::setWinds(std::size_t tree, const float* winds, const std::vector<std::size_t>& patches) {
     const std::size_t first = 2 * model(tree).modes.size();
     for (std::size_t p = 0; p < patches.size(); ++p)
@@ -135,20 +135,20 @@ void ModalMotion::setWinds(std::size_t tree, const float* winds, const std::vect
             _state.number(tree, first + 3 * p + c) = winds[3 * patches[p] + c];
 }
 
-/// Its place and its factors, in the company that `company` has.
-void ModalMotion::stand(std::size_t tree, const Tree& given, const TreeFactors& company) {
+/// Sets position and factors of a tree. @param neighbours contact and shelter are taken from these factors.
+void ModalMotion::placeTree(std::size_t tree, const Tree& given, const TreeFactors& neighbours) {
     const Archetype& archetype = this->archetype(tree);
     _state.places[tree] = {given.foot, given.form.scale.axes.x / archetype.scale().axes.x};
     TreeFactors factors = archetype.factors(given.form, given.heading);
-    factors.contact = company.contact;
-    factors.shelter = company.shelter;
+    factors.contact = neighbours.contact;
+    factors.shelter = neighbours.shelter;
     _state.setFactors(tree, factors);
 }
 
-void ModalMotion::setCompany(std::size_t tree, const TreeCompany& company) {
+void ModalMotion::setNeighbourEffect(std::size_t tree, const NeighbourEffect& neighbours) {
     TreeFactors factors = this->factors(tree);
-    factors.contact = contactDamping * clampOr(company.crowns, 0.0f, 1.0f, 0.0f);
-    factors.shelter = clampOr(company.shelter, 0.0f, 1.0f, 1.0f);
+    factors.contact = contactDamping * clampOr(neighbours.crownCover, 0.0f, 1.0f, 0.0f);
+    factors.shelter = clampOr(neighbours.shelter, 0.0f, 1.0f, 1.0f);
     _state.setFactors(tree, factors);
 }
 
@@ -167,13 +167,13 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     }
     setWinds(tree, numbers.data() + 2 * from.modes.size(),
              archetype(tree).otherPatches(static_cast<std::size_t>(wanted)));
-    if (modes < to.modes.size()) { // the air of now gives the amplitudes of the rest
+    if (modes < to.modes.size()) { // additional modes start in equilibrium with the present wind
         float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
         poseVector(tree, vector);
         for (std::size_t k = modes; k < to.modes.size(); ++k)
-            _state.number(tree, k) = heldAmplitude(tree, k, vector);
+            _state.number(tree, k) = staticAmplitude(tree, k, vector);
     }
-    _state.refreshLean(tree);
+    _state.updateLean(tree);
 }
 
 void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes) {
@@ -182,7 +182,7 @@ void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& ampl
         _state.number(tree, k) = k < amplitudes.size() ? amplitudes[k] : 0.0f;
         _state.number(tree, modes + k) = 0.0f;
     }
-    _state.refreshLean(tree);
+    _state.updateLean(tree);
 }
 
 void ModalMotion::step(const WindField* wind, double time, float seconds) {
@@ -197,8 +197,8 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
     job.run();
 }
 
-void ModalMotion::runUp(const std::vector<std::size_t>& trees, const WindField* wind, double time,
-                        float seconds) {
+void ModalMotion::spinUp(const std::vector<std::size_t>& trees, const WindField* wind, double time,
+                         float seconds) {
     ModalState apart;
     apart.gain = _state.gain;
     for (const ModalGroup& group : _state.groups)
@@ -206,16 +206,16 @@ void ModalMotion::runUp(const std::vector<std::size_t>& trees, const WindField* 
     apart.resize(trees.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
         apart.places[i] = _state.places[trees[i]];
-        apart.put(i, _state.slots[trees[i]].group);
+        apart.addToGroup(i, _state.slots[trees[i]].group);
         apart.setFactors(i, factors(trees[i]));
     }
-    const int steps = std::max(static_cast<int>(std::ceil(seconds / runUpStep)), 1);
+    const int steps = std::max(static_cast<int>(std::ceil(seconds / spinUpStep)), 1);
     ModalStepJob job;
     job.state = &apart;
     job.wind = wind;
     job.executor = &_executor;
     job.instructions = _instructions;
-    for (int k = 0; k <= steps; ++k) { // the first meets the wind
+    for (int k = 0; k <= steps; ++k) { // the first step sets the wind
         const float step = seconds / static_cast<float>(steps);
         job.time = time - static_cast<double>(step) * (steps - k);
         job.seconds = k > 0 ? step : 0.0f;
@@ -224,7 +224,7 @@ void ModalMotion::runUp(const std::vector<std::size_t>& trees, const WindField* 
     for (std::size_t i = 0; i < trees.size(); ++i) {
         for (std::size_t n = 0; n < _state.groupOf(trees[i]).firstFactor(); ++n)
             _state.number(trees[i], n) = apart.number(i, n);
-        _state.refreshLean(trees[i]);
+        _state.updateLean(trees[i]);
     }
 }
 

@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A tree by itself.
+/// A single tree.
 struct OneLane {
     using Number = float;
     using Laws = osgTreeWind::Laws;
@@ -32,19 +32,19 @@ void ModalReader::poseVector(std::size_t tree, float* vector) const {
     for (std::size_t k = 0; k < modes; ++k)
         vector[k] = numbers[k];
     const LaneFactors<OneLane>& factors = air.factors();
-    const float rest = // gain l / stiffness
-        factors.drive / (factors.pace * factors.grown(model.modes.front().stiffness));
+    const float rest = // residual flexibility: gain l / stiffness
+        factors.forceScale / (factors.omegaSquare * factors.sizeFactor(model.modes.front().stiffness));
     for (std::size_t p = 0; p < patches; ++p) {
-        air.meet(p, wind[3 * p], wind[3 * p + 1], wind[3 * p + 2]);
+        air.setWind(p, wind[3 * p], wind[3 * p + 1], wind[3 * p + 2]);
         for (std::size_t c = 0; c < 3; ++c)
-            vector[modes + 3 * p + c] = rest * air.brake(p) * air.past(p)[c];
+            vector[modes + 3 * p + c] = rest * air.brake(p) * air.relativeWind(p)[c];
     }
     if (const TreeFall* fall = this->fall(tree))
         for (std::size_t i = 0; i < model.columns(); ++i)
             vector[i] *= fall->sway;
 }
 
-float ModalReader::heldAmplitude(std::size_t tree, std::size_t mode, const float* vector) const {
+float ModalReader::staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const {
     const ModalGroup& group = _state.groupOf(tree);
     const ModalModel& model = group.model();
     const std::size_t modes = model.modes.size(), place = _state.slots[tree].place;
@@ -55,13 +55,13 @@ float ModalReader::heldAmplitude(std::size_t tree, std::size_t mode, const float
     for (std::size_t i = 0; i < 3 * model.patches.size(); ++i)
         force += model.levers[i * modes + mode] * vector[modes + i];
     const ModalModel::Mode& m = model.modes[mode];
-    const float left = factors.leftByWeight(m, factors.grown(m.stiffness), factors.grown(m.mass));
-    return force / (m.pace * m.pace * left);
+    const float left = factors.stiffnessLeft(m, factors.sizeFactor(m.stiffness), factors.sizeFactor(m.mass));
+    return force / (m.omega * m.omega * left);
 }
 
 void ModalReader::patchWinds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
-    const float share = _state.shareOfSway(tree);
+    const float share = _state.swayShare(tree);
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
         const std::size_t first = 2 * model.modes.size() + 3 * p;
         winds[p] = share * glm::vec3(_state.number(tree, first), _state.number(tree, first + 1),
@@ -82,7 +82,7 @@ glm::vec2 ModalReader::unitAngles(std::size_t tree, std::size_t unit, const floa
     const float* row = model.poses.data() + 2 * unit * columns;
     glm::vec2 angles;
     for (glm::length_t axis = 0; axis < 2; ++axis, row += columns) {
-        float angle = 0.0f; // a sum of its own stays in a register
+        float angle = 0.0f; // a local sum stays in a register
         for (std::size_t i = 0; i < columns; ++i)
             angle += row[i] * vector[i];
         angles[axis] = Laws().bounded(angle, model.maxAngle);
@@ -103,7 +103,7 @@ void ModalReader::winds(std::size_t tree, glm::vec3* winds) const {
     glm::vec3 met[ModalDetail::maxPatches];
     patchWinds(tree, met);
     for (std::size_t unit = 0; unit < model.patchOfLink.size(); ++unit)
-        winds[unit] = turnHeading(met[model.patchOfLink[unit]], f.sine, f.cosine);
+        winds[unit] = rotateAboutZ(met[model.patchOfLink[unit]], f.sine, f.cosine);
 }
 
 } // namespace osgTreeWind

@@ -6,41 +6,42 @@
 
 namespace osgTreeWind {
 
-/// How trees under the law `modal` stand. Any thread, as long as nothing changes them.
+/// Queries on trees under the law `modal`. Thread-safe as long as nothing changes the trees.
 class ModalReader {
 public:
-    /// Numbers given out, those of removed trees too.
+    /// All tree numbers are below this; some may be those of removed trees.
     std::size_t treeCount() const { return _state.slots.size(); }
     bool holds(std::size_t tree) const {
         return tree < _state.slots.size() && _state.slots[tree].group != ModalState::Slot().group;
     }
     const Archetype& archetype(std::size_t tree) const { return *_state.groupOf(tree).archetype; }
-    /// Its archetype's, at its present level.
+    /// The model of the tree's archetype at its present level.
     const ModalModel& model(std::size_t tree) const { return _state.groupOf(tree).model(); }
     ModalLevel level(std::size_t tree) const { return static_cast<ModalLevel>(_state.groupOf(tree).level); }
-    /// Its sizes over its archetype's.
+    /// The tree's factors relative to its archetype.
     TreeFactors factors(std::size_t tree) const { return _state.factors(tree); }
-    const TreeFall* fall(std::size_t tree) const { return _state.fall(tree); } ///< Null: it stands.
+    const TreeFall* fall(std::size_t tree) const { return _state.fall(tree); } ///< Null: the tree is whole.
 
-    /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
+    /// Modal amplitudes, then forces of the air on the patches, all times TreeFall::sway. ModalModel::poses
+    /// times this vector gives the joint angles.
     /// @param vector model(tree).columns() elements.
     void poseVector(std::size_t tree, float* vector) const;
-    /// Angles of each unit about its two axes as the tree stands, held within the species' largest.
+    /// Angles of each unit about its two axes, bounded by the species' maximum, radians.
     /// @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
-    /// Those of one unit. @param vector poseVector() of the tree.
+    /// angles() of one unit. @param vector poseVector() of the tree.
     glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
-    /// The wind that each patch met last, m/s, in the tree's own axes.
+    /// Last wind at each patch times TreeFall::sway, m/s, in the tree's own axes.
     /// @param winds model(tree).patches.size() elements.
     void patchWinds(std::size_t tree, glm::vec3* winds) const;
-    /// Per unit: the wind that its patch met last, m/s, scene axes.
+    /// patchWinds() for each unit, in scene axes. @param winds one per unit.
     void winds(std::size_t tree, glm::vec3* winds) const;
-    /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
-    /// (z / height)^leanPower of that (ModalLean.h).
+    /// Displacement of the treetop by the modes, metres, scene axes; height z moves by (z / height)^leanPower
+    /// of it (ModalLean.h).
     glm::vec2 lean(std::size_t tree) const { return _state.leans[tree]; }
     std::vector<float> amplitudes(std::size_t tree) const;
-    /// The amplitude at which the air of now holds a mode. @param vector poseVector() of the tree.
-    float heldAmplitude(std::size_t tree, std::size_t mode, const float* vector) const;
+    /// Static amplitude of a mode under the present wind. @param vector poseVector() of the tree.
+    float staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const;
 
 protected:
     ModalState _state;

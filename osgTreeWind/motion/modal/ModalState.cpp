@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalState.h>
 
-#include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/base/ReserveGrowth.h>
 
 #include <glm/geometric.hpp>
 
@@ -18,13 +18,13 @@ void ModalGroup::reserve(std::size_t count) {
 }
 
 std::size_t ModalGroup::add(std::uint32_t tree) {
-    makeRoomFor(trees, trees.size() + 1);
+    reserveGrowth(trees, trees.size() + 1);
     trees.push_back(tree);
     if (trees.size() > waiting.size() * lanes) {
-        makeRoomFor(waiting, waiting.size() + 1);
+        reserveGrowth(waiting, waiting.size() + 1);
         waiting.push_back(0.0f);
         const std::size_t size = waiting.size() * treeFloats(model());
-        makeRoomFor(numbers, size);
+        reserveGrowth(numbers, size);
         numbers.resize(size);
     }
     return trees.size() - 1;
@@ -48,21 +48,21 @@ void ModalGroup::remove(std::size_t place) {
 
 void ModalState::resize(std::size_t trees) {
     if (!slots.empty()) {
-        makeRoomFor(slots, trees);
-        makeRoomFor(places, trees);
-        makeRoomFor(leans, trees);
+        reserveGrowth(slots, trees);
+        reserveGrowth(places, trees);
+        reserveGrowth(leans, trees);
     }
     slots.resize(trees);
     places.resize(trees);
     leans.resize(trees, glm::vec2(0.0f));
 }
 
-void ModalState::put(std::size_t tree, std::size_t group) {
+void ModalState::addToGroup(std::size_t tree, std::size_t group) {
     slots[tree] = {static_cast<std::uint32_t>(group),
                    static_cast<std::uint32_t>(groups[group].add(static_cast<std::uint32_t>(tree)))};
 }
 
-void ModalState::take(std::size_t tree) {
+void ModalState::removeFromGroup(std::size_t tree) {
     const Slot slot = slots[tree];
     ModalGroup& group = groups[slot.group];
     slots[group.trees.back()].place = slot.place;
@@ -95,8 +95,8 @@ const TreeFall* ModalState::fall(std::size_t tree) const {
     return fall == falls.end() ? nullptr : &fall->second;
 }
 
-/// The farther a tree bends the less its top moves: as that of an even arc.
-void ModalState::refreshLean(std::size_t tree) {
+/// Updates the lean. The horizontal displacement of a strongly bent tree is that of a circular arc.
+void ModalState::updateLean(std::size_t tree) {
     const ModalGroup& group = groupOf(tree);
     const std::vector<glm::vec2>& modes = group.model().leans;
     const std::size_t place = slots[tree].place, factor = group.firstFactor();
@@ -104,7 +104,7 @@ void ModalState::refreshLean(std::size_t tree) {
     for (std::size_t k = 0; k < modes.size(); ++k)
         lean += group.number(place, k) * modes[k];
     const float height = std::max(group.model().height, 1.0e-6f);
-    lean *= shareOfSway(tree) * group.number(place, factor + 2) / // lengths
+    lean *= swayShare(tree) * group.number(place, factor + 2) / // lengths
             std::sqrt(1.0f + glm::dot(lean, lean) / (height * height));
     const float cosine = group.number(place, factor), sine = group.number(place, factor + 1);
     leans[tree] = {cosine * lean.x - sine * lean.y, sine * lean.x + cosine * lean.y};

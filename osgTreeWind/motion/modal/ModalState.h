@@ -17,14 +17,14 @@ namespace osgTreeWind {
 /// Trees of one archetype at one level.
 struct ModalGroup {
     static constexpr std::size_t lanes = TreeLanes::count;
-    /// Floats of a TreeFactors, which end a tree's numbers.
+    /// Floats of TreeFactors, the last of a tree's numbers.
     static constexpr std::size_t factorCount = sizeof(TreeFactors) / sizeof(float);
 
     const Archetype* archetype;
     std::size_t level;
     std::vector<TreeLanes> numbers;   ///< Block after block (treeFloats()).
-    std::vector<std::uint32_t> trees; ///< Which tree is at each place.
-    std::vector<float> waiting;       ///< Per block, seconds since the time it was stepped to.
+    std::vector<std::uint32_t> trees; ///< Tree at each place.
+    std::vector<float> waiting;       ///< Per block, seconds since the time of its last step.
 
     ModalGroup(const Archetype& a, std::size_t l) : archetype(&a), level(l) {}
 
@@ -41,25 +41,25 @@ struct ModalGroup {
         return block(place / lanes)[index].tree[place % lanes];
     }
 
-    /// Room for that many trees and no more.
+    /// Reserves memory for exactly that many trees.
     void reserve(std::size_t count);
-    /// At the end, at rest. @return its place.
+    /// Appends a tree at rest. @return its place.
     std::size_t add(std::uint32_t tree);
-    /// The last one takes its place.
+    /// Moves the last tree to this place.
     void remove(std::size_t place);
 };
 
-/// All that changes as trees sway under the law `modal`. A tree has a number, by which it is known here.
+/// State of all trees under the law `modal`. A tree is identified by its number.
 struct ModalState {
-    /// Where a tree is: its group, ~0 for none, and its place there.
+    /// Group of a tree (~0: none) and its place in the group.
     struct Slot {
         std::uint32_t group = ~0u, place = 0;
     };
     struct Place {
         glm::vec3 foot{0.0f};
-        float width = 1.0f; ///< Lengths across over its archetype's.
+        float width = 1.0f; ///< Horizontal lengths relative to the archetype's.
     };
-    /// A block to be stepped, to a time.
+    /// A block to be stepped to `time`.
     struct Work {
         std::uint32_t group, block;
         float seconds;
@@ -67,17 +67,17 @@ struct ModalState {
     };
 
     float gain = 1.0f;                                 ///< [0, 100]
-    std::vector<ModalGroup> groups;                    ///< Two for each archetype, one a level.
-    std::vector<Slot> slots;                           ///< Per tree,
-    std::vector<Place> places;                         ///< per tree
-    std::vector<glm::vec2> leans;                      ///< and per tree: ModalReader::lean().
-    std::unordered_map<std::uint32_t, TreeFall> falls; ///< Of trees of which something has come down.
-    std::vector<Work> work;                            ///< Of the step at hand.
+    std::vector<ModalGroup> groups;                    ///< One per archetype and level.
+    std::vector<Slot> slots;                           ///< Per tree.
+    std::vector<Place> places;                         ///< Per tree.
+    std::vector<glm::vec2> leans;                      ///< Per tree: ModalReader::lean().
+    std::unordered_map<std::uint32_t, TreeFall> falls; ///< Trees with fallen parts.
+    std::vector<Work> work;                            ///< Blocks of the current step.
 
-    /// Makes room for so many trees, without a place.
+    /// Sets the number of trees; new ones belong to no group.
     void resize(std::size_t trees);
-    void put(std::size_t tree, std::size_t group); ///< At rest in a calm.
-    void take(std::size_t tree);                   ///< Out of its group.
+    void addToGroup(std::size_t tree, std::size_t group); ///< At rest in calm.
+    void removeFromGroup(std::size_t tree);               ///< Out of its group.
     const ModalGroup& groupOf(std::size_t tree) const { return groups[slots[tree].group]; }
     float& number(std::size_t tree, std::size_t index) {
         return groups[slots[tree].group].number(slots[tree].place, index);
@@ -87,12 +87,12 @@ struct ModalState {
     }
     TreeFactors factors(std::size_t tree) const;
     void setFactors(std::size_t tree, const TreeFactors& factors);
-    const TreeFall* fall(std::size_t tree) const; ///< Null: it stands.
-    /// The share of its sway that is left to a tree.
-    float shareOfSway(std::size_t tree) const { return fall(tree) ? fall(tree)->sway : 1.0f; }
-    /// Works out the lean of a tree as its modes are by now.
-    void refreshLean(std::size_t tree);
-    /// Back to rest, in a calm.
+    const TreeFall* fall(std::size_t tree) const; ///< Null: the tree is whole.
+    /// Remaining share of the tree's sway.
+    float swayShare(std::size_t tree) const { return fall(tree) ? fall(tree)->sway : 1.0f; }
+    /// Updates the lean from the modal amplitudes.
+    void updateLean(std::size_t tree);
+    /// Back to rest, in calm.
     void reset();
     std::size_t bytes() const;
 };

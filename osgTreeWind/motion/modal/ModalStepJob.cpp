@@ -18,8 +18,8 @@ constexpr float longestNearStep = 1.0f / 30.0f; // seconds
 
 } // namespace
 
-/// Places and winds of one job's patches. Each thread keeps one, which a job takes while it is at work: where
-/// the wind is sampled the thread may take up another job.
+/// Buffers of one job. A job takes its thread's buffers while it runs, since the thread may start another job
+/// while it samples the wind.
 struct ModalStepJob::Scratch {
     std::vector<WindPlace> places;
     std::vector<glm::vec3> winds;
@@ -45,7 +45,7 @@ bool ModalStepJob::run() const {
     return true;
 }
 
-/// Near trees step to `time`, far ones to the last time that it was their turn.
+/// Plans steps to `time` for near trees, and to their last fixed time for far ones.
 void ModalStepJob::planWork() const {
     constexpr auto interval = static_cast<double>(farStep);
     state->work.clear();
@@ -60,10 +60,10 @@ void ModalStepJob::planWork() const {
             const double turn = interval * static_cast<double>((g / Archetype::levels + b) % turns) /
                                 static_cast<double>(turns);
             const double to = far ? interval * std::floor((time - turn) / interval) + turn : time;
-            // Of times so great that no double tells them apart from their turn, none.
+            // For times so large that a double does not resolve the interval, the difference is set to 0.
             const float late = clampOr(static_cast<float>(time - to), -farStep, farStep, 0.0f);
             const float waited = group.waiting[b] + seconds;
-            const bool due = !far || waited - late > 0.01f * farStep; // else it was stepped to there
+            const bool due = !far || waited - late > 0.01f * farStep; // otherwise already at `to`
             if (due)
                 state->work.push_back({g, b, waited - late, to});
             group.waiting[b] = due ? late : waited;
@@ -96,11 +96,11 @@ void ModalStepJob::advance(std::size_t first, std::size_t end, Scratch& scratch)
                                  static_cast<int>(std::ceil(step.seconds / longest - 0.01f)));
         stepTrees(step, instructions);
         for (std::size_t i = 0; i < trees; ++i)
-            state->refreshLean(group.trees[work.block * lanes + i]);
+            state->updateLean(group.trees[work.block * lanes + i]);
     }
 }
 
-/// At the patches of a part of the work, at the time of each.
+/// Samples the wind at the patches of a range of blocks, at the time of each block.
 void ModalStepJob::sampleWind(std::size_t first, std::size_t end, Scratch& scratch) const {
     const std::vector<ModalState::Work>& work = state->work;
     std::size_t count = 0;
@@ -125,7 +125,7 @@ void ModalStepJob::sampleWind(std::size_t first, std::size_t end, Scratch& scrat
     }
 }
 
-/// Of the patches of the trees of a block, tree after tree. @return the place after them.
+/// Appends the wind places of the patches in a block, tree after tree. @return the end of the places.
 WindPlace* ModalStepJob::addPlaces(const ModalState::Work& work, WindPlace* out) const {
     const ModalGroup& group = state->groups[work.group];
     const std::size_t factor = group.firstFactor(), trees = group.treesIn(work.block);

@@ -7,25 +7,23 @@
 
 namespace osgTreeWind {
 
-/// Moves trees under the law `modal` on in a wind, eight at a time. What comes out does not depend on threads
-/// or on the instruction set.
+/// Steps trees under the law `modal`, eight at a time. Results do not depend on threads or instructions.
 struct ModalStepJob {
     ModalState* state = nullptr;     ///< Changed by run().
     const WindField* wind = nullptr; ///< Null: calm.
-    double time = 0.0;               ///< To which it moves them, seconds; near trees.
-    /// For which it moves them; the wind goes evenly to what it is at `time`. 0: that wind is taken as the
-    /// one of now, and nothing moves.
+    double time = 0.0;               ///< End of the step, seconds; near trees.
+    /// Duration; the wind changes linearly to that at `time`. 0: sets the wind and does not move the trees.
     float seconds = 0.0f;
-    /// Far trees step every farStep seconds, from whenever time began, in so many turns.
+    /// Far trees step every farStep seconds, in this many staggered groups.
     std::size_t turns = 16;
     const Executor* executor = nullptr; ///< Null: in the calling thread.
     InstructionSet instructions = InstructionSet::Baseline;
 
     static constexpr float farStep = 0.2f; ///< Seconds.
 
-    /// Whether there is a state, `turns` is above 0 and times are finite and run forward.
+    /// Whether there is a state, `turns` is above 0, and `time` and `seconds` >= 0 are finite.
     bool validate() const;
-    /// @return validate(); where it is false nothing is changed.
+    /// @return validate(); if it is false, nothing is changed.
     bool run() const;
 
 private:

@@ -10,12 +10,11 @@
 
 namespace osgTreeWind {
 
-/// What of a tree has come down, and how far: units of it have turned about their bases, with all that they
-/// carry.
+/// Fallen parts of a tree: units that have turned about their bases, with their descendants.
 struct TreeFall {
     struct Part {
         unsigned unit = 0;
-        glm::vec2 turn{0.0f}; ///< Rotation vector, level, in the tree's own axes; radians.
+        glm::vec2 turn{0.0f}; ///< Horizontal rotation vector in the tree's own axes, radians.
 
         glm::quat rotation() const {
             const float angle = glm::length(turn);
@@ -23,14 +22,14 @@ struct TreeFall {
                                 : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
         }
     };
-    static constexpr std::size_t mostParts = 4; ///< Three boughs and then the trunk.
-    std::array<Part, mostParts> parts{};        ///< The first `count` of them.
+    static constexpr std::size_t maxParts = 4; ///< Three boughs and then the trunk.
+    std::array<Part, maxParts> parts{};        ///< The first `count` are used.
     std::size_t count = 0;
-    bool isDown = false; ///< The trunk is the last part.
-    float sway = 1.0f;   ///< Share of its sway, and of the wind, that is left to it: 0 for one that lies.
+    bool isDown = false; ///< Whether the last part is the trunk.
+    float sway = 1.0f;   ///< Remaining share of sway and wind; 0 for a tree at rest on the ground.
 
     glm::vec2 trunkTurn() const { return isDown ? parts[count - 1].turn : glm::vec2(0.0f); }
-    /// The rotation of a unit, turned as far as that has come down.
+    /// Applies the fall of a unit, if any, to its rotation.
     glm::quat turned(std::size_t unit, glm::quat rotation) const {
         for (std::size_t i = 0; i < count; ++i)
             if (parts[i].unit == unit)

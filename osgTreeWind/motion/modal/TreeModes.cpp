@@ -21,13 +21,13 @@ namespace {
 constexpr std::size_t startVectors = 4;
 constexpr std::size_t smallestSpace = 72;
 
-/// What the points beyond a joint weigh, about the base of its link.
+/// Mass moments of the points beyond a joint, about the base of its link.
 struct CarriedMass {
     double mass = 0.0;
     glm::dvec3 first{0.0};  ///< Sum of m r.
     glm::dmat3 second{0.0}; ///< Sum of m r r^T.
 
-    /// Seen from another place, `shift` away from its own base.
+    /// The moments about a point at `-shift`.
     CarriedMass from(const glm::dvec3& shift) const {
         return {mass, first + mass * shift,
                 second + glm::outerProduct(first, shift) + glm::outerProduct(shift, first) +
@@ -76,7 +76,7 @@ std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& a
     return shares;
 }
 
-/// An orthonormal basis of the Krylov space of `a`, and a times it.
+/// An orthonormal basis of the Krylov space of `a`, and its images under `a`.
 void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::MatrixXd& basis,
                  Eigen::MatrixXd& images) {
     const Eigen::Index n = a.rows(), m = static_cast<Eigen::Index>(size);
@@ -96,7 +96,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
                 const auto known = basis.leftCols(filled);
                 next -= known * (known.transpose() * next);
                 double left = next.norm();
-                if (left < 0.5 * norm) { // what is left has rounding in it (Kahan: twice is enough)
+                if (left < 0.5 * norm) { // orthogonalize again against rounding (Kahan: twice is enough)
                     next -= known * (known.transpose() * next);
                     left = next.norm();
                 }
@@ -104,7 +104,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
                     basis.col(filled) = next / left;
                     break;
                 }
-                for (Eigen::Index i = 0; i < n; ++i) // nothing new: go on elsewhere
+                for (Eigen::Index i = 0; i < n; ++i) // the space is exhausted: continue with a random vector
                     next[i] = random.symmetric();
                 norm = next.norm();
             }
@@ -122,7 +122,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
 JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()) {
     const std::size_t count = tree.links.size();
     std::vector<CarriedMass> own(count);                  // points of the link itself
-    std::vector<CarriedMass> beyond(count);               // all that is carried by links fixed to it
+    std::vector<CarriedMass> beyond(count);               // all descendants of the link
     std::vector<glm::dvec3> bent(count, glm::dvec3(0.0)); // sum of m lever
     std::vector<glm::dmat3> bentBent(count, glm::dmat3(0.0)), bentOwn(count, glm::dmat3(0.0));
     for (const JointTree::Point& point : tree.points) {
@@ -173,7 +173,7 @@ std::vector<double> JointMasses::times(const std::vector<double>& x) const {
     return y;
 }
 
-std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count) {
+std::vector<TreeMode> lowestModes(const JointTree& tree, std::size_t count) {
     const std::size_t joints = tree.jointCount();
     count = std::min(count, joints);
     if (count == 0)
@@ -214,7 +214,7 @@ std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count) {
     std::vector<TreeMode> modes(count);
     for (std::size_t k = 0; k < count; ++k) {
         const auto column = static_cast<Eigen::Index>(k);
-        modes[k].speed = std::sqrt(energies[column]);
+        modes[k].omega = std::sqrt(energies[column]);
         modes[k].weightShare = weight[k];
         modes[k].angles.assign(angles.col(column).data(), angles.col(column).data() + joints);
     }

@@ -7,17 +7,17 @@
 
 namespace osgTreeWind {
 
-/// How a tree sways freely.
+/// Free sway of a tree.
 struct FreeSway {
-    double frequency = 0.0;    ///< Of the top of the trunk, Hz.
-    double dampingRatio = 0.0; ///< Of the mode that moves it most, from its decrement; 1 is critical.
+    double frequency = 0.0;    ///< At the top of the trunk, Hz.
+    double dampingRatio = 0.0; ///< Of the dominant mode, from its logarithmic decrement; 1 is critical.
 };
 
-/// Pulls one tree sideways at the top of its trunk, lets go in a calm and follows the top until six
-/// half-swings have passed (law `modal`, with modes of the tree's own).
-/// @param tree its size, seed, leaves and room; species and place do not count. @param pull over the length
-/// of the trunk, > 0: the further, the more the air damps. A twentieth is what a fresh wind does.
-/// @return nothing when it does not swing: critically damped, or six half-swings take more than ten minutes.
+/// Simulates a pull-and-release test: pulls one tree sideways at the top of its trunk, releases it in calm
+/// and records the top for six half-swings (law `modal`, with an archetype for this tree alone).
+/// @param tree its size, seed, leaves and growing space; species and position are ignored. @param pull
+/// deflection over trunk length, > 0. Damping by the air grows with it; 0.05 corresponds to a fresh wind.
+/// @return empty if it is critically damped, or if six half-swings take more than ten minutes.
 std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree, double pull = 0.05);
 
 } // namespace osgTreeWind

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# An overlay port: it builds the checkout that it lies in.
+# An overlay port that builds the checkout that contains it.
 #   vcpkg install osgtreewind --overlay-ports=packaging/vcpkg --triplet x64-linux-dynamic
-vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY) # a plugin and a program have to share one library
+vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY) # plugins and programs must share one library
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES

@@ -3,7 +3,7 @@
 
 #include <tests/nodes/ForestFixtures.h>
 
-/// The same trees under a law of a branch.
+/// The same trees under a branchwise law.
 inline osgTreeWind::ForestDescription branchwise(osgTreeWind::ForestDescription description) {
     description.law = osgTreeWind::MotionLaw::ThesisSmooth;
     return description;

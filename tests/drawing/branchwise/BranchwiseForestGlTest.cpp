@@ -7,8 +7,8 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
-#include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <osg/BufferObject>
@@ -24,7 +24,7 @@ namespace {
 
 class BranchwiseForestGlTest : public GlTest {
 protected:
-    /// Trees of the thesis' way that the camera sees from the south, as a child of scene.
+    /// Shows a forest below `scene` to a camera in the south.
     void start(const ForestDescription& description) {
         forest = new Forest(description);
         scene = new osg::Group;
@@ -42,7 +42,7 @@ protected:
             frame(++now / 25.0);
     }
     const std::vector<glm::vec4>& states() const {
-        return SimulationParts::branches(forest->getSimulation())->states();
+        return SimulationAccess::branches(forest->getSimulation())->states();
     }
 
     osg::ref_ptr<Forest> forest;
@@ -58,7 +58,7 @@ ForestDescription branchwiseForest(int trees) {
 
 } // namespace
 
-TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
+TEST_F(BranchwiseForestGlTest, ThesisExampleUsesAnglePassesAndBranchTransforms) {
     usePluginsOfThisBuild();
     osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(exampleFile("thesis.treewind"));
     forest = dynamic_cast<Forest*>(read.get());
@@ -70,19 +70,19 @@ TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
                                                 bound.center(), osg::Z_AXIS);
     frames(4);
     const BranchwiseForest& branchwise = *forest->getBranchwise();
-    ASSERT_NE(BranchwiseParts::prePass(branchwise), nullptr) << "the RTT passes";
+    ASSERT_NE(BranchwiseParts::prePass(branchwise), nullptr) << "the angle passes do not run";
     const osg::Group& full = *BranchwiseParts::tree(branchwise, 0)->getLod()->level(TreeLod::FULL);
     ASSERT_EQ(full.getNumChildren(), 1u);
     const auto* trunk = dynamic_cast<const BranchTransform*>(full.getChild(0));
-    ASSERT_NE(trunk, nullptr) << "a MatrixTransform a branch";
+    ASSERT_NE(trunk, nullptr) << "a branch is not a transform";
     const std::vector<glm::vec4> before = states();
     const osg::Matrix stood = trunk->getMatrix();
     frames(2);
-    EXPECT_NE(states(), before) << "states are read back";
-    EXPECT_NE(trunk->getMatrix(), stood) << "and move the transforms";
+    EXPECT_NE(states(), before) << "states are not read back";
+    EXPECT_NE(trunk->getMatrix(), stood) << "states do not move the transforms";
 }
 
-TEST_F(BranchwiseForestGlTest, keepsNothingAboveItFromBeingCulled) {
+TEST_F(BranchwiseForestGlTest, DoesNotDisableCullingOfItsParents) {
     start(branchwiseForest(2));
     frames(1);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the probe";
@@ -92,16 +92,16 @@ TEST_F(BranchwiseForestGlTest, keepsNothingAboveItFromBeingCulled) {
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the passes";
     const std::vector<glm::vec4> before = states();
     frames(3);
-    EXPECT_NE(states(), before) << "and the passes run";
+    EXPECT_NE(states(), before) << "the passes do not run";
 }
 
-TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
+TEST_F(BranchwiseForestGlTest, KeepsStatesWhileCulledAndContinuesFromThem) {
     start(branchwiseForest(2));
     frames(20);
     look(false);
-    frames(2); // the last states come back
+    frames(2); // reads the last states back
     const std::vector<glm::vec4> held = states();
-    frames(7); // an odd number of steps that nothing draws
+    frames(7); // an odd number of steps that are not drawn
     EXPECT_EQ(states(), held);
     look(true);
     frames(2);
@@ -111,26 +111,27 @@ TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
         largest = std::max(largest, std::abs(held[i].x));
     }
     EXPECT_GT(moved, 0.0f);
-    EXPECT_LT(moved, 0.5f * largest) << "one step from where they stood, not from rest";
+    EXPECT_LT(moved, 0.5f * largest) << "one step from the former states, not from rest";
 }
 
-TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
+TEST_F(BranchwiseForestGlTest, ReadsBackTheLeafAnglesThatAreDrawn) {
     const ForestDescription description = branchwiseForest(1);
     start(description);
     frames(30);
     ForestSimulation oracle(description);
-    for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
+    for (int i = 2; i <= now - 1; ++i) // passes start in the second frame; read-back states are one frame old
         oracle.advance(i / 25.0);
-    const auto& leaves = SimulationParts::branches(forest->getSimulation())->leafStates();
+    const auto& leaves = SimulationAccess::branches(forest->getSimulation())->leafStates();
     float fluttering = 0.0f;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        ASSERT_NEAR(leaves[i].x, SimulationParts::branches(oracle)->leafStates()[i].x, 5e-4f) << "leaf " << i;
+        ASSERT_NEAR(leaves[i].x, SimulationAccess::branches(oracle)->leafStates()[i].x, 5e-4f)
+            << "leaf " << i;
         fluttering = std::max(fluttering, std::abs(leaves[i].x));
     }
     EXPECT_GT(fluttering, 0.01f);
 }
 
-TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
+TEST_F(BranchwiseForestGlTest, ReleasingATreeKeepsObjectsOfOtherTrees) {
     start(branchwiseForest(2));
     frames(4);
     const unsigned context = this->context().getState()->getContextID();
@@ -144,7 +145,7 @@ TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
     frames(1);
 }
 
-TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
+TEST_F(BranchwiseForestGlTest, BillboardsLookLikeTheTrees) {
     ForestDescription calm = branchwiseForest(3);
     calm.wind = nullptr;
     double seen[2] = {};
@@ -160,7 +161,7 @@ TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
     EXPECT_NEAR(seen[1], seen[0], 0.25 * seen[0]);
 }
 
-TEST_F(BranchwiseForestGlTest, leavesKeepTheirShadeWhenATreeIsAdded) {
+TEST_F(BranchwiseForestGlTest, LeavesKeepTheirShadeWhenATreeIsAdded) {
     ForestDescription calm = branchwiseForest(3);
     calm.wind = nullptr;
     ForestDescription more = calm;
@@ -180,13 +181,13 @@ class BranchwiseThreadingGlTest
     : public BranchwiseForestGlTest,
       public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {};
 
-TEST_P(BranchwiseThreadingGlTest, aForestMayGoWhileItsFrameIsDrawn) {
+TEST_P(BranchwiseThreadingGlTest, ForestMayBeRemovedWhileItsFrameIsDrawn) {
     start(branchwiseForest(1));
     viewer().setThreadingModel(GetParam());
     for (int i = 0; i < 40; ++i) {
         frames(4);
         scene->removeChild(forest);
-        forest = new Forest(branchwiseForest(1 + i % 2)); // the former one is gone
+        forest = new Forest(branchwiseForest(1 + i % 2)); // deletes the former forest
         scene->addChild(forest);
     }
     frames(4);

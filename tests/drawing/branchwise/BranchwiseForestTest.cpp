@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/branchwise/TextureRoom.h>
+#include <osgTreeWind/drawing/branchwise/TextureCapacity.h>
 #include <tests/MessageCollector.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Trees of the reference species, 122 units and 1,920 leaf clusters each.
+/// Trees of the reference species, with 122 units and 1,920 leaf clusters each.
 ForestDescription referenceTrees(std::size_t trees) {
     ForestDescription description;
     description.species = {Species()};
@@ -23,26 +23,23 @@ ForestDescription referenceTrees(std::size_t trees) {
 
 } // namespace
 
-TEST(BranchwiseForestTest, moreThanATextureHoldsIsRefusedByName) {
-    EXPECT_EQ(problemOfTextures(referenceTrees(17476)), "");
-    const std::string problem = problemOfTextures(referenceTrees(17477));
+TEST(BranchwiseForestTest, ReportsForestsThatExceedTheTextureCapacity) {
+    EXPECT_EQ(textureCapacityProblem(referenceTrees(17476)), "");
+    const std::string problem = textureCapacityProblem(referenceTrees(17477));
     EXPECT_EQ(problem,
-              "17477 trees under a law of a branch need 33555840 texels of leaf angles; a texture holds "
+              "17477 trees under a branchwise law need 33555840 texels of leaf angles; a texture holds "
               "33554432. The law modal has no such limit");
     ForestDescription bare = referenceTrees(100000);
     bare.species[0].tree.leaves.clustersPerBranch = 0;
-    EXPECT_NE(problemOfTextures(bare).find("branch parameters"), std::string::npos);
+    EXPECT_NE(textureCapacityProblem(bare).find("branch parameters"), std::string::npos);
     bare.law = MotionLaw::Modal;
-    EXPECT_EQ(problemOfTextures(bare), "");
+    EXPECT_EQ(textureCapacityProblem(bare), "");
 }
 
-TEST(BranchwiseForestTest, whatIsRefusedLeavesTheForestEmptyWithOneWarning) {
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
-    osg::setNotifyHandler(messages);
+TEST(BranchwiseForestTest, RefusedDescriptionLeavesAnEmptyForestWithOneWarning) {
+    const ScopedMessages messages;
     osg::ref_ptr<Forest> forest = new Forest(referenceTrees(20000));
-    osg::setNotifyHandler(former);
-    const std::string said = messages->take();
+    const std::string said = messages.take();
     EXPECT_EQ(said.rfind("osgTreeWind: the forest is left empty: 20000 trees", 0), 0u) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     EXPECT_EQ(forest->getNumTrees(), 0u);

@@ -8,10 +8,10 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/forest/ForestDescription.h>
-#include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
+#include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -30,7 +30,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// A leafless species of cheap bark whose trees have that many units.
+/// A leafless species with few vertices.
 Species bareSpecies(int levels, int children, int trunkUnits) {
     Species species;
     species.name = "bare";
@@ -41,7 +41,7 @@ Species bareSpecies(int levels, int children, int trunkUnits) {
     species.tree.wood.bareUnits = 15;
     species.tree.wood.ringsPerBranch = 2;
     species.tree.leaves.clustersPerBranch = 0;
-    species.wood.elasticModulus = 1e5f; // so that the trunk moves too
+    species.wood.elasticModulus = 1e5f; // makes the trunk move too
     return species;
 }
 
@@ -56,7 +56,7 @@ ForestDescription forestOf(const Species& species, std::size_t trees, MotionLaw 
         tree.seed = static_cast<std::uint32_t>(i);
         forest.trees.push_back(tree);
     }
-    // No two branches feel the same wind.
+    // The wind differs between any two branches.
     forest.wind = std::make_shared<FunctionWind>([](const glm::vec3& p, double time) {
         return glm::vec3(std::sin(1.7f * p.x + 3.1f * p.z + static_cast<float>(time) + 1.0f),
                          std::cos(2.3f * p.y - 1.3f * p.z), 0.1f * std::sin(p.x * p.y));
@@ -64,8 +64,8 @@ ForestDescription forestOf(const Species& species, std::size_t trees, MotionLaw 
     return forest;
 }
 
-/// Has a camera cull everything as seen, and draw it where no pixel is.
-void lookPast(osg::Camera& camera) {
+/// Makes a camera draw everything outside its viewport.
+void drawOutsideViewport(osg::Camera& camera) {
     camera.setViewMatrixAsLookAt({0, -1e5, 0}, {0, -2e5, 0}, osg::Z_AXIS);
     camera.setCullingMode(osg::CullSettings::NO_CULLING);
 }
@@ -79,23 +79,22 @@ float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::
 
 class GpuForestGlTest : public GlTest {
 protected:
-    /// A forest with GPU angles, and its probe's frame behind it. It is culled as seen, and not drawn into
-    /// any pixel.
+    /// Starts a forest with GPU angles; the frame of the probe is over. It is drawn outside the viewport.
     osg::ref_ptr<Forest> start(ForestDescription description) {
         given = description;
         osg::ref_ptr<Forest> forest = new Forest(std::move(description));
         forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
         open(16, 16);
         viewer().setSceneData(forest);
-        lookPast(*viewer().getCamera());
+        drawOutsideViewport(*viewer().getCamera());
         frame(0.0);
         frame(0.0);
         EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
         return forest;
     }
 
-    /// Difference of the branches' states from those on the CPU, after frames 1/60 s apart.
-    float offAfter(int frames, const ForestDescription& description) {
+    /// Largest difference between the branch states of GPU and CPU after frames of 1/60 s.
+    float cpuDifferenceAfter(int frames, const ForestDescription& description) {
         osg::ref_ptr<Forest> forest = start(description);
         ForestSimulation oracle(given);
         oracle.advance(0.0);
@@ -104,8 +103,8 @@ protected:
             oracle.advance(i / 60.0);
         }
         frame(frames / 60.0);
-        return largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
-                                 SimulationParts::branches(oracle)->states());
+        return largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
+                                 SimulationAccess::branches(oracle)->states());
     }
 
     ForestDescription given;
@@ -117,32 +116,32 @@ struct TexelCase {
     std::size_t trees, units;
 };
 
-TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
+TEST_F(GpuForestGlTest, EveryBranchGetsItsOwnWindValue) {
     for (const TexelCase& c : {TexelCase{"one unit", bareSpecies(0, 1, 1), 1, 1},
                                TexelCase{"seven units", bareSpecies(1, 6, 1), 1, 7},
                                TexelCase{"64 reference trees", bareSpecies(4, 3, 2), 64, 122 * 64},
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
         ForestSimulation oracle(given);
-        ASSERT_EQ(SimulationParts::branches(oracle)->states().size(), c.units) << c.name;
+        ASSERT_EQ(SimulationAccess::branches(oracle)->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
             frame(i / 60.0);
             oracle.advance(i / 60.0);
         }
-        frame(3.0 / 60.0); // brings the third step back
+        frame(3.0 / 60.0); // reads back the third step
         float moved = 0.0f;
-        for (const glm::vec4& state : SimulationParts::branches(oracle)->states())
+        for (const glm::vec4& state : SimulationAccess::branches(oracle)->states())
             moved = std::max(moved, std::abs(state.x));
         EXPECT_GT(moved, 1e-4f) << c.name;
-        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
-                                    SimulationParts::branches(oracle)->states()),
+        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
+                                    SimulationAccess::branches(oracle)->states()),
                   5e-4f)
             << c.name;
     }
 }
 
-TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
+TEST_F(GpuForestGlTest, WindReachesTransformsOneFrameLater) {
     ForestDescription calm = forestOf(bareSpecies(1, 3, 1), 1);
     calm.wind = nullptr;
     osg::ref_ptr<Forest> forest = start(calm);
@@ -163,24 +162,24 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
     EXPECT_FALSE(branch->getRotation().zeroRotation());
 }
 
-TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
+TEST_F(GpuForestGlTest, AgreesWithTheCpuOverSixHundredFrames) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth}) {
-        const float off = offAfter(600, forestOf(bareSpecies(4, 3, 2), 4, law));
-        RecordProperty("off" + std::to_string(static_cast<int>(law)), std::to_string(off));
-        EXPECT_LT(off, 1e-3f) << static_cast<int>(law);
+        const float difference = cpuDifferenceAfter(600, forestOf(bareSpecies(4, 3, 2), 4, law));
+        RecordProperty("difference" + std::to_string(static_cast<int>(law)), std::to_string(difference));
+        EXPECT_LT(difference, 1e-3f) << static_cast<int>(law);
     }
 }
 
-TEST_F(GpuForestGlTest, TheExampleForestStaysWithTheCpu) {
+TEST_F(GpuForestGlTest, ExampleForestAgreesWithTheCpu) {
     auto example = readForestFile(OSGTREEWIND_SOURCE_DIR "/examples/forest.treewind");
     ASSERT_TRUE(example);
     example.value().law = MotionLaw::ThesisSmooth;
-    const float off = offAfter(casesToRun(600, 120), example.value());
-    RecordProperty("off", std::to_string(off));
-    EXPECT_LT(off, 1e-3f);
+    const float difference = cpuDifferenceAfter(casesToRun(600, 120), example.value());
+    RecordProperty("difference", std::to_string(difference));
+    EXPECT_LT(difference, 1e-3f);
 }
 
-TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
+TEST_F(GpuForestGlTest, BothKindsOfNoiseMoveLeavesAsOnTheCpu) {
     for (const std::optional<float> exponent : {std::optional<float>(), std::optional<float>(1.5f)}) {
         ForestDescription description = forestOf(bareSpecies(2, 3, 1), 2, MotionLaw::ThesisSmooth);
         description.species[0].tree.leaves.clustersPerBranch = 4;
@@ -193,22 +192,22 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(SimulationParts::branches(oracle)->leafStates().empty());
-        EXPECT_GT(std::abs(SimulationParts::branches(oracle)->leafStates()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->leafStates(),
-                                    SimulationParts::branches(oracle)->leafStates()),
+        ASSERT_FALSE(SimulationAccess::branches(oracle)->leafStates().empty());
+        EXPECT_GT(std::abs(SimulationAccess::branches(oracle)->leafStates()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->leafStates(),
+                                    SimulationAccess::branches(oracle)->leafStates()),
                   5e-4f);
-        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
-                                    SimulationParts::branches(oracle)->states()),
+        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
+                                    SimulationAccess::branches(oracle)->states()),
                   5e-4f);
     }
 }
 
-TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
+TEST_F(GpuForestGlTest, ContinuesFromReadBackStatesAfterAContextLoss) {
     osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
     for (int i = 1; i <= 30; ++i)
         frame(i / 60.0);
-    const std::vector<glm::vec4> before = SimulationParts::branches(forest->getSimulation())->states();
+    const std::vector<glm::vec4> before = SimulationAccess::branches(forest->getSimulation())->states();
     forest->releaseGLObjects();
     open(16, 16);
     viewer().setSceneData(forest);
@@ -218,22 +217,22 @@ TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
     for (const glm::vec4& state : before)
         moved = std::max(moved, std::abs(state.x));
     EXPECT_GT(moved, 0.1f);
-    EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(), before),
+    EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(), before),
               0.2f * moved);
 }
 
-TEST_F(GpuForestGlTest, APauseHolds) {
+TEST_F(GpuForestGlTest, StatesStayTheSameDuringAPause) {
     osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
     for (int i = 1; i <= 5; ++i)
         frame(i / 60.0);
     frame(5.0 / 60.0);
-    const std::vector<glm::vec4> held = SimulationParts::branches(forest->getSimulation())->states();
+    const std::vector<glm::vec4> held = SimulationAccess::branches(forest->getSimulation())->states();
     for (int i = 0; i < 5; ++i)
         frame(5.0 / 60.0);
-    EXPECT_EQ(SimulationParts::branches(forest->getSimulation())->states(), held);
+    EXPECT_EQ(SimulationAccess::branches(forest->getSimulation())->states(), held);
 }
 
-TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
+TEST_F(GpuForestGlTest, TwoViewsTakeOneStepPerFrame) {
     given = forestOf(bareSpecies(2, 3, 1), 2);
     osg::ref_ptr<Forest> forest = new Forest(given);
     forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
@@ -259,8 +258,8 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
     }
     composite.frame(10.0 / 60.0);
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
-                                SimulationParts::branches(oracle)->states()),
+    EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
+                                SimulationAccess::branches(oracle)->states()),
               5e-4f);
 }
 
@@ -283,7 +282,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
             forest->setWind(sane);
             frame(time += 0.02);
             frame(time += 0.02);
-            for (const glm::vec4& state : SimulationParts::branches(forest->getSimulation())->states()) {
+            for (const glm::vec4& state : SimulationAccess::branches(forest->getSimulation())->states()) {
                 ASSERT_TRUE(std::isfinite(state.x) && std::isfinite(state.y)) << value;
                 ASSERT_LE(std::max(std::abs(state.x), std::abs(state.y)), 1.5708f) << value;
             }
@@ -291,7 +290,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
     }
 }
 
-TEST_F(GpuForestGlTest, WithoutFloatTargetsTheCpuTakesOverWithOneNotice) {
+TEST_F(GpuForestGlTest, FallsBackToTheCpuWithoutFloatTargets) {
     osg::ref_ptr<Forest> forest = new Forest(forestOf(bareSpecies(2, 3, 1), 1));
     forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
     open(16, 16);
@@ -308,7 +307,7 @@ TEST_F(GpuForestGlTest, WithoutFloatTargetsTheCpuTakesOverWithOneNotice) {
     EXPECT_NE(messages.find("angles come from the CPU"), std::string::npos);
     EXPECT_EQ(messages.find("angles come from the CPU"), messages.rfind("angles come from the CPU"));
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::CPU_ANGLES);
-    EXPECT_NE(SimulationParts::branches(forest->getSimulation())->states()[1].x, 0.0f);
+    EXPECT_NE(SimulationAccess::branches(forest->getSimulation())->states()[1].x, 0.0f);
 }
 
 TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
@@ -338,14 +337,14 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
         tree.leafPoints(leaf, corners);
         expected.push_back(
             osg::Matrix::rotate(
-                osg::Quat(SimulationParts::trees(forest->getSimulation())[0].heading, osg::Z_AXIS))
+                osg::Quat(SimulationAccess::trees(forest->getSimulation())[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
         fluttering = std::max(
-            fluttering, std::abs(SimulationParts::branches(forest->getSimulation())->leafStates()[leaf].x));
+            fluttering, std::abs(SimulationAccess::branches(forest->getSimulation())->leafStates()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
-    for (const osg::Vec3& point : found) { // transforms stand in scene order, leaves in access order
+    for (const osg::Vec3& point : found) { // transforms are in scene order, leaves in access order
         float nearest = 1e9f;
         for (const osg::Vec3& other : expected)
             nearest = std::min(nearest, (other - point).length());
@@ -353,7 +352,7 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
     }
 }
 
-TEST_F(GpuForestGlTest, AddingAndRemovingForestsLeavesNothingBehind) {
+TEST_F(GpuForestGlTest, AddingAndRemovingForestsDoesNotLeakMemory) {
     const int forests = casesToRun(1000, 150);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     open(16, 16);
@@ -372,7 +371,7 @@ TEST_F(GpuForestGlTest, AddingAndRemovingForestsLeavesNothingBehind) {
     EXPECT_LT(residentMemory(), settled + keptMemory);
 }
 
-TEST_F(GpuForestGlTest, ABrokenShaderFileGivesWayToTheEmbeddedOne) {
+TEST_F(GpuForestGlTest, BrokenShaderFileIsReplacedByTheEmbeddedOne) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("otw-shaders-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder / "branchwise");
@@ -390,8 +389,8 @@ TEST_F(GpuForestGlTest, ABrokenShaderFileGivesWayToTheEmbeddedOne) {
     std::filesystem::remove_all(folder);
     const std::string messages = takeMessages();
     EXPECT_NE(messages.find("nonsense"), std::string::npos) << "the driver's log";
-    EXPECT_NE(messages.find("the embedded ones are used instead"), std::string::npos);
-    EXPECT_NE(SimulationParts::branches(forest->getSimulation())->states()[1].x, 0.0f);
+    EXPECT_NE(messages.find("the embedded shaders are used instead"), std::string::npos);
+    EXPECT_NE(SimulationAccess::branches(forest->getSimulation())->states()[1].x, 0.0f);
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 #include <tests/gl/GlTest.h>
 #include <tests/gl/ThreadingModels.h>
 
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -15,8 +15,8 @@
 namespace osgTreeWind {
 namespace {
 
-/// Trees that all face one way, in a wind that is the same everywhere and different every frame: the law
-/// `thesis` keeps it in each state, so that states of two frames in one copy would show.
+/// Trees with equal headings in a uniform wind that changes every frame. The law `thesis` stores the wind in
+/// each state, which reveals a copy with states of two frames.
 ForestDescription selfCheckingForest() {
     ForestDescription description = smallForest(4);
     description.law = MotionLaw::Thesis;
@@ -30,7 +30,7 @@ ForestDescription selfCheckingForest() {
 class GpuThreadingGlTest : public GlTest,
                            public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {};
 
-TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
+TEST_P(GpuThreadingGlTest, ReadsBackCompleteStatesOfThePreviousFrame) {
     osg::ref_ptr<Forest> forest = new Forest(selfCheckingForest());
     forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
     open(16, 16);
@@ -38,10 +38,10 @@ TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
     viewer().getCamera()->setViewMatrixAsLookAt({0, -1e5, 0}, {0, -2e5, 0}, osg::Z_AXIS);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     viewer().setThreadingModel(GetParam());
-    const double step = 1.0 / 64.0; // exact in floats
+    const double step = 1.0 / 64.0; // exact in float
     for (int i = 1; i <= 600; ++i) {
         frame(i * step);
-        const std::vector<glm::vec4>& states = SimulationParts::branches(forest->getSimulation())->states();
+        const std::vector<glm::vec4>& states = SimulationAccess::branches(forest->getSimulation())->states();
         for (const glm::vec4& state : states)
             ASSERT_EQ(state.z, states.front().z) << "frame " << i;
         if (i > 4) {
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Models, GpuThreadingGlTest, threadingModels, nameOfMode
 
 class ShadowedForestGlTest : public GlTest {};
 
-TEST_F(ShadowedForestGlTest, AShadowPassTakesNoStepOfItsOwn) {
+TEST_F(ShadowedForestGlTest, ShadowPassTakesNoExtraStep) {
     osg::ref_ptr<Forest> plain = new Forest(selfCheckingForest());
     osg::ref_ptr<Forest> forest = new Forest(selfCheckingForest());
     forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
@@ -78,9 +78,9 @@ TEST_F(ShadowedForestGlTest, AShadowPassTakesNoStepOfItsOwn) {
     }
     frame(10.0 / 60.0);
     ASSERT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    const auto& expected = SimulationParts::branches(plain->getSimulation())->states();
+    const auto& expected = SimulationAccess::branches(plain->getSimulation())->states();
     for (std::size_t i = 0; i < expected.size(); ++i)
-        ASSERT_NEAR(SimulationParts::branches(forest->getSimulation())->states()[i].x, expected[i].x, 5e-4f)
+        ASSERT_NEAR(SimulationAccess::branches(forest->getSimulation())->states()[i].x, expected[i].x, 5e-4f)
             << i;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
-#include <tests/drawing/branchwise/Onlooker.h>
+#include <tests/drawing/branchwise/FakeCullVisitor.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Nodes of a scene that a segment meets, nearest first.
+/// Hits of a segment, nearest first.
 osgUtil::LineSegmentIntersector::Intersections pick(osg::Node& scene, const osg::Vec3d& from,
                                                     const osg::Vec3d& to) {
     osg::ref_ptr<osgUtil::LineSegmentIntersector> segment = new osgUtil::LineSegmentIntersector(from, to);
@@ -24,7 +24,7 @@ osgUtil::LineSegmentIntersector::Intersections pick(osg::Node& scene, const osg:
     return segment->getIntersections();
 }
 
-/// A bare tree, bent far by a storm, and the way its last unit's middle went.
+/// A bare tree that a storm bends, and the middle of its last unit before and after.
 struct BentTree {
     osg::ref_ptr<Forest> forest;
     osg::Vec3d before, now;
@@ -43,7 +43,7 @@ struct BentTree {
         const std::size_t last = tree.model().skeleton.units.size() - 1;
         return toOsg(tree.pose(last).apply(tree.scale().axes * tree.model().skeleton.point(last, 7)));
     }
-    /// A short way through a point, across the last unit.
+    /// Picks along a short segment through a point, across the last unit.
     osgUtil::LineSegmentIntersector::Intersections pickAt(const osg::Vec3d& point) const {
         return pick(*forest, point + osg::Vec3d(0, 0.1, 0), point - osg::Vec3d(0, 0.1, 0));
     }
@@ -51,20 +51,20 @@ struct BentTree {
 
 } // namespace
 
-TEST(PickingTest, hitsABranchWhereItIs) {
+TEST(PickingTest, HitsABranchAtItsCurrentPlace) {
     const BentTree tree;
-    ASSERT_GT((tree.now - tree.before).length(), 0.5) << "the storm bends the branch away";
+    ASSERT_GT((tree.now - tree.before).length(), 0.5) << "the storm did not bend the branch";
     const auto hits = tree.pickAt(tree.now);
     ASSERT_FALSE(hits.empty());
     EXPECT_LT((hits.begin()->getWorldIntersectPoint() - tree.now).length(), 0.1);
 }
 
-TEST(PickingTest, doesNotHitABranchWhereItWas) {
+TEST(PickingTest, DoesNotHitABranchAtItsFormerPlace) {
     const BentTree tree;
     EXPECT_TRUE(tree.pickAt(tree.before).empty());
 }
 
-TEST(PickingTest, hitsALeafWhereItIs) {
+TEST(PickingTest, HitsALeafAtItsCurrentPlace) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     updateFrames(*forest, 1, 20);
     glm::vec3 corners[verticesPerLeafCluster];
@@ -76,7 +76,7 @@ TEST(PickingTest, hitsALeafWhereItIs) {
     EXPECT_STREQ(hits.begin()->drawable->className(), "LeafClusterDrawable");
 }
 
-TEST(BoundsTest, holdEveryPosedPointInAStorm) {
+TEST(BoundsTest, ContainEveryPosedPointInAStorm) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(3, 45.0f)));
     for (unsigned frame = 1; frame <= 200; ++frame) {
         update(*forest, frame, frame / 25.0);
@@ -99,7 +99,7 @@ TEST(BoundsTest, holdEveryPosedPointInAStorm) {
     }
 }
 
-TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
+TEST(BoundsTest, SceneBoundsGrowWithTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 45.0f)));
     const osg::BoundingSphere rest = forest->getBound();
     updateFrames(*forest, 1, 100);
@@ -112,7 +112,7 @@ TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
               rest.center().x() + rest.radius());
 }
 
-TEST(BoundsTest, settleInASteadyWind) {
+TEST(BoundsTest, SettleInASteadyWind) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 250);
     const osg::BoundingBox settled =
@@ -124,10 +124,10 @@ TEST(BoundsTest, settleInASteadyWind) {
               settled._min);
 }
 
-TEST(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
+TEST(StatisticsTest, ReferenceTreeHasTheCountsOfTheThesis) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
-    Onlooker onlooker(1.0f);
-    forest->accept(onlooker);
+    FakeCullVisitor cull(1.0f);
+    forest->accept(cull);
     updateFrames(*forest, 1, 1);
     osgUtil::StatsVisitor statistics;
     statistics.setTraversalMode(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN);
@@ -137,7 +137,7 @@ TEST(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
     EXPECT_EQ(statistics._instancedStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
 }
 
-TEST(TreeDrawableTest, emptyOnesHaveNoBoundsAndNoTriangles) {
+TEST(TreeDrawableTest, EmptyDrawablesHaveNoBounds) {
     for (osg::ref_ptr<osg::Drawable> drawable :
          {osg::ref_ptr<osg::Drawable>(new SkinDrawable), osg::ref_ptr<osg::Drawable>(new LeafDrawable)})
         EXPECT_FALSE(drawable->getBoundingBox().valid());

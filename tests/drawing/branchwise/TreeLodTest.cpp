@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <tests/drawing/branchwise/Onlooker.h>
+#include <tests/drawing/branchwise/FakeCullVisitor.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A tree of the thesis' way, as published, in a wind.
+/// A tree under a branchwise law in a wind.
 class TreeLodTest : public ::testing::Test {
 protected:
     TreeLodTest() {
@@ -26,12 +26,12 @@ protected:
         tree = BranchwiseParts::tree(*forest->getBranchwise(), 0);
         height = tree->getLod()->getCenter().z() * 2.0f;
     }
-    /// Classes of what a camera so many heights away draws.
+    /// Classes of the drawables that a camera draws from a distance in heights of the tree.
     std::vector<std::string> seenFrom(float heights) {
-        Onlooker onlooker(heights * height);
-        forest->accept(onlooker);
+        FakeCullVisitor cull(heights * height);
+        forest->accept(cull);
         std::vector<std::string> names;
-        for (const osg::Drawable* drawable : onlooker.drawn)
+        for (const osg::Drawable* drawable : cull.drawn)
             names.push_back(drawable->className());
         return names;
     }
@@ -39,7 +39,7 @@ protected:
         for (int i = 0; i < count; ++i, ++frame)
             update(*forest, frame, frame / 25.0);
     }
-    /// The transform of a branch that nobody asked for, as the scene has it now.
+    /// The transform of the first branch; null if it does not exist.
     const osg::Node* firstBranch() const {
         const osg::Group& full = *tree->getLod()->level(TreeLod::FULL);
         return full.getNumChildren() ? full.getChild(0) : nullptr;
@@ -57,7 +57,7 @@ std::size_t count(const std::vector<std::string>& names, const char* name) {
 
 } // namespace
 
-TEST_F(TreeLodTest, aNearTreeIsDrawnAsPublished) {
+TEST_F(TreeLodTest, NearTreeIsDrawnAsPublished) {
     seenFrom(2.0f);
     frames(1);
     const std::vector<std::string> names = seenFrom(2.0f);
@@ -66,31 +66,31 @@ TEST_F(TreeLodTest, aNearTreeIsDrawnAsPublished) {
     EXPECT_EQ(count(names, "LeafDrawable"), 0u);
 }
 
-TEST_F(TreeLodTest, aFarTreeIsItsLeavesAndWhatBarkBearsNone) {
+TEST_F(TreeLodTest, MiddleLevelIsLeavesAndBarkWithoutLeaves) {
     const std::vector<std::string> names = seenFrom(10.0f);
     EXPECT_EQ(names, (std::vector<std::string>{"SkinDrawable", "LeafDrawable"}));
-    Onlooker onlooker(10.0f * height);
-    forest->accept(onlooker);
-    const auto* bark = dynamic_cast<const TreeDrawable*>(onlooker.drawn[0]);
+    FakeCullVisitor cull(10.0f * height);
+    forest->accept(cull);
+    const auto* bark = dynamic_cast<const TreeDrawable*>(cull.drawn[0]);
     ASSERT_NE(bark, nullptr);
     const TreeModel& model = tree->getPosedTree()->model();
     EXPECT_EQ(bark->geometry()->getPrimitiveSet(0)->getNumIndices(), model.skin.firstIndices[2])
         << "the two units of the trunk";
 }
 
-TEST_F(TreeLodTest, aTreeNobodyLooksAtFromNearbyHasNoTransforms) {
+TEST_F(TreeLodTest, TreeWithoutNearCameraHasNoTransforms) {
     frames(5);
     seenFrom(10.0f);
     frames(5);
     EXPECT_EQ(firstBranch(), nullptr);
 }
 
-TEST_F(TreeLodTest, transformsStandStillWhileNobodyLooks) {
+TEST_F(TreeLodTest, TransformsAreNotUpdatedWithoutNearCamera) {
     seenFrom(2.0f);
     frames(2);
     const auto* branch = dynamic_cast<const BranchTransform*>(firstBranch());
     ASSERT_NE(branch, nullptr);
-    frames(1); // after the last one in which it was seen
+    frames(1); // the last update after a camera saw it
     const osg::Quat held = branch->getRotation();
     for (int i = 0; i < 10; ++i) {
         seenFrom(10.0f);
@@ -99,24 +99,24 @@ TEST_F(TreeLodTest, transformsStandStillWhileNobodyLooks) {
     EXPECT_EQ(branch->getRotation(), held);
     seenFrom(2.0f);
     frames(1);
-    EXPECT_NE(branch->getRotation(), held) << "and turn again for those who do";
+    EXPECT_NE(branch->getRotation(), held) << "a near camera resumes the updates";
 }
 
-TEST_F(TreeLodTest, aTreeThatComesNearIsDrawnByItsStandInUntilItsTransformsAreTurned) {
+TEST_F(TreeLodTest, StandInIsDrawnUntilTransformsAreUpToDate) {
     frames(10);
     EXPECT_EQ(seenFrom(2.0f), (std::vector<std::string>{"SkinDrawable", "LeafDrawable"}));
     frames(1);
     EXPECT_GT(seenFrom(2.0f).size(), 2u);
 }
 
-TEST_F(TreeLodTest, aPauseTurnsTransformsForThoseWhoComeNear) {
+TEST_F(TreeLodTest, TransformsAreUpdatedDuringAPause) {
     frames(10);
     seenFrom(2.0f);
     update(*forest, frame, (frame - 1) / 25.0);
     EXPECT_GT(seenFrom(2.0f).size(), 2u);
 }
 
-TEST_F(TreeLodTest, aBranchThatWasAskedForFollowsUnseen) {
+TEST_F(TreeLodTest, RequestedBranchFollowsUnseen) {
     BranchTransform* branch = tree->getBranch(9);
     const osg::Quat rest = branch->getRotation();
     frames(10);
@@ -125,7 +125,7 @@ TEST_F(TreeLodTest, aBranchThatWasAskedForFollowsUnseen) {
     EXPECT_EQ(branch->getRotation(), toOsg(expected));
 }
 
-TEST_F(TreeLodTest, distancesAreInHeightsAndCanBeSet) {
+TEST_F(TreeLodTest, RangesAreInHeightsOfTheTree) {
     forest->getBranchwise()->setLodRanges({3.0f, 20.0f});
     seenFrom(2.9f);
     frames(1);
@@ -136,13 +136,13 @@ TEST_F(TreeLodTest, distancesAreInHeightsAndCanBeSet) {
     EXPECT_GT(seenFrom(1e6f).size(), 2u);
 }
 
-TEST_F(TreeLodTest, aCopyOfTheForestKeepsThem) {
+TEST_F(TreeLodTest, CopyOfTheForestKeepsTheRanges) {
     forest->getBranchwise()->setLodRanges({3.0f, 20.0f});
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_EQ(BranchwiseParts::tree(*copy->getBranchwise(), 0)->getLod()->getRanges().full, 3.0f);
 }
 
-TEST_F(TreeLodTest, aTreeFarAwayIsAPicture) {
+TEST_F(TreeLodTest, DistantTreeIsABillboard) {
     EXPECT_EQ(seenFrom(21.0f), (std::vector<std::string>{"BillboardDrawable"}));
     frames(3);
     EXPECT_EQ(firstBranch(), nullptr);

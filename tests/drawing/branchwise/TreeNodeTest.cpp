@@ -3,7 +3,7 @@
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osgUtil/IntersectionVisitor>
 
@@ -11,7 +11,7 @@
 
 using namespace osgTreeWind;
 
-TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
+TEST(TreeNodeTest, HasOneBranchPerUnit) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     EXPECT_EQ(tree.getNumBranches(), 122u);
@@ -20,14 +20,14 @@ TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
     EXPECT_EQ(tree.getBranch(~0u), nullptr);
 }
 
-TEST(TreeNodeTest, givesTheSameBranchEveryTime) {
+TEST(TreeNodeTest, ReturnsTheSameBranchEveryTime) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     BranchTransform* const branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9);
     EXPECT_EQ(BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9), branch);
     EXPECT_EQ(branch->getUnit(), 9u);
 }
 
-TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
+TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
     const unsigned unit = 13, treeIndex = 4;
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), treeIndex);
@@ -39,15 +39,15 @@ TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
     updateFrames(*forest, 1, 40);
 
     const ForestSimulation& simulation = forest->getSimulation();
-    const PlacedTree& place = SimulationParts::trees(simulation)[treeIndex];
+    const PlacedTree& place = SimulationAccess::trees(simulation)[treeIndex];
     const osg::Vec3d inTree = toOsg(simulation.motion(treeIndex).poses[unit].apply(tip));
     const osg::Vec3d expected =
         osg::Quat(place.heading, osg::Z_AXIS) * inTree + osg::Vec3d(toOsg(place.position));
     EXPECT_LT((worldMatrix(*sensor).getTrans() - expected).length(), 1e-4);
-    EXPECT_GT((expected - before).length(), 1e-3) << "the wind moves it";
+    EXPECT_GT((expected - before).length(), 1e-3) << "the wind did not move it";
 }
 
-TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
+TEST(TreeNodeTest, NewBranchTransformHasTheCurrentPose) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 40);
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
@@ -57,24 +57,25 @@ TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
     EXPECT_FALSE(tree.getBranch(13)->getRotation().zeroRotation());
 }
 
-TEST(TreeNodeTest, aBranchThatIsLetGoLosesWhatHungOnItAndFollowsNoMore) {
+TEST(TreeNodeTest, ReleasedBranchLosesItsNodesAndStopsFollowing) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     BranchTransform* const branch = forest->branch(TreeId(0), 9).value();
     const unsigned own = branch->getNumChildren();
     branch->addChild(new osg::Group);
-    ASSERT_EQ(forest->branch(TreeId(0), 2).value(), tree.getBranch(2)) << "one that carries others stays";
-    EXPECT_TRUE(forest->unfollow(TreeId(0), 9));
+    ASSERT_EQ(forest->branch(TreeId(0), 2).value(), tree.getBranch(2))
+        << "a parent branch, which must keep following";
+    EXPECT_TRUE(forest->releaseBranch(TreeId(0), 9));
     EXPECT_EQ(branch->getNumChildren(), own);
-    EXPECT_FALSE(forest->unfollow(TreeId(0), 9));
-    EXPECT_FALSE(forest->unfollow(TreeId(0), 1000));
+    EXPECT_FALSE(forest->releaseBranch(TreeId(0), 9));
+    EXPECT_FALSE(forest->releaseBranch(TreeId(0), 1000));
     const osg::Quat held = branch->getRotation(), before = tree.getBranch(2)->getRotation();
     updateFrames(*forest, 1, 20);
-    EXPECT_EQ(branch->getRotation(), held) << "nobody looks";
+    EXPECT_EQ(branch->getRotation(), held) << "no camera sees it";
     EXPECT_NE(tree.getBranch(2)->getRotation(), before);
 }
 
-TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
+TEST(TreeNodeTest, EmptyNodeAcceptsAllCalls) {
     osg::ref_ptr<TreeNode> tree = new TreeNode;
     tree->updatePose();
     EXPECT_EQ(tree->getNumBranches(), 0u);
@@ -85,23 +86,23 @@ TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
     EXPECT_EQ(copy->getNumChildren(), 0u);
 }
 
-TEST(TreeNodeTest, anotherSeasonLeavesHungNodesThere) {
+TEST(TreeNodeTest, SeasonChangeKeepsAttachedNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     osg::ref_ptr<osg::Group> nest = new osg::Group;
     tree.getBranch(5)->addChild(nest);
-    osgUtil::IntersectionVisitor picking; // for which the tree makes its transforms
+    osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
     tree.traverse(picking);
     const unsigned children = tree.getBranch(5)->getNumChildren();
     EXPECT_GT(children, 1u);
-    tree.setLeaves(0.0f);
+    tree.setLeafShare(0.0f);
     EXPECT_TRUE(tree.getBranch(5)->containsNode(nest));
     EXPECT_EQ(tree.getBranch(5)->getNumChildren(), children);
 }
 
 class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
+TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     updateFrames(*forest, 1, 40);
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
@@ -114,14 +115,14 @@ TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
     EXPECT_EQ(copy->getPosition(), tree.getPosition());
     EXPECT_EQ(copy->getAttitude(), tree.getAttitude());
     EXPECT_EQ(copy->getNumBranches(), tree.getNumBranches());
-    EXPECT_EQ(copy->getNumChildren(), 2u) << "its levels of detail, and the user's group";
+    EXPECT_EQ(copy->getNumChildren(), 2u) << "the levels of detail and the user's group";
     EXPECT_NE(copy->getPosedTree(), tree.getPosedTree());
     EXPECT_NE(copy->getBranch(3), tree.getBranch(3));
     EXPECT_TRUE(copy->getBranch(3)->getRotation().zeroRotation()) << "at rest";
     EXPECT_EQ(copy->getStateSet()->getMode(GL_FOG), GLuint(osg::StateAttribute::ON));
 }
 
-TEST_P(TreeNodeCopyTest, doesNotTurnTheOriginalToRest) {
+TEST_P(TreeNodeCopyTest, DoesNotChangeTheOriginal) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
     int before = -2, after = -2;

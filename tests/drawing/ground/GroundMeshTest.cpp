@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace osgTreeWind {
-
 namespace {
 
 DrawnGround drawnOf(const FunctionGround::Function& function, const glm::dvec2& high = {64, 64}) {
@@ -27,15 +26,15 @@ double wave(double x, double y) {
 
 } // namespace
 
-TEST(GroundMesh, StandsWhereTheGroundIsInTheForestsFrame) {
+TEST(GroundMesh, FollowsTheGroundInTheForestsFrame) {
     const GroundMesh mesh(drawnOf(wave), {0, 0}, 1.0);
-    EXPECT_EQ(verticesOf(mesh).size(), 65u * 65u) << "all that there is: without a skirt";
+    EXPECT_EQ(verticesOf(mesh).size(), 65u * 65u) << "without neighbours there is no skirt";
     EXPECT_EQ(trianglesOf(mesh), 64u * 64u * 2u);
     for (const osg::Vec3& vertex : verticesOf(mesh))
         EXPECT_NEAR(vertex.z() + 100.0, wave(vertex.x() + 1000.0, vertex.y() + 2000.0), 1e-3);
 }
 
-TEST(GroundMesh, NormalsAndPlacesAreThoseOfTheSlope) {
+TEST(GroundMesh, HasNormalsOfTheSlopeAndCoordinatesInMetres) {
     const GroundMesh mesh(drawnOf([](double x, double y) { return 0.5 * x - 0.25 * y; }), {0, 0}, 1.0);
     osg::Vec3 up(-0.5f, 0.25f, 1.0f);
     up.normalize();
@@ -47,14 +46,14 @@ TEST(GroundMesh, NormalsAndPlacesAreThoseOfTheSlope) {
     }
 }
 
-TEST(GroundMesh, SkirtsHangWhereAnotherIsBeside) {
+TEST(GroundMesh, HasSkirtsNextToNeighbours) {
     const GroundMesh mesh(drawnOf(wave, {64, 640}), {0, 0}, 1.0);
-    EXPECT_EQ(trianglesOf(mesh), 64u * 64u * 2u + 64u * 2u) << "to the north";
+    EXPECT_EQ(trianglesOf(mesh), 64u * 64u * 2u + 64u * 2u) << "a skirt in the north";
     EXPECT_EQ(trianglesOf(GroundMesh(drawnOf(wave, {640, 640}), {128, 128}, 1.0)),
               64u * 64u * 2u + 4u * 64u * 2u);
 }
 
-TEST(GroundMesh, EndsWhereThePartEnds) {
+TEST(GroundMesh, IsClippedToThePartToDraw) {
     const GroundMesh mesh(drawnOf(wave, {10.5, 20}), {0, 0}, 1.0);
     EXPECT_EQ(trianglesOf(mesh), 11u * 20u * 2u);
     float east = -1e9f;
@@ -66,7 +65,7 @@ TEST(GroundMesh, EndsWhereThePartEnds) {
 TEST(GroundMesh, HasNoTrianglesOverHoles) {
     const GroundMesh mesh(drawnOf([](double x, double y) { return x == 30 && y == 30 ? std::nan("") : 1.0; }),
                           {0, 0}, 1.0);
-    EXPECT_EQ(trianglesOf(mesh), 64u * 64u * 2u - 4u) << "a half of each of the four squares around it";
+    EXPECT_EQ(trianglesOf(mesh), 64u * 64u * 2u - 4u) << "half of each of the four squares around the hole";
     for (const osg::Vec3& vertex : verticesOf(mesh))
         EXPECT_TRUE(vertex.valid());
     const GroundMesh nothing(drawnOf([](double, double) { return std::nan(""); }), {0, 0}, 1.0);

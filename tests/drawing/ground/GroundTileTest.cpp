@@ -15,7 +15,6 @@
 #include <cmath>
 
 namespace osgTreeWind {
-
 namespace {
 
 constexpr GroundArea kilometres{{-2000, -2000}, {2000, 2000}, 1.0};
@@ -30,7 +29,7 @@ osg::ref_ptr<osg::Node> groundOf(const FunctionGround::Function& function,
                                osg::BoundingSphere(osg::Vec3(), 10.0f));
 }
 
-/// What a camera of 1000 by 1000 pixels that looks north from there draws.
+/// The meshes that a camera of 1000 x 1000 pixels draws when it looks north.
 std::vector<const osg::Geometry*> seenFrom(osg::Node& ground, const osg::Vec3d& eye) {
     osg::ref_ptr<osgUtil::CullVisitor> visitor = new osgUtil::CullVisitor;
     const osg::ref_ptr<osgUtil::StateGraph> graph = new osgUtil::StateGraph;
@@ -54,7 +53,6 @@ std::vector<const osg::Geometry*> seenFrom(osg::Node& ground, const osg::Vec3d& 
     return seen;
 }
 
-/// The longest edge of the square nearest to a place.
 double spacingOf(const osg::Geometry& mesh) {
     const osg::BoundingBox box = mesh.getBoundingBox();
     return static_cast<double>(box.xMax() - box.xMin()) / 64.0;
@@ -62,7 +60,7 @@ double spacingOf(const osg::Geometry& mesh) {
 
 } // namespace
 
-TEST(GroundTile, IsFineNearACameraAndCoarseFarFromIt) {
+TEST(GroundTile, IsFineNearTheCameraAndCoarseFarAway) {
     const osg::ref_ptr<osg::Node> ground = groundOf(hills);
     ASSERT_TRUE(ground);
     const osg::Vec3d eye(0, -1500, hills(0, -1500) + 2);
@@ -88,8 +86,8 @@ TEST(GroundTile, IsFineNearACameraAndCoarseFarFromIt) {
     RecordProperty("triangles", static_cast<int>(triangles));
 }
 
-TEST(GroundTile, MeetsWithoutGapsWhateverTheLevels) {
-    // Rays straight down through all that is drawn find the ground, also where two levels meet.
+TEST(GroundTile, HasNoGapsBetweenLevels) {
+    // Vertical rays hit the drawn meshes everywhere, including borders between levels.
     const osg::ref_ptr<osg::Node> ground = groundOf(hills);
     osg::ref_ptr<osg::Group> drawn = new osg::Group;
     for (const osg::Geometry* mesh : seenFrom(*ground, {0, -1500, hills(0, -1500) + 2}))
@@ -105,7 +103,7 @@ TEST(GroundTile, MeetsWithoutGapsWhateverTheLevels) {
     }
 }
 
-TEST(GroundTile, IsPickedAsItIs) {
+TEST(GroundTile, IsPickedAtTheFinestLevel) {
     const osg::ref_ptr<osg::Node> ground = groundOf(hills);
     for (const osg::Vec2d& place :
          {osg::Vec2d(0, 0), osg::Vec2d(1234.5, -777.7), osg::Vec2d(-1999.9, 1999.9)}) {
@@ -124,7 +122,7 @@ TEST(GroundTile, IsPickedAsItIs) {
     EXPECT_FALSE(beyond->containsIntersections());
 }
 
-TEST(GroundTile, StaysBelowItsTransformAsOsgviewerOptimizes) {
+TEST(GroundTile, OptimizerKeepsTheTransformAbove) {
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     const osg::ref_ptr<osg::MatrixTransform> transform =
         new osg::MatrixTransform(osg::Matrix::translate(10000, 0, 50));
@@ -141,7 +139,7 @@ TEST(GroundTile, StaysBelowItsTransformAsOsgviewerOptimizes) {
     EXPECT_NEAR(ray->getFirstIntersection().getWorldIntersectPoint().z(), 50.0 + hills(300, 400), 0.02);
 }
 
-TEST(GroundTile, HasBoundsBeforeAnybodySawIt) {
+TEST(GroundTile, HasBoundsBeforeTheFirstCull) {
     const osg::ref_ptr<osg::Node> ground = groundOf(hills);
     osg::ComputeBoundsVisitor bounds;
     ground->accept(bounds);
@@ -151,11 +149,11 @@ TEST(GroundTile, HasBoundsBeforeAnybodySawIt) {
     EXPECT_GT(ground->getBound().radius(), 2800.0f);
 }
 
-TEST(GroundTile, IsNoneWhereThereIsNoGround) {
+TEST(GroundTile, IsNullWithoutGround) {
     EXPECT_FALSE(createGroundDrawing(nullptr, glm::dvec3(0.0), osg::BoundingSphere()));
     EXPECT_FALSE(groundOf([](double, double) { return std::nan(""); }));
     EXPECT_FALSE(groundOf(hills, {{1e6, 1e6}, {1.1e6, 1.1e6}, 1.0})) << "farther than 50 km";
-    EXPECT_TRUE(groundOf(hills, GroundArea())) << "a callable without an end";
+    EXPECT_TRUE(groundOf(hills, GroundArea())) << "an unbounded function";
 }
 
 } // namespace osgTreeWind

@@ -6,7 +6,7 @@
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/GLExtensions>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int size = 128; // pixels
 
-/// What an instance has as vertex attributes.
+/// Vertex attributes of an instance.
 struct Instance : osg::Drawable::DrawCallback {
     osg::Vec4 place{0, 0, 0, 0}, scale{1, 1, 0, 0}, state{0, 0, 1, 0};
 
@@ -32,7 +32,7 @@ struct Instance : osg::Drawable::DrawCallback {
     }
 };
 
-/// Where a tree is seen from; angles in degrees.
+/// Direction to the camera in degrees, and height of the tree on the screen.
 struct Sight {
     double azimuth, elevation, pixels;
 };
@@ -41,13 +41,13 @@ Species speciesCalled(const std::string& name) {
     return name == "thesis" ? Species() : *findSpecies(name);
 }
 
-/// A tree in still air, drawn in full however small it is seen.
+/// A forest that is drawn in full at any size.
 osg::ref_ptr<Forest> inFull(ForestDescription description) {
     description.drawing.tiers = false;
     return new Forest(description);
 }
 
-/// Mean colours of blocks of 8 x 8 pixels in which either picture shows something.
+/// Mean difference of the colours of 8 x 8 pixel blocks that are not black in both pictures.
 double blockDifference(const osg::Image& a, const osg::Image& b) {
     double sum = 0.0;
     int blocks = 0;
@@ -114,7 +114,7 @@ protected:
 
 } // namespace
 
-TEST_F(ImpostorGlTest, looksLikeTheTreeDrawnInFull) {
+TEST_F(ImpostorGlTest, LooksLikeTheTreeDrawnInFull) {
     for (const char* name : {"thesis", "oak", "birch", "Norway spruce", "Scots pine", "larch"}) {
         const Species species = speciesCalled(name);
         osg::ref_ptr<ImpostorStrip> shape = shapeOf(species);
@@ -138,7 +138,7 @@ TEST_F(ImpostorGlTest, looksLikeTheTreeDrawnInFull) {
 
 namespace {
 
-/// Middle of what is shown, in pixels from the middle of the picture.
+/// Centroid of the pixels that are not black, relative to the middle of the picture.
 osg::Vec2d middleOf(const osg::Image& image, int fromRow) {
     osg::Vec2d sum;
     double count = 0.0;
@@ -153,7 +153,7 @@ osg::Vec2d middleOf(const osg::Image& image, int fromRow) {
 
 } // namespace
 
-TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
+TEST_F(ImpostorGlTest, LeansAtTheTopAndNotAtTheFoot) {
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
     const Sight sight{-90.0, 0.0, 80.0}; // from the south: +x is to the right
@@ -161,9 +161,9 @@ TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
     leaning->state = osg::Vec4(0.15f * height, 0.0f, 1.0f, 0.0f);
     osg::ref_ptr<osg::Image> a = picture(impostor(*shape, still), sight, height),
                              b = picture(impostor(*shape, leaning), sight, height);
-    const int top = size / 2 + 36; // of 40 pixels each way
+    const int top = size / 2 + 36; // the tree extends 40 pixels up and down
     EXPECT_NEAR(middleOf(*b, top).x() - middleOf(*a, top).x(), 0.15 * 80.0, 2.0);
-    const auto foot = [](const osg::Image& image) { // of the trunk just above the ground
+    const auto foot = [](const osg::Image& image) { // mean x of the trunk just above the ground
         double sum = 0.0, count = 0.0;
         for (int y = size / 2 - 39; y < size / 2 - 35; ++y)
             for (int x = 0; x < size; ++x)
@@ -176,21 +176,22 @@ TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
     EXPECT_NEAR(foot(*b), foot(*a), 1.0);
 }
 
-TEST_F(ImpostorGlTest, theBendOfASmallTreeIsWithinAPixel) {
+TEST_F(ImpostorGlTest, BendOfASmallTreeIsLessThanAPixel) {
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
     osg::ref_ptr<Instance> leaning = new Instance;
     leaning->state = osg::Vec4(0.15f * height, 0.0f, 1.0f, 0.0f);
     const Sight sight{-90.0, 0.0, static_cast<double>(ImpostorStrip::bendingPixels)};
     osg::ref_ptr<osg::Image> bent = picture(impostor(*shape, leaning), sight, height),
-                             straight = picture(impostor(*shape, *shape->straight(), leaning), sight, height);
-    EXPECT_EQ(shape->straight()->getVertexArray()->getNumElements(), 4u);
+                             straight = picture(impostor(*shape, *shape->straightGeometry(), leaning), sight,
+                                                height);
+    EXPECT_EQ(shape->straightGeometry()->getVertexArray()->getNumElements(), 4u);
     EXPECT_NEAR(covered(*straight) / covered(*bent), 1.0, 0.05);
     for (int y = size / 2 - 8; y < size / 2 + 8; y += 4)
         EXPECT_NEAR(middleOf(*straight, y).x(), middleOf(*bent, y).x(), 1.0) << y;
 }
 
-TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
+TEST_F(ImpostorGlTest, TwoPartsOfAFadeAddUp) {
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const Sight sight{30.0, 20.0, 80.0};
     osg::ref_ptr<osg::Image> parts[3];
@@ -207,15 +208,15 @@ TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
     EXPECT_NEAR(covered(*parts[1]) / covered(*parts[0]), 0.3, 0.03);
 }
 
-TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
-    const Species species = speciesCalled("thesis"); // of which trees of all sizes have one shape
+TEST_F(ImpostorGlTest, HasHeadingAndSizeOfTheTree) {
+    const Species species = speciesCalled("thesis"); // its trees have the same shape at all sizes
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(species);
     ForestDescription turned = oneTree(species, 0.0f);
     turned.trees[0].heading = 1.1f;
     turned.trees[0].size.height = 20.0f;
     turned.trees[0].size.crownWidth = 8.0f;
     osg::ref_ptr<Forest> forest = inFull(turned);
-    const TreeScale& scale = SimulationParts::trees(forest->getSimulation())[0].scale;
+    const TreeScale& scale = SimulationAccess::trees(forest->getSimulation())[0].scale;
     osg::ref_ptr<Instance> instance = new Instance;
     instance->place.w() = 1.1f;
     instance->scale = osg::Vec4(scale.axes.x, scale.axes.z, 0.0f, 0.0f);
@@ -228,13 +229,13 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
     }
 }
 
-TEST_F(ImpostorGlTest, aParallelCameraSeesTheSameTree) {
+TEST_F(ImpostorGlTest, ParallelCameraSeesTheSameTree) {
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
     osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance), full = inFull(oneTree(Species(), 0.0f));
     osg::ref_ptr<osg::Image> pictures[2];
     for (int i = 0; i < 2; ++i) {
-        picture(i ? full : flat, {70.0, 75.0, 50.0}, height); // a sun high up
+        picture(i ? full : flat, {70.0, 75.0, 50.0}, height); // like the camera of a high sun
         const double half = 0.5 * height * size / 50.0;
         viewer().getCamera()->setProjectionMatrixAsOrtho(-half, half, -half, half, 1.0, 1000.0);
         frame(0.0);

@@ -28,7 +28,7 @@ const unsigned char* level(const osg::Image& image, int index) {
     return index ? image.getMipmapData(static_cast<unsigned>(index)) : image.data();
 }
 
-/// Coverage of a level's first row of pictures, in pictures.
+/// Coverage of the first row of pictures at a mipmap level, in pictures.
 double coverage(const ImpostorPictures& pictures, int index) {
     const int count = (pictures.colors->s() >> index) * (pictures.pixels >> index);
     double sum = 0.0;
@@ -37,7 +37,7 @@ double coverage(const ImpostorPictures& pictures, int index) {
     return sum / count * pictures.azimuths;
 }
 
-/// What a tree covers, seen from the side, in units that are the same for all.
+/// Area of a tree from the side, in units that are equal for all trees.
 double area(const ImpostorPictures& pictures) {
     const glm::vec2 extent = pictures.extents.front();
     return coverage(pictures, 0) * pictures.halfWidth * (extent.y - extent.x);
@@ -45,7 +45,7 @@ double area(const ImpostorPictures& pictures) {
 
 } // namespace
 
-TEST(ImpostorPainter, PicturesStandInRowsAndColumns) {
+TEST(ImpostorPainter, PicturesFormAGrid) {
     const ImpostorPictures pictures = painted();
     EXPECT_EQ(pictures.colors->s(), 8 * 64);
     EXPECT_EQ(pictures.colors->t(), 4 * 64);
@@ -55,7 +55,7 @@ TEST(ImpostorPainter, PicturesStandInRowsAndColumns) {
     EXPECT_EQ(pictures.extents.size(), 4u);
 }
 
-TEST(ImpostorPainter, PicturesStayApart) {
+TEST(ImpostorPainter, PicturesHaveEmptyMargins) {
     const ImpostorPictures pictures = painted();
     const int margin = 4; // a sixteenth
     for (int y = 0; y < pictures.colors->t(); ++y)
@@ -72,13 +72,13 @@ TEST(ImpostorPainter, NoColourIsBrighterThanItsCoverage) {
             ASSERT_LE(pictures.colors->data()[4 * i + c], pictures.colors->data()[4 * i + 3]);
 }
 
-TEST(ImpostorPainter, SmallerLevelsAreAsSolid) {
+TEST(ImpostorPainter, MipmapLevelsHaveEqualCoverage) {
     const ImpostorPictures pictures = painted();
     for (int index = 1; index < pictures.levels(); ++index)
         EXPECT_NEAR(coverage(pictures, index) / coverage(pictures, 0), 1.0, 0.03) << index;
 }
 
-TEST(ImpostorPainter, SmallerPicturesAreAsSolidInLeafAndBare) {
+TEST(ImpostorPainter, SmallPicturesHaveEqualCoverage) {
     for (const float leaves : {1.0f, 0.5f, 0.0f}) {
         ImpostorSettings small, large;
         small.leaves = large.leaves = leaves;
@@ -91,7 +91,7 @@ TEST(ImpostorPainter, SmallerPicturesAreAsSolidInLeafAndBare) {
     }
 }
 
-TEST(ImpostorPainter, ABareTreeShowsItsTwigsAndNothingGreen) {
+TEST(ImpostorPainter, BareTreeShowsTwigsAndNoGreen) {
     TreeParameters leafless;
     leafless.leaves.clustersPerBranch = 0;
     const ImpostorPictures poles = paintImpostor(makeTreeModel(leafless), {});
@@ -107,7 +107,7 @@ TEST(ImpostorPainter, ABareTreeShowsItsTwigsAndNothingGreen) {
     EXPECT_LT(coverage(half, 0), coverage(full, 0));
 }
 
-TEST(ImpostorPainter, NormalsFaceTheEyeInTheMean) { // of the pictures seen from +x, the first column
+TEST(ImpostorPainter, MeanNormalFacesTheEye) { // first column: seen from +x
     const ImpostorPictures pictures = painted();
     double sum[2] = {0.0, 0.0}, covered = 0.0;
     for (int y = 0; y < 64; ++y)
@@ -116,11 +116,11 @@ TEST(ImpostorPainter, NormalsFaceTheEyeInTheMean) { // of the pictures seen from
                 sum[axis] += pictures.normals->data(x, y)[axis];
             covered += pictures.colors->data(x, y)[3];
         }
-    EXPECT_GT(2.0 * sum[0] / covered - 1.0, 0.2); // many look up
+    EXPECT_GT(2.0 * sum[0] / covered - 1.0, 0.2); // many normals point up
     EXPECT_NEAR(2.0 * sum[1] / covered - 1.0, 0.0, 0.1);
 }
 
-TEST(ImpostorPainter, ThreadsPaintTheSame) {
+TEST(ImpostorPainter, ThreadsPaintTheSamePictures) {
     ImpostorPictures pictures[4];
     ThreadPool::executor()(4, [&](std::size_t i) { pictures[i] = painted(); });
     for (int i = 1; i < 4; ++i) {

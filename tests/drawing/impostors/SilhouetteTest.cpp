@@ -11,7 +11,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Four by four squares, every other one solid.
+/// A chequerboard of 4 x 4 cells.
 Silhouette::Mask chequered() {
     Silhouette::Mask mask{4, {}};
     for (int i = 0; i < 16; ++i)
@@ -21,7 +21,7 @@ Silhouette::Mask chequered() {
 
 } // namespace
 
-TEST(Silhouette, ARectangleCoversThePixelsWhoseMiddlesAreInIt) {
+TEST(Silhouette, RectangleCoversPixelsWithCentresInside) {
     Silhouette picture(32);
     picture.draw({4.0f, 5.0f}, {10.0f, 0.0f}, {0.0f, 6.0f}, solidMask);
     EXPECT_EQ(picture.count(), 60u);
@@ -31,7 +31,7 @@ TEST(Silhouette, ARectangleCoversThePixelsWhoseMiddlesAreInIt) {
     EXPECT_FALSE(picture.black(13, 11));
 }
 
-TEST(Silhouette, AParallelogramCoversItsArea) {
+TEST(Silhouette, ParallelogramCoversItsArea) {
     for (const float turn : {0.0f, 0.4f, 1.9f, 4.0f}) {
         Silhouette picture(400);
         const glm::vec2 across = 150.0f * glm::vec2(std::cos(turn), std::sin(turn)),
@@ -46,7 +46,7 @@ TEST(Silhouette, AParallelogramCoversItsArea) {
     }
 }
 
-TEST(Silhouette, WhatLiesOutsideIsLeftOut) {
+TEST(Silhouette, PartsOutsideAreClipped) {
     Silhouette picture(16);
     picture.draw({-8.0f, -8.0f}, {16.0f, 0.0f}, {0.0f, 16.0f}, solidMask);
     EXPECT_EQ(picture.count(), 64u);
@@ -56,7 +56,7 @@ TEST(Silhouette, WhatLiesOutsideIsLeftOut) {
     EXPECT_EQ(picture.count(), 64u);
 }
 
-TEST(Silhouette, TheOutlineClosesGapsAndHolesAndKeepsBays) {
+TEST(Silhouette, OutlineClosesGapsAndHolesAndKeepsBays) {
     Silhouette picture(100);
     picture.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 60.0f}, solidMask);
     const Silhouette square = picture.outline(8);
@@ -66,8 +66,8 @@ TEST(Silhouette, TheOutlineClosesGapsAndHolesAndKeepsBays) {
     ring.draw({20.0f, 70.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solidMask);
     ring.draw({20.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 60.0f}, solidMask);
     ring.draw({70.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 25.0f}, solidMask);
-    ring.draw({70.0f, 51.0f}, {10.0f, 0.0f}, {0.0f, 29.0f}, solidMask); // a gap of 6 on the right
+    ring.draw({70.0f, 51.0f}, {10.0f, 0.0f}, {0.0f, 29.0f}, solidMask); // leaves a gap of 6 on the right
     EXPECT_EQ(ring.outline(8).count(), 3600u);
-    EXPECT_EQ(ring.outline(4).count(), ring.count()); // too narrow for it: the inside is outside
+    EXPECT_EQ(ring.outline(4).count(), ring.count()); // does not close the gap, so the inside stays open
     EXPECT_EQ(ring.common(square), ring.count());
 }

@@ -3,5 +3,5 @@
 
 #include <osgTreeWind/drawing/impostors/Silhouette.h>
 
-/// A mask that covers all.
+/// A mask without holes.
 inline const osgTreeWind::Silhouette::Mask solidMask{1, {1}};

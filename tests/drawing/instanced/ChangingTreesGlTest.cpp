@@ -5,7 +5,7 @@
 #include <tests/nodes/Pictures.h>
 
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 
 #include <osg/ContextData>
 #include <osg/DisplaySettings>
@@ -41,10 +41,10 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 namespace {
 
-/// Counts what is allocated while what is below it is culled.
+/// Counts allocations during the cull of its children.
 class CullMeter : public osg::Group {
 public:
-    std::size_t allocated = 0; ///< In the last cull.
+    std::size_t allocated = 0; ///< Number of allocations in the last cull.
 
     void traverse(osg::NodeVisitor& visitor) override {
         const std::size_t before = allocations;
@@ -54,7 +54,7 @@ public:
     }
 };
 
-/// In a square, `apart` metres one from another.
+/// A place in a grid with a spacing of `apart` metres.
 TreePlacement placement(std::size_t number, double apart) {
     TreePlacement tree;
     tree.position = {apart * double(number % 16), apart * double(number / 16), 0.0};
@@ -92,8 +92,8 @@ protected:
 
 } // namespace
 
-// OSGTREEWIND_CHURN_FRAMES=10000 for a long run.
-TEST_F(ChangingTreesGlTest, aThousandTreesASecondComeAndGo) {
+// OSGTREEWIND_CHURN_FRAMES=10000 makes a long run.
+TEST_F(ChangingTreesGlTest, ThousandTreesPerSecondAreAddedAndRemoved) {
     const char* wanted = std::getenv("OSGTREEWIND_CHURN_FRAMES");
     const int frames = wanted ? std::atoi(wanted) : casesToRun(400, 100);
     ForestDescription description = squareForest(200, 2.0);
@@ -107,10 +107,10 @@ TEST_F(ChangingTreesGlTest, aThousandTreesASecondComeAndGo) {
         trees.push_back(TreeId(tree));
     std::size_t settled = 0, number = 200;
     for (int i = 0; i < frames; ++i) {
-        for (int k = 0; k < 20; ++k) { // 500 come and 500 go
+        for (int k = 0; k < 20; ++k) { // 500 trees per second are added and 500 removed
             trees.push_back(forest->addTree(placement(number++ % 256, 2.0)).value());
             ASSERT_TRUE(forest->removeTree(trees.front()).empty());
-            ASSERT_FALSE(forest->removeTree(trees.front()).empty()) << "gone already";
+            ASSERT_FALSE(forest->removeTree(trees.front()).empty()) << "it was already removed";
             trees.pop_front();
             ASSERT_TRUE(
                 forest->changeTree(trees[static_cast<std::size_t>(k)], placement(number % 251, 2.0)).empty());
@@ -125,31 +125,31 @@ TEST_F(ChangingTreesGlTest, aThousandTreesASecondComeAndGo) {
     EXPECT_EQ(forest->getNumTrees(), 200u);
     for (const TreeId tree : trees)
         EXPECT_TRUE(forest->getSimulation().holds(tree));
-    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 201u)
-        << "numbers of removed trees are given out again";
-    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 201u);
+    EXPECT_LE(SimulationAccess::trees(forest->getSimulation()).size(), 201u)
+        << "slots of removed trees are reused";
+    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 201u);
     EXPECT_LT(residentMemory(), settled + keptMemory);
     EXPECT_GT(covered(image()), 0.02);
 }
 
-// A sanitizer keeps for a while what was given back.
+// Sanitizers delay the release of memory.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST_F(ChangingTreesGlTest, aFrameThatIsDrawnAgainAndAgainTakesNoMoreMemory) {
+TEST_F(ChangingTreesGlTest, DrawingAFrameRepeatedlyNeedsNoMoreMemory) {
     osg::ref_ptr<Forest> forest = new Forest(squareForest(200, 2.0));
     show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
     frame(0.0);
-    const auto listed = InstancedParts::trees(*forest->getInstanced())->listedTrees();
+    const auto listed = InstancedParts::trees(*forest->getInstanced())->treesByTier();
     std::size_t settled = 0;
     for (int i = 0; i < 200; ++i) {
         viewer().renderingTraversals();
         if (i == 50)
             settled = residentMemory();
     }
-    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->listedTrees(), listed);
+    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->treesByTier(), listed);
     EXPECT_LT(residentMemory(), settled + (1u << 20));
 }
 
-TEST_F(ChangingTreesGlTest, cullAllocatesNothingForATree) {
+TEST_F(ChangingTreesGlTest, CullDoesNotAllocatePerTree) {
     std::size_t allocated[2];
     for (const bool many : {false, true}) {
         ForestDescription description = squareForest(many ? 60 : 2, many ? 0.1 : 2.0);
@@ -161,11 +161,11 @@ TEST_F(ChangingTreesGlTest, cullAllocatesNothingForATree) {
         allocated[many] = meter->allocated;
     }
     EXPECT_EQ(allocated[0], allocated[1]);
-    EXPECT_LE(allocated[0], 4u) << "OSG's lists of stages";
+    EXPECT_LE(allocated[0], 4u) << "OSG allocates for its list of stages";
 }
 #endif
 
-TEST_F(ChangingTreesGlTest, aSpeciesThatIsAddedLooksAsIfItHadAlwaysBeenThere) {
+TEST_F(ChangingTreesGlTest, AddedSpeciesLooksLikeAnInitialOne) {
     ForestDescription description = squareForest(16, 2.0);
     description.drawing.full = 20.0f;
     description.drawing.reduced = 12.0f;
@@ -184,7 +184,7 @@ TEST_F(ChangingTreesGlTest, aSpeciesThatIsAddedLooksAsIfItHadAlwaysBeenThere) {
         show(forest, eye, osg::Vec3(16, 10, 2));
         osg::ref_ptr<osg::Image> before = later(0, 0);
         const Result<std::size_t> index = forest->addSpecies(red);
-        ASSERT_TRUE(index) << linesOf(index.problems());
+        ASSERT_TRUE(index) << toString(index.problems());
         for (const std::size_t i : {0, 3, 6, 9, 12, 15})
             ASSERT_TRUE(forest->changeTree(TreeId(i), both.trees[i]).empty());
         osg::ref_ptr<osg::Image> after = later(1, 1);
@@ -194,7 +194,7 @@ TEST_F(ChangingTreesGlTest, aSpeciesThatIsAddedLooksAsIfItHadAlwaysBeenThere) {
     }
 }
 
-TEST_F(ChangingTreesGlTest, vertexArrayObjectsShowTheSamePictures) {
+TEST_F(ChangingTreesGlTest, VertexArrayObjectsDrawTheSamePictures) {
     osg::ref_ptr<osg::DisplaySettings> settings = osg::DisplaySettings::instance();
     ForestDescription description = squareForest(16, 2.0);
     description.drawing.full = 20.0f;
@@ -208,7 +208,7 @@ TEST_F(ChangingTreesGlTest, vertexArrayObjectsShowTheSamePictures) {
         show(forest, osg::Vec3(16, -12, 4), osg::Vec3(16, 10, 2));
         pictures[objects][0] = later(0, 5);
         viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3(16, -40, 4), osg::Vec3(16, 10, 2), osg::Z_AXIS);
-        pictures[objects][1] = later(6, 10); // other tiers in the draws of before
+        pictures[objects][1] = later(6, 10); // other tiers reuse the draws
         settings->setVertexBufferHint(osg::DisplaySettings::NO_PREFERENCE);
     }
     for (const int i : {0, 1}) {
@@ -217,7 +217,7 @@ TEST_F(ChangingTreesGlTest, vertexArrayObjectsShowTheSamePictures) {
     }
 }
 
-TEST_F(ChangingTreesGlTest, texturesThatOpenGLLostAreMadeAnew) {
+TEST_F(ChangingTreesGlTest, RecreatesTexturesThatOpenGLLost) {
     osg::ref_ptr<Forest> forest = new Forest(squareForest(16, 2.0));
     show(forest, osg::Vec3(16, -12, 4), osg::Vec3(16, 10, 2));
     osg::ref_ptr<osg::Image> before = later(0, 5);
@@ -225,8 +225,8 @@ TEST_F(ChangingTreesGlTest, texturesThatOpenGLLostAreMadeAnew) {
     EXPECT_EQ(difference(*later(5, 5), *before).mean, 0.0);
 }
 
-TEST_F(ChangingTreesGlTest, posesAreRightOnEveryPage) {
-    // One camera sees them all, tree by tree, the other one only the last ones.
+TEST_F(ChangingTreesGlTest, PosesAreCorrectOnEveryPage) {
+    // One camera sees all trees, the other one only the last ones.
     ForestDescription description = squareForest(4600, 1.0);
     description.species[0].tree.wood.levels = 1;
     for (TreePlacement& tree : description.trees)
@@ -237,7 +237,7 @@ TEST_F(ChangingTreesGlTest, posesAreRightOnEveryPage) {
     show(few, eye, at);
     osg::ref_ptr<osg::Image> expected = later(0, 1);
     ASSERT_GT(covered(*expected), 0.2);
-    EXPECT_LT(InstancedParts::trees(*few->getInstanced())->listedTrees()[0], 1000u);
+    EXPECT_LT(InstancedParts::trees(*few->getInstanced())->treesByTier()[0], 1000u);
 
     osg::ref_ptr<Forest> all = new Forest(description);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
@@ -254,6 +254,6 @@ TEST_F(ChangingTreesGlTest, posesAreRightOnEveryPage) {
     scene->addChild(all);
     show(scene, eye, at);
     osg::ref_ptr<osg::Image> picture = later(0, 1);
-    EXPECT_GE(InstancedParts::trees(*all->getInstanced())->listedTrees()[0], 4600u);
+    EXPECT_GE(InstancedParts::trees(*all->getInstanced())->treesByTier()[0], 4600u);
     EXPECT_EQ(difference(*picture, *expected).mean, 0.0);
 }

@@ -16,9 +16,9 @@ namespace {
 
 constexpr float budget = 20.0f; // milliseconds
 
-/// Details of the frames of a view whose frame takes `seconds(detail)`, as told some frames later.
-std::vector<float> followed(const std::function<double(float)>& seconds, unsigned late = 1,
-                            unsigned frames = 300, const char* gpu = nullptr) {
+/// Detail of each frame of a view whose frames take `seconds(detail)`, measured `late` frames later.
+std::vector<float> simulateDetail(const std::function<double(float)>& seconds, unsigned late = 1,
+                                  unsigned frames = 300, const char* gpu = nullptr) {
     const osg::ref_ptr<osg::Stats> stats = new osg::Stats("Camera");
     stats->collectStats("gpu", gpu != nullptr);
     DetailBudget view;
@@ -31,76 +31,75 @@ std::vector<float> followed(const std::function<double(float)>& seconds, unsigne
             if (gpu)
                 stats->setAttribute(frame - late, gpu, took);
         }
-        details.push_back(view.follow(*stats, frame, budget));
+        details.push_back(view.updateDetail(*stats, frame, budget));
     }
     return details;
 }
 
-/// A floor that no detail changes, and what grows with the pixels of trees.
-double wood(float detail) {
+/// Seconds of a frame: a constant part, and a part proportional to the pixels of the trees.
+double forestCost(float detail) {
     return 0.005 + 0.045 * static_cast<double>(detail * detail);
 }
 
 } // namespace
 
-TEST(DetailBudgetTest, whereFramesFitDetailStays) {
-    for (const float detail : followed([](float) { return 0.019; }))
+TEST(DetailBudgetTest, KeepsFullDetailWithinTheBudget) {
+    for (const float detail : simulateDetail([](float) { return 0.019; }))
         EXPECT_EQ(detail, 1.0f);
 }
 
-TEST(DetailBudgetTest, whereNothingHelpsItEndsAtTheLeast) {
-    const std::vector<float> details = followed([](float) { return 10.0; });
+TEST(DetailBudgetTest, DropsToTheMinimumIfDetailDoesNotMatter) {
+    const std::vector<float> details = simulateDetail([](float) { return 10.0; });
     EXPECT_EQ(details.front(), 1.0f);
-    EXPECT_EQ(details[60], DetailBudget::least);
-    EXPECT_EQ(details.back(), DetailBudget::least);
+    EXPECT_EQ(details[60], DetailBudget::minDetail);
+    EXPECT_EQ(details.back(), DetailBudget::minDetail);
     for (std::size_t i = 1; i < details.size(); ++i)
         EXPECT_GE(details[i], 0.85f * details[i - 1] - 1e-6f) << "a jump at " << i;
 }
 
-TEST(DetailBudgetTest, itSettlesWhereFramesFit) {
+TEST(DetailBudgetTest, SettlesWithinTheBudget) {
     for (const unsigned late : {1u, 2u, 5u}) {
-        const std::vector<float> details = followed(wood, late);
-        EXPECT_LE(wood(details.back()), 0.020) << late;
-        EXPECT_GT(wood(details.back()), 0.75 * 0.020) << late;
+        const std::vector<float> details = simulateDetail(forestCost, late);
+        EXPECT_LE(forestCost(details.back()), 0.020) << late;
+        EXPECT_GT(forestCost(details.back()), 0.75 * 0.020) << late;
         for (std::size_t i = 150; i < details.size(); ++i)
             EXPECT_EQ(details[i], details.back()) << late << " frames late, frame " << i;
-        EXPECT_EQ(*std::min_element(details.begin(), details.end()), details.back())
-            << "it went too far, and back";
+        EXPECT_EQ(*std::min_element(details.begin(), details.end()), details.back()) << "detail overshot";
     }
 }
 
-TEST(DetailBudgetTest, aJumpBetweenTiersIsNotGoneOverAgainAndAgain) {
+TEST(DetailBudgetTest, DoesNotOscillateAroundACostJump) {
     const auto jump = [](float detail) { return detail > 0.6f ? 0.022 : 0.0175; };
-    const std::vector<float> details = followed(jump);
+    const std::vector<float> details = simulateDetail(jump);
     EXPECT_LE(details.back(), 0.6f);
     for (std::size_t i = 150; i < details.size(); ++i)
         EXPECT_EQ(details[i], details.back()) << i;
 }
 
-TEST(DetailBudgetTest, detailComesBackWhenFramesGetCheap) {
+TEST(DetailBudgetTest, DetailRecoversWhenFramesGetCheap) {
     int call = 0;
     const std::vector<float> details =
-        followed([&](float detail) { return ++call < 100 ? wood(detail) : 0.003; });
+        simulateDetail([&](float detail) { return ++call < 100 ? forestCost(detail) : 0.003; });
     EXPECT_LT(details[90], 0.7f);
     EXPECT_EQ(details.back(), 1.0f);
 }
 
-TEST(DetailBudgetTest, oneLongFrameChangesLittle) {
+TEST(DetailBudgetTest, OneLongFrameHasLittleEffect) {
     int call = 0;
-    const std::vector<float> details = followed([&](float) { return ++call == 50 ? 3.0 : 0.01; });
+    const std::vector<float> details = simulateDetail([&](float) { return ++call == 50 ? 3.0 : 0.01; });
     EXPECT_GE(*std::min_element(details.begin(), details.end()), 0.85f);
     EXPECT_EQ(details.back(), 1.0f);
 }
 
-TEST(DetailBudgetTest, aGpuThatTakesLongerCounts) {
-    const std::vector<float> details = followed(wood, 3, 300, "GPU draw time taken");
-    EXPECT_LE(wood(details.back()), 0.020);
-    EXPECT_GT(wood(details.back()), 0.75 * 0.020);
+TEST(DetailBudgetTest, UsesTheGpuTimeIfItIsLonger) {
+    const std::vector<float> details = simulateDetail(forestCost, 3, 300, "GPU draw time taken");
+    EXPECT_LE(forestCost(details.back()), 0.020);
+    EXPECT_GT(forestCost(details.back()), 0.75 * 0.020);
 }
 
-TEST(DetailBudgetTest, withoutMeasuresDetailStays) {
+TEST(DetailBudgetTest, KeepsDetailWithoutMeasurements) {
     const osg::ref_ptr<osg::Stats> stats = new osg::Stats("Camera");
     DetailBudget view;
     for (unsigned frame = 0; frame < 100; ++frame)
-        EXPECT_EQ(view.follow(*stats, frame, budget), 1.0f);
+        EXPECT_EQ(view.updateDetail(*stats, frame, budget), 1.0f);
 }

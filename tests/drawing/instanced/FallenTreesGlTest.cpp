@@ -9,7 +9,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A tree in a storm toward +x, 45 degrees across the view; it comes down after 20 s.
+/// A tree that falls after 20 s of a storm toward +x, across the view.
 ForestDescription doomed(float pixels) {
     ForestDescription description = smallForest(1, 0.0f);
     description.species[0].wood.anchorage = 0.05f;
@@ -25,7 +25,6 @@ ForestDescription doomed(float pixels) {
 
 class FallenTreesGlTest : public GlTest {
 protected:
-    /// After it came down, or before.
     osg::ref_ptr<osg::Image> picture(Forest* forest, double until) {
         open(160, 120);
         viewer().setSceneData(forest);
@@ -50,8 +49,8 @@ protected:
 
 } // namespace
 
-TEST_F(FallenTreesGlTest, liesInEveryTier) {
-    for (const float pixels : {1.0f, 1000.0f}) { // with branches, an impostor
+TEST_F(FallenTreesGlTest, FallenTreesLieInEveryTier) {
+    for (const float pixels : {1.0f, 1000.0f}) { // with branches; impostor
         osg::ref_ptr<Forest> forest = new Forest(doomed(pixels));
         int told = 0;
         forest->setDamageCallback([&](const TreeDamage& damage) {
@@ -66,11 +65,11 @@ TEST_F(FallenTreesGlTest, liesInEveryTier) {
     }
 }
 
-TEST_F(FallenTreesGlTest, impostorsLieWhereTheTreeLies) {
+TEST_F(FallenTreesGlTest, ImpostorsLieLikeTheTree) {
     const osg::ref_ptr<osg::Image> tree = picture(new Forest(doomed(1.0f)), 40.0),
                                    impostor = picture(new Forest(doomed(1000.0f)), 40.0);
     int both = 0, either = 0;
-    for (int y = 0; y < tree->t(); y += 4) // crowns have gaps: by squares of 4 pixels
+    for (int y = 0; y < tree->t(); y += 4) // blocks of 4 x 4 pixels, since crowns have gaps
         for (int x = 0; x < tree->s(); x += 4) {
             bool there[2] = {false, false};
             for (int i = 0; i < 16; ++i) {
@@ -86,7 +85,7 @@ TEST_F(FallenTreesGlTest, impostorsLieWhereTheTreeLies) {
     EXPECT_GT(static_cast<double>(both) / either, 0.7);
 }
 
-TEST_F(FallenTreesGlTest, thoseWhoAreToldMayClearThemAway) {
+TEST_F(FallenTreesGlTest, DamageCallbackMayRemoveFallenTrees) {
     osg::ref_ptr<Forest> forest = new Forest(doomed(1.0f));
     forest->setDamageCallback(
         [&](const TreeDamage& damage) { EXPECT_TRUE(forest->removeTree(damage.tree).empty()); });

@@ -7,7 +7,7 @@
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -21,7 +21,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// White on black, whatever the light.
+/// Draws white, independent of lights.
 osg::ref_ptr<osg::StateSet> silhouette(const char* vertexShader) {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->addShader(new osg::Shader(osg::Shader::VERTEX, shaderText(vertexShader)));
@@ -52,15 +52,15 @@ osg::ref_ptr<osg::Geometry> whiteTriangles(osg::Vec3Array* corners) {
     return geometry;
 }
 
-/// All trees as the CPU poses them now.
+/// All trees in their current pose, computed on the CPU.
 osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
-    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(forest.getSimulation()).size(); ++tree)
         osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), tree))->accept(triangles);
     return whiteTriangles(triangles.corners);
 }
 
-/// Trees of two species in several shapes and odd sizes, one of which heads due south.
+/// Trees of two species with different shapes and sizes. One has a heading of 180 degrees.
 ForestDescription mixed(float speed) {
     ForestDescription description = smallForest(8, speed);
     description.species.push_back(Species());
@@ -75,7 +75,7 @@ ForestDescription mixed(float speed) {
     return description;
 }
 
-/// Share of the pixels that are not the same.
+/// Share of differing pixels.
 double differing(const osg::Image& a, const osg::Image& b) {
     int pixels = 0;
     for (int i = 0; i < a.s() * a.t(); ++i)
@@ -87,7 +87,7 @@ class InstancedTreesGlTest : public GlTest {
 protected:
     static constexpr int width = 320, height = 240;
 
-    /// Opens, and looks at the two rows of trees from the south.
+    /// Opens a view of the two rows of trees from the south.
     void look(osg::Node* scene) {
         reopen(width, height);
         viewer().setSceneData(scene);
@@ -115,11 +115,11 @@ void drawWhite(Forest& forest) {
 
 } // namespace
 
-TEST_F(InstancedTreesGlTest, drawsTreesAsTheCpuPosesThem) {
+TEST_F(InstancedTreesGlTest, DrawsTreesAsTheCpuPosesThem) {
     const osg::Matrix place = osg::Matrix::rotate(0.2, osg::Z_AXIS) * osg::Matrix::translate(0.5, 2.0, -0.4);
     ForestDescription description = mixed(20.0f);
     for (Species& species : description.species)
-        species.leaf.tremble = 0.0f; // which picking leaves out
+        species.leaf.tremble = 0.0f; // the CPU pose does not include it
     osg::ref_ptr<Forest> forest = new Forest(description);
     drawWhite(*forest);
     osg::ref_ptr<osg::MatrixTransform> scene = new osg::MatrixTransform(place),
@@ -132,20 +132,20 @@ TEST_F(InstancedTreesGlTest, drawsTreesAsTheCpuPosesThem) {
     osg::ref_ptr<osg::Image> expected = picture(cpu, 1);
     EXPECT_GT(covered(*expected), 0.1);
     EXPECT_LT(differing(*gpu, *expected), 0.001);
-    EXPECT_GT(differing(*gpu, *picture(rest, 1)), 0.02) << "the trees have not moved, so this shows nothing";
+    EXPECT_GT(differing(*gpu, *picture(rest, 1)), 0.02) << "the test is void: the trees have not moved";
 }
 
-TEST_F(InstancedTreesGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFrame) {
+TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
     ForestDescription description = mixed(20.0f);
     for (Species& species : description.species)
         species.tree.leaves.clustersPerBranch = 0;
     osg::ref_ptr<Forest> drawn = new Forest(description), followed = new Forest(description);
     drawWhite(*drawn);
     const ForestSimulation& simulation = followed->getSimulation();
-    for (std::size_t tree = 0; tree < SimulationParts::trees(simulation).size(); ++tree) {
-        const PlacedTree& placed = SimulationParts::trees(simulation)[tree];
-        const BranchSkin& skin = SimulationParts::forest(simulation).modelOf(placed).skin;
-        const std::size_t units = SimulationParts::forest(simulation).unitsOf(placed);
+    for (std::size_t tree = 0; tree < SimulationAccess::trees(simulation).size(); ++tree) {
+        const PlacedTree& placed = SimulationAccess::trees(simulation)[tree];
+        const BranchSkin& skin = SimulationAccess::forest(simulation).modelOf(placed).skin;
+        const std::size_t units = SimulationAccess::forest(simulation).unitCount(placed);
         for (unsigned unit = 0; unit < units; ++unit) {
             osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
             for (const auto index : skin.indices) {
@@ -162,7 +162,7 @@ TEST_F(InstancedTreesGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSam
     EXPECT_LT(differing(*trees, *things), 0.001);
 }
 
-TEST_F(InstancedTreesGlTest, coloursStayWhenOtherTreesComeAndGo) {
+TEST_F(InstancedTreesGlTest, ColoursDoNotDependOnOtherTrees) {
     ForestDescription all = smallForest(4, 0.0f), without = all;
     without.trees.erase(without.trees.begin() + 1);
     osg::ref_ptr<Forest> forest = new Forest(all);
@@ -180,7 +180,7 @@ TEST_F(InstancedTreesGlTest, coloursStayWhenOtherTreesComeAndGo) {
     EXPECT_EQ(difference(*run(3, 3), *fewer).mean, 0.0);
 }
 
-TEST_F(InstancedTreesGlTest, drawsTheSameWithVertexArrayObjects) {
+TEST_F(InstancedTreesGlTest, DrawsTheSameWithVertexArrayObjects) {
     osg::ref_ptr<osg::Image> plain = picture(new Forest(smallForest(6)), 4);
     osg::DisplaySettings& settings = *osg::DisplaySettings::instance();
     const auto former = settings.getVertexBufferHint();
@@ -191,7 +191,7 @@ TEST_F(InstancedTreesGlTest, drawsTheSameWithVertexArrayObjects) {
     EXPECT_EQ(difference(*plain, *objects).mean, 0.0);
 }
 
-TEST_F(InstancedTreesGlTest, aCopyDrawsTheSameTreesInItsOwnWind) {
+TEST_F(InstancedTreesGlTest, CopyDrawsTheSameTreesInItsOwnWind) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     osg::ref_ptr<osg::Image> still = picture(new Forest(smallForest(4, 0.0f)), 10);
     osg::ref_ptr<osg::Image> blown = picture(forest, 10);
@@ -201,7 +201,7 @@ TEST_F(InstancedTreesGlTest, aCopyDrawsTheSameTreesInItsOwnWind) {
     EXPECT_GT(difference(*blown, *still).mean, 0.3);
 }
 
-TEST_F(InstancedTreesGlTest, aTextureOfOnesOwnSaysHowBrightLeavesAre) {
+TEST_F(InstancedTreesGlTest, HostTextureSetsTheBrightnessOfLeaves) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4, 0.0f));
     osg::ref_ptr<osg::Image> plain = picture(forest, 1);
     osg::ref_ptr<osg::Image> dark = new osg::Image;
@@ -222,7 +222,7 @@ TEST_F(InstancedTreesGlTest, aTextureOfOnesOwnSaysHowBrightLeavesAre) {
     EXPECT_EQ(difference(*run(2, 2), *plain).mean, 0.0);
 }
 
-TEST_F(InstancedTreesGlTest, aProgramOfOnesOwnReplacesOurs) {
+TEST_F(InstancedTreesGlTest, HostProgramReplacesTheBuiltInOne) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     osg::ref_ptr<osg::Image> plain = picture(forest, 2);
     forest->getInstanced()->setBarkState(0, silhouette("instance_bark.vert"));
@@ -238,7 +238,7 @@ TEST_F(InstancedTreesGlTest, aProgramOfOnesOwnReplacesOurs) {
         << "no such species";
 }
 
-TEST_F(InstancedTreesGlTest, aProgramThatAHostOverridesAboveLeavesTreesAlone) {
+TEST_F(InstancedTreesGlTest, OverriddenProgramAboveDoesNotAffectTrees) {
     for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::ThesisSmooth}) {
         ForestDescription description = smallForest(4);
         description.law = law;
@@ -254,11 +254,11 @@ TEST_F(InstancedTreesGlTest, aProgramThatAHostOverridesAboveLeavesTreesAlone) {
     }
 }
 
-TEST_F(InstancedTreesGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
+TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
-    const SharedModels& models = SimulationParts::models(forest->getSimulation());
+    const SharedModels& models = SimulationAccess::models(forest->getSimulation());
     for (std::size_t model = 0; model < models.size(); ++model) {
         const TreeModel& shape = *models[model];
         const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
@@ -273,7 +273,7 @@ TEST_F(InstancedTreesGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     EXPECT_EQ(covered(*run(0, 1)), 0.0);
 }
 
-TEST_F(InstancedTreesGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes leave OpenGL's state as it was
+TEST_F(InstancedTreesGlTest, DoesNotChangeOtherDrawings) { // passes restore the OpenGL state
     const auto cube = [] {
         osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
         for (const osg::Vec3 corner : {osg::Vec3(3, -2, 0), osg::Vec3(7, -2, 0), osg::Vec3(5, -2, 5)})
@@ -291,7 +291,7 @@ TEST_F(InstancedTreesGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes 
     without->addChild(cube());
     ForestDescription away = smallForest(4);
     for (TreePlacement& tree : away.trees)
-        tree.position.x += 60.0; // outside of the view, yet not culled:
+        tree.position.x += 60.0; // outside the view, but not culled
     osg::ref_ptr<Forest> forest = new Forest(away);
     with->addChild(forest);
     with->setCullingActive(false);
@@ -299,7 +299,7 @@ TEST_F(InstancedTreesGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes 
     look(with);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     osg::ref_ptr<osg::Image> together = run(0, 2);
-    const auto listed = InstancedParts::trees(*forest->getInstanced())->listedTrees();
+    const auto listed = InstancedParts::trees(*forest->getInstanced())->treesByTier();
     EXPECT_GT(std::accumulate(listed.begin(), listed.begin() + branchTiers, std::size_t{0}), 0u);
     EXPECT_GT(covered(*alone), 0.02);
     EXPECT_EQ(difference(*alone, *together).mean, 0.0);

@@ -14,7 +14,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Middles of quads, in the order in which they are drawn, and numbers of their first vertices.
+/// Middles and first vertices of the quads in draw order.
 struct Drawn {
     std::vector<glm::vec3> middles;
     std::vector<unsigned> vertices;
@@ -35,7 +35,7 @@ struct Drawn {
 
 } // namespace
 
-TEST(LeafOrdersTest, nearCardsComeFirstAndNoneIsLeftOut) {
+TEST(LeafOrdersTest, NearCardsComeFirstAndAllAreDrawn) {
     const TreeModel model = makeTreeModel({});
     for (const int reductions : {0, 2}) {
         const ThinnedLeaves leaves =
@@ -46,7 +46,8 @@ TEST(LeafOrdersTest, nearCardsComeFirstAndNoneIsLeftOut) {
         std::vector<unsigned> all = Drawn(*geometry, leaves, model).vertices;
         std::sort(all.begin(), all.end());
         for (std::size_t order = 0; order < LeafOrders::count; ++order) {
-            ASSERT_EQ(orders[order]->getVertexArray(), geometry->getVertexArray()) << "kept once";
+            ASSERT_EQ(orders[order]->getVertexArray(), geometry->getVertexArray())
+                << "orders share their vertices";
             Drawn drawn(*orders[order], leaves, model);
             std::vector<float> along;
             for (const glm::vec3& middle : drawn.middles)
@@ -61,7 +62,7 @@ TEST(LeafOrdersTest, nearCardsComeFirstAndNoneIsLeftOut) {
     }
 }
 
-TEST(LeafOrdersTest, thatOfTheNearestDirectionIsTaken) {
+TEST(LeafOrdersTest, FindsTheNearestDirection) {
     for (std::size_t order = 0; order < LeafOrders::count; ++order) {
         const glm::vec3& direction = LeafOrders::directions()[order];
         EXPECT_NEAR(glm::length(direction), 1.0f, 1e-6f);
@@ -69,7 +70,7 @@ TEST(LeafOrdersTest, thatOfTheNearestDirectionIsTaken) {
     }
 }
 
-TEST(LeafOrdersTest, aBareTreeHasNothingToDraw) {
+TEST(LeafOrdersTest, BareTreeHasNoIndices) {
     const TreeModel model = makeTreeModel({});
     const ThinnedLeaves none = thinnedLeaves({}, model.leafMesh, TreeDetail::full());
     const osg::ref_ptr<osg::Geometry> geometry =

@@ -11,7 +11,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Birches that lose leaves to a gust after two seconds; in summer there are more.
+/// Birches in a gust between 2 s and 4 s, which takes leaves in autumn.
 ForestDescription birches(float impostorBelow, float season) {
     ForestDescription description = smallForest(3, 0.0f);
     description.species = {*findSpecies("silver birch")};
@@ -33,7 +33,7 @@ ForestDescription birches(float impostorBelow, float season) {
 
 class ShedLeavesGlTest : public GlTest {
 protected:
-    /// Share of the picture that trees cover before the gust, and when it is over.
+    /// Share of the picture that trees cover before and after the gust.
     std::pair<double, double> coveredAround(float impostorBelow, float season) {
         osg::ref_ptr<Forest> forest = new Forest(birches(impostorBelow, season));
         reopen(320, 200);
@@ -51,15 +51,15 @@ protected:
 
 } // namespace
 
-TEST_F(ShedLeavesGlTest, crownsAreThinnerAfterAGustInAutumnInEveryTier) {
-    for (const float impostorBelow : {1.0f, 1000.0f}) { // with branches, as pictures
+TEST_F(ShedLeavesGlTest, AutumnGustThinsCrownsInEveryTier) {
+    for (const float impostorBelow : {1.0f, 1000.0f}) { // with branches; impostors
         const auto [before, after] = coveredAround(impostorBelow, midautumn);
         EXPECT_GT(after, 0.02) << impostorBelow;
         EXPECT_LT(after, 0.9 * before) << impostorBelow;
     }
 }
 
-TEST_F(ShedLeavesGlTest, crownsAreWhatTheyWereAfterAGustInSummer) {
+TEST_F(ShedLeavesGlTest, SummerGustKeepsCrowns) {
     for (const float impostorBelow : {1.0f, 1000.0f}) {
         const auto [before, after] = coveredAround(impostorBelow, midsummer);
         EXPECT_NEAR(after, before, 0.05 * before) << impostorBelow;

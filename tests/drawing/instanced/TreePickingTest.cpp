@@ -4,7 +4,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -25,7 +25,7 @@ using osgUtil::LineSegmentIntersector;
 
 namespace {
 
-/// A tree in a strong wind, some way into a run.
+/// Trees in a strong wind after 60 frames.
 osg::ref_ptr<Forest> blownForest(int trees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(trees, 20.0f));
     updateFrames(*forest, 1, 60);
@@ -39,17 +39,17 @@ LineSegmentIntersector::Intersections hits(osg::Node& scene, const osg::Vec3d& f
     return line->getIntersections();
 }
 
-/// In the forest's frame.
+/// A point of a tree in the forest's frame.
 osg::Vec3d standing(const PlacedTree& tree, const glm::vec3& point) {
     return osg::Vec3d(
-        toOsg(turnHeading(point, std::sin(tree.heading), std::cos(tree.heading)) + tree.position));
+        toOsg(rotateAboutZ(point, std::sin(tree.heading), std::cos(tree.heading)) + tree.position));
 }
 
-/// The middle of a unit's centre line, as the CPU has it now.
+/// The middle of a unit in its current pose or at rest.
 osg::Vec3d middleOf(const Forest& forest, std::size_t tree, std::size_t unit, bool moved = true) {
-    const PlacedTree& placed = SimulationParts::trees(forest.getSimulation())[tree];
+    const PlacedTree& placed = SimulationAccess::trees(forest.getSimulation())[tree];
     const BranchUnit& rest =
-        SimulationParts::forest(forest.getSimulation()).modelOf(placed).skeleton.units[unit];
+        SimulationAccess::forest(forest.getSimulation()).modelOf(placed).skeleton.units[unit];
     const UnitPose pose = moved ? forest.getSimulation().motion(tree).poses[unit] : UnitPose();
     return standing(placed, pose.apply(placed.scale.axes * (0.5f * (rest.base + rest.tip))));
 }
@@ -58,8 +58,8 @@ const TreeHit* pickedTree(const LineSegmentIntersector::Intersection& hit) {
     return dynamic_cast<const TreeHit*>(hit.drawable.get());
 }
 
-/// Whether a short line across a place meets bark of that unit of that tree.
-bool meets(osg::Node& scene, const osg::Vec3d& place, TreeId tree, unsigned unit) {
+/// Whether a short line through a place hits the bark of a unit.
+bool hitsBark(osg::Node& scene, const osg::Vec3d& place, TreeId tree, unsigned unit) {
     for (const auto& hit :
          hits(scene, place - osg::Vec3d(0.0, 0.4, 0.0), place + osg::Vec3d(0.0, 0.4, 0.0))) {
         const TreeHit* picked = pickedTree(hit);
@@ -72,34 +72,34 @@ bool meets(osg::Node& scene, const osg::Vec3d& place, TreeId tree, unsigned unit
 
 } // namespace
 
-TEST(TreePickingTest, hitsEveryBranchWhereItIsNow) {
+TEST(TreePickingTest, HitsEveryBranchAtItsCurrentPlace) {
     osg::ref_ptr<Forest> forest = blownForest(3);
     for (std::size_t tree = 0; tree < 3; ++tree)
         for (unsigned unit = 0; unit < 14; ++unit)
-            EXPECT_TRUE(meets(*forest, middleOf(*forest, tree, unit), TreeId(tree), unit))
+            EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, tree, unit), TreeId(tree), unit))
                 << tree << ", " << unit;
 }
 
-TEST(TreePickingTest, doesNotHitABranchWhereItWas) {
+TEST(TreePickingTest, DoesNotHitABranchAtItsFormerPlace) {
     osg::ref_ptr<Forest> forest = blownForest(1);
     unsigned moved = 0;
     for (unsigned unit = 0; unit < 14; ++unit)
         if ((middleOf(*forest, 0, unit) - middleOf(*forest, 0, unit, false)).length() > 0.3) {
             ++moved;
-            EXPECT_FALSE(meets(*forest, middleOf(*forest, 0, unit, false), TreeId(0), unit)) << unit;
+            EXPECT_FALSE(hitsBark(*forest, middleOf(*forest, 0, unit, false), TreeId(0), unit)) << unit;
         }
     EXPECT_GT(moved, 3u) << "the wind is too weak to show anything";
 }
 
-TEST(TreePickingTest, hitsLeavesAsTheyFlutterAndTurnDownwind) {
+TEST(TreePickingTest, HitsLeavesAsTheyFlutterAndTurnDownwind) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[0];
-    const TreeModel& model = SimulationParts::forest(forest->getSimulation()).modelOf(placed);
+    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[0];
+    const TreeModel& model = SimulationAccess::forest(forest->getSimulation()).modelOf(placed);
     const TreeMotion motion = forest->getSimulation().motion(0);
     for (std::size_t i = 0; i < model.leaves.size(); i += 7) {
         const LeafCluster& leaf = model.leaves[i];
         const glm::vec4& pull = motion.pulls[static_cast<std::size_t>(leaf.unit)];
-        const glm::quat turn = drawnLeafTurn(leaf.orientation, motion.leaves[i], pull);
+        const glm::quat turn = downwindLeafTurn(leaf.orientation, motion.leaves[i], pull);
         glm::vec3 corners[4];
         for (int c = 0; c < 4; ++c)
             corners[c] =
@@ -119,7 +119,7 @@ TEST(TreePickingTest, hitsLeavesAsTheyFlutterAndTurnDownwind) {
     }
 }
 
-TEST(TreePickingTest, belowATransformHitsAreWhereTheTreeIsSeen) {
+TEST(TreePickingTest, WorksBelowATransform) {
     osg::ref_ptr<Forest> forest = blownForest(2);
     const osg::Matrix place =
         osg::Matrix::rotate(0.8, osg::Vec3d(0.3, 0.2, 1.0)) * osg::Matrix::translate(70, -20, 9);
@@ -138,23 +138,23 @@ TEST(TreePickingTest, belowATransformHitsAreWhereTheTreeIsSeen) {
     EXPECT_TRUE(onTrunk);
 }
 
-TEST(TreePickingTest, aRemovedTreeIsNotHitAndAMovedOneIsWhereItStands) {
+TEST(TreePickingTest, HitsMovedAndAddedTreesButNotRemovedOnes) {
     osg::ref_ptr<Forest> forest = blownForest(3);
     const osg::Vec3d trunk = middleOf(*forest, 1, 0);
-    ASSERT_TRUE(meets(*forest, trunk, TreeId(1), 0));
+    ASSERT_TRUE(hitsBark(*forest, trunk, TreeId(1), 0));
     forest->removeTree(TreeId(1));
-    EXPECT_FALSE(meets(*forest, trunk, TreeId(1), 0));
+    EXPECT_FALSE(hitsBark(*forest, trunk, TreeId(1), 0));
     TreePlacement moved = forest->getSimulation().placementOf(TreeId(2));
     moved.position.x += 500.0;
     const osg::Vec3d before = middleOf(*forest, 2, 0);
     forest->changeTree(TreeId(2), moved);
-    EXPECT_FALSE(meets(*forest, before, TreeId(2), 0));
-    EXPECT_TRUE(meets(*forest, middleOf(*forest, 2, 0), TreeId(2), 0));
+    EXPECT_FALSE(hitsBark(*forest, before, TreeId(2), 0));
+    EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, 2, 0), TreeId(2), 0));
     const TreeId added = forest->addTree(smallForest(1).trees[0]).value();
-    EXPECT_TRUE(meets(*forest, middleOf(*forest, forest->getSimulation().slotOf(added), 0), added, 0));
+    EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, forest->getSimulation().slotOf(added), 0), added, 0));
 }
 
-TEST(TreePickingTest, aPolytopeMeetsTheTreesInIt) {
+TEST(TreePickingTest, PolytopeHitsTreesInside) {
     osg::ref_ptr<Forest> forest = blownForest(8);
     const osg::Vec3d trunk = middleOf(*forest, 5, 0);
     osg::Polytope box;
@@ -172,7 +172,7 @@ TEST(TreePickingTest, aPolytopeMeetsTheTreesInIt) {
     EXPECT_TRUE(trunkMet);
 }
 
-TEST(TreePickingTest, everyIntersectorOfAGroupFindsItsTree) {
+TEST(TreePickingTest, EveryIntersectorOfAGroupHitsItsTree) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4, 0.0f));
     updateFrames(*forest, 1, 2);
     osg::ref_ptr<osgUtil::IntersectorGroup> group = new osgUtil::IntersectorGroup;
@@ -187,7 +187,7 @@ TEST(TreePickingTest, everyIntersectorOfAGroupFindsItsTree) {
         EXPECT_TRUE(each->containsIntersections());
 }
 
-TEST(TreePickingTest, aMaskHidesTheTreesFromItsVisitors) {
+TEST(TreePickingTest, NodeMaskHidesTrees) {
     osg::ref_ptr<Forest> forest = blownForest(1);
     InstancedParts::trees(*forest->getInstanced())->setNodeMask(0x2);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
@@ -199,7 +199,7 @@ TEST(TreePickingTest, aMaskHidesTheTreesFromItsVisitors) {
     EXPECT_FALSE(line->containsIntersections());
 }
 
-TEST(TreePickingTest, aLineThroughThousandsPosesFewOfThem) {
+TEST(TreePickingTest, PosesOnlyTreesNearTheLine) {
     ForestDescription description = smallForest(1);
     const TreePlacement first = description.trees[0];
     description.trees.clear();
@@ -211,12 +211,12 @@ TEST(TreePickingTest, aLineThroughThousandsPosesFewOfThem) {
     const osg::Vec3d trunk = middleOf(*forest, 5050, 0);
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < 20; ++i)
-        EXPECT_TRUE(meets(*forest, trunk, TreeId(5050), 0));
+        EXPECT_TRUE(hitsBark(*forest, trunk, TreeId(5050), 0));
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 2.0)
-        << "20 picks; all 10,000 trees posed each time would take minutes";
+        << "for 20 picks; posing all 10,000 trees would take minutes";
 }
 
-TEST(TreePickingTest, whatWasPickedStaysAsItWas) {
+TEST(TreePickingTest, HitKeepsItsPose) {
     osg::ref_ptr<Forest> forest = blownForest(1);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
     const auto found = hits(*forest, trunk - osg::Vec3d(0, 1, 0), trunk + osg::Vec3d(0, 1, 0));

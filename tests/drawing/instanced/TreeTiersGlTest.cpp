@@ -18,9 +18,9 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 640, height = 368; // whole blocks of 8
+constexpr int width = 640, height = 368; // multiples of 8
 
-/// A row of trees of several species that goes away from the camera, 12 m apart.
+/// Trees of several species, 12 m apart, in rows that lead away from the camera.
 ForestDescription wood(int trees, bool tiers) {
     ForestDescription forest;
     for (const char* name : {"oak", "Norway spruce", "silver birch", "beech"}) {
@@ -43,7 +43,7 @@ ForestDescription wood(int trees, bool tiers) {
 
 using Picture = std::vector<unsigned char>;
 
-/// Of blocks of 8 x 8 pixels.
+/// Mean colours of blocks of 8 x 8 pixels.
 std::vector<double> blockMeans(const Picture& picture) {
     std::vector<double> means;
     for (int y = 0; y < height; y += 8)
@@ -71,13 +71,13 @@ double coveredPixels(const Picture& picture) {
     return pixels;
 }
 
-/// Another spruce of wood(): its crown begins at the ground.
+/// Adds a spruce of wood() whose crown begins at the ground.
 void plantSpruce(ForestDescription& forest, float x, float y, float height) {
     TreePlacement tree;
     tree.species = 1;
     tree.position = {x, y, 0.0};
     tree.size.height = height;
-    tree.openGrown = true; // which hides what is behind, to the ground
+    tree.openGrown = true; // hides everything behind it down to the ground
     tree.seed = static_cast<std::uint32_t>(forest.trees.size());
     forest.trees.push_back(tree);
 }
@@ -96,12 +96,12 @@ protected:
         frame(time);
         return {image().data(), image().data() + 4 * image().s() * image().t()};
     }
-    /// By tier, of the first trees of a forest.
+    /// Number of drawn trees by tier, for the first `trees` trees of a forest.
     std::vector<std::size_t> listed(ForestDescription forest, std::size_t trees) {
         forest.trees.resize(trees);
         show(forest);
         pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-        const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+        const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
         return {listed.begin(), listed.end()};
     }
     osg::ref_ptr<Forest> _forest;
@@ -109,33 +109,34 @@ protected:
 
 } // namespace
 
-TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
+TEST_F(TreeTiersGlTest, ForestLooksTheSameWithAndWithoutTiers) {
     for (const osg::Vec3d& eye :
          {osg::Vec3d(0, -60, 3), osg::Vec3d(40, -150, 60), osg::Vec3d(-80, 100, 25)}) {
         std::vector<Picture> pictures;
         for (const bool tiers : {true, false}) {
             show(wood(24, tiers));
-            for (int i = 0; i < 8; ++i) // what is seen from near is followed closely from the next frame on
+            for (int i = 0; i < 8; ++i) // near trees get their full motion in the next frame
                 pictureFrom(eye, {0, 140, 8}, i / 30.0);
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
-                const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
-                EXPECT_GT(listed[static_cast<std::size_t>(Tier::Impostor)], 0u) << "no impostors in the test";
+                const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
+                EXPECT_GT(listed[static_cast<std::size_t>(Tier::Impostor)], 0u)
+                    << "the test draws no impostors";
             }
         }
         EXPECT_LT(meanDifference(blockMeans(pictures[0]), blockMeans(pictures[1])), 3.0);
-        // Crowns fold in the wind, pictures of them do not.
+        // Crowns close in the wind, impostors do not.
         EXPECT_NEAR(coveredPixels(pictures[0]) / coveredPixels(pictures[1]), 1.0, 0.11);
     }
 }
 
-TEST_F(TreeTiersGlTest, aWoodIsAsDenseInPicturesOfAnySize) {
+TEST_F(TreeTiersGlTest, ForestIsEquallyDenseAtAnyResolution) {
     for (const bool tiers : {false, true}) {
         double covered[2] = {};
         for (const int zoom : {1, 4}) {
             ForestDescription forest = wood(24, tiers);
             for (float* height : {&forest.drawing.full, &forest.drawing.reduced, &forest.drawing.impostor})
-                *height *= static_cast<float>(zoom); // the same tiers
+                *height *= static_cast<float>(zoom); // keeps the tiers
             show(forest, zoom);
             for (int i = 0; i < 8; ++i)
                 pictureFrom({0, -60, 3}, {0, 140, 8}, i / 30.0);
@@ -146,8 +147,8 @@ TEST_F(TreeTiersGlTest, aWoodIsAsDenseInPicturesOfAnySize) {
     }
 }
 
-TEST_F(TreeTiersGlTest, aTreeIsAsBrightInEveryTier) {
-    // Mean luma of what is seen of a tree from three sides.
+TEST_F(TreeTiersGlTest, TreeIsEquallyBrightInEveryTier) {
+    // Mean luma of the visible pixels of a tree from three sides.
     const auto brightness = [&](const Species& species, double pixels, bool tiers) {
         ForestDescription forest;
         forest.species = {species};
@@ -180,9 +181,9 @@ TEST_F(TreeTiersGlTest, aTreeIsAsBrightInEveryTier) {
         }
 }
 
-TEST_F(TreeTiersGlTest, theyHaveColoursOnDemand) {
+TEST_F(TreeTiersGlTest, DefineColoursTheTiers) {
     show(wood(40, true));
-    for (int i = 0; i < 3; ++i) // what is seen is followed from the next frame on
+    for (int i = 0; i < 3; ++i) // near trees get their full motion in the next frame
         pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0);
     const Picture usual = pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0);
     _forest->getOrCreateStateSet()->setDefine("TIERS_COLORED");
@@ -194,18 +195,18 @@ TEST_F(TreeTiersGlTest, theyHaveColoursOnDemand) {
         yellow += g > b + 40 && g > r - 60;
         blue += b > r + 40 && b > g + 40;
     }
-    const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+    const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
     EXPECT_EQ(listed.front() > 0, red > 100) << red;
     EXPECT_GT(yellow, 100u);
     EXPECT_GT(blue, 100u);
-    EXPECT_NEAR(coveredPixels(colored) / coveredPixels(usual), 1.0, 0.05) << "none of them is black";
+    EXPECT_NEAR(coveredPixels(colored) / coveredPixels(usual), 1.0, 0.05) << "a tier is black";
     _forest->getStateSet()->removeDefine("TIERS_COLORED");
     EXPECT_EQ(pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0), usual);
 }
 
-TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
+TEST_F(TreeTiersGlTest, NothingPopsDuringAFlight) {
     const int frames = std::getenv("OSGTREEWIND_FLIGHT") ? std::atoi(std::getenv("OSGTREEWIND_FLIGHT"))
-                                                         : 30; // a longer one by hand
+                                                         : 30; // set the variable for a longer flight
     std::vector<double> jumps[2];
     for (const bool tiers : {true, false}) {
         show(wood(18, tiers));
@@ -225,26 +226,26 @@ TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
     EXPECT_LT(most, 1.0);
 }
 
-TEST_F(TreeTiersGlTest, aCrownStaysAsDenseWhileItsFormsGiveWay) {
+TEST_F(TreeTiersGlTest, CrownKeepsItsDensityDuringATransition) {
     ForestDescription forest = wood(1, true);
     const double pixels = 13.0 * height / (2.0 * 40.0 * std::tan(osg::DegreesToRadians(20.0)));
     forest.drawing.blend = 0.5f;
     forest.drawing.reduced = 0.02f * static_cast<float>(pixels);
     forest.drawing.impostor = 0.0f;
     double covered[3];
-    for (const int step : {0, 1, 2}) { // above, in and below the change-over from sprays to boughs
+    for (const int step : {0, 1, 2}) { // before, during and after the transition from sprays to boughs
         forest.drawing.full = static_cast<float>(pixels) / std::array{1.1f, 0.75f, 0.4f}[step];
         show(forest);
         for (int i = 0; i < 3; ++i)
             covered[step] = coveredPixels(pictureFrom({-17.0, -36.0, 6.5}, {-14.0, 4.0, 6.5}, 0.0));
-        const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+        const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Sprays)], step < 2) << step;
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Boughs)], step > 0) << step;
     }
     EXPECT_NEAR(covered[1] / std::sqrt(covered[0] * covered[2]), 1.0, 0.03);
 }
 
-TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
+TEST_F(TreeTiersGlTest, TreeBehindOthersHasLessDetail) {
     ForestDescription forest = wood(0, true);
     forest.drawing.full = 300.0f;
     forest.drawing.reduced = 100.0f;
@@ -266,16 +267,16 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
     plantSpruce(forest, 0.0f, 90.0f, 14.0f);
     EXPECT_EQ(tierOfLast(), Tier::Impostor) << "behind four rows";
     forest.trees.back().size.height = 40.0f;
-    EXPECT_LT(tierOfLast(), Tier::Impostor) << "it stands out above them";
+    EXPECT_LT(tierOfLast(), Tier::Impostor) << "it is taller than the rows in front of it";
 }
 
-TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
+TEST_F(TreeTiersGlTest, HiddenTreeIsNotDrawn) {
     ForestDescription forest = wood(0, true);
     const auto count = [&](std::size_t trees) {
         const std::vector<std::size_t> drawn = listed(forest, trees);
         return std::accumulate(drawn.begin(), drawn.end(), std::size_t{0});
     };
-    forest.drawing.blend = 0.0f; // each tree once
+    forest.drawing.blend = 0.0f; // each tree counts once
     for (int row = 0; row < 12; ++row)
         for (int i = -8; i <= 8; ++i)
             plantSpruce(forest, 2.0f * static_cast<float>(i), 14.0f + 5.0f * static_cast<float>(row), 14.0f);
@@ -285,28 +286,28 @@ TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     const std::size_t behind = forest.trees.size();
     const std::size_t drawn = count(before);
     const Picture without = pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-    EXPECT_EQ(count(behind), drawn) << "fifty trees behind the others";
+    EXPECT_EQ(count(behind), drawn) << "the others hide fifty trees";
     const Picture with = pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
     std::size_t different = 0;
     for (std::size_t i = 0; i < with.size(); i += 4)
         different += !std::equal(&with[i], &with[i] + 4, &without[i]);
-    EXPECT_LT(different, 10u) << "wind among more trees is nearly the same";
+    EXPECT_LT(different, 10u) << "more trees change the wind a little";
     plantSpruce(forest, 0.0f, 4.0f, 0.5f);
-    EXPECT_EQ(count(behind + 1), drawn + 1) << "small, and before all others";
-    _forest->getInstanced()->setLeafState(1, new osg::StateSet); // which may show more
+    EXPECT_EQ(count(behind + 1), drawn + 1) << "a small tree in front of the others";
+    _forest->getInstanced()->setLeafState(1, new osg::StateSet); // may make more of a tree visible
     pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-    const auto ofHost = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+    const auto ofHost = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
     EXPECT_GE(std::accumulate(ofHost.begin(), ofHost.end(), std::size_t{0}), drawn + 51)
-        << "a host draws them in its own way";
+        << "trees with state of a host hide nothing and are not hidden";
 }
 
-TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {
+TEST_F(TreeTiersGlTest, DetailFollowsTheBudgetOfTheView) {
     struct Case {
         float budget;
         double detail;
     };
     std::vector<std::size_t> full, least;
-    for (const Case& each : {Case{10000.0f, 1.0}, Case{1e-3f, DetailBudget::least}}) {
+    for (const Case& each : {Case{10000.0f, 1.0}, Case{1e-3f, DetailBudget::minDetail}}) {
         ForestDescription description = wood(12, true);
         description.drawing.budget = each.budget;
         show(description);
@@ -316,13 +317,13 @@ TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {
         const unsigned frame = viewer().getFrameStamp()->getFrameNumber();
         ASSERT_TRUE(viewer().getCamera()->getStats()->getAttribute(frame, "Tree detail", detail));
         EXPECT_EQ(detail, each.detail) << each.budget << " ms";
-        const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+        const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
         (each.detail == 1.0 ? full : least).assign(listed.begin(), listed.end());
     }
     ForestDescription without = wood(12, true);
     show(without);
     pictureFrom({0, -20, 3}, {0, 140, 8}, 0.0);
-    const auto listed = InstancedParts::trees(*_forest->getInstanced())->listedTrees();
+    const auto listed = InstancedParts::trees(*_forest->getInstanced())->treesByTier();
     EXPECT_EQ(full, std::vector<std::size_t>(listed.begin(), listed.end()));
     double detail = 0.0;
     EXPECT_FALSE(viewer().getCamera()->getStats()->getAttribute(1, "Tree detail", detail))

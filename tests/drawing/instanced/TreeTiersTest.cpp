@@ -11,7 +11,7 @@ namespace {
 
 DrawingOptions heights() {
     DrawingOptions drawing;
-    drawing.full = 800.0f; // and 400, 200; bark from 3200
+    drawing.full = 800.0f; // also sets 400, 200, and 3200 for Full
     drawing.reduced = 100.0f;
     drawing.impostor = 50.0f;
     drawing.blend = 0.2f;
@@ -20,7 +20,7 @@ DrawingOptions heights() {
 
 } // namespace
 
-TEST(TreeTiersTest, aTreeHasTheTierOfItsHeightOnTheScreen) {
+TEST(TreeTiersTest, ChoosesTheTierByHeightOnTheScreen) {
     const TreeTiers tiers(heights());
     const struct {
         float pixels;
@@ -36,27 +36,27 @@ TEST(TreeTiersTest, aTreeHasTheTierOfItsHeightOnTheScreen) {
     }
 }
 
-TEST(TreeTiersTest, tiersCrossOverEvenly) {
+TEST(TreeTiersTest, TiersFadeLinearly) {
     const TreeTiers tiers(heights());
     EXPECT_NEAR(tiers.choose(799.9f).fade, 1.0f, 0.01f);
     EXPECT_NEAR(tiers.choose(720.0f).fade, 0.5f, 1e-5f);
     EXPECT_EQ(tiers.choose(720.0f).tier, Tier::Sprays);
     EXPECT_NEAR(tiers.choose(640.1f).fade, 0.0f, 0.01f);
-    EXPECT_EQ(tiers.choose(45.0f).tier, Tier::FewestBoughs) << "and the impostor takes the rest";
+    EXPECT_EQ(tiers.choose(45.0f).tier, Tier::FewestBoughs) << "fades to the impostor";
 }
 
-TEST(TreeTiersTest, withoutTiersAllIsDrawnInFull) {
+TEST(TreeTiersTest, WithoutTiersAllTreesAreDrawnInFull) {
     DrawingOptions drawing = heights();
     drawing.tiers = false;
     const TreeTiers tiers(drawing);
-    EXPECT_FALSE(tiers.on());
+    EXPECT_FALSE(tiers.areEnabled());
     for (const float pixels : {0.0f, 0.001f, 30.0f, 1e6f}) {
         EXPECT_EQ(tiers.choose(pixels).tier, Tier::Full) << pixels;
         EXPECT_EQ(tiers.choose(pixels).fade, 1.0f) << pixels;
     }
 }
 
-TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
+TEST(TreeTiersTest, WithoutBlendTiersChangeAtOnce) {
     DrawingOptions drawing = heights();
     drawing.blend = 0.0f;
     const TreeTiers tiers(drawing);
@@ -65,7 +65,7 @@ TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
     EXPECT_EQ(tiers.choose(799.0f).fade, 1.0f);
 }
 
-TEST(TreeTiersTest, aTreeIsAwakeBeforeItsBranchesAreSeen) {
+TEST(TreeTiersTest, FullMotionStartsBeforeBranchesAppear) {
     const TreeTiers tiers(heights());
-    EXPECT_EQ(tiers.choose(tiers.wakingPixels()).tier, Tier::Impostor);
+    EXPECT_EQ(tiers.choose(tiers.fullMotionPixels()).tier, Tier::Impostor);
 }

@@ -15,12 +15,12 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// A bare pole before black.
+/// A bare pole on a black background.
 class BarkReliefGlTest : public GlTest {
 protected:
     static constexpr int size = 128;
 
-    /// @param width of the picture, metres. @param file of bark.
+    /// @param width of the picture, metres. @param file bark image.
     osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width, const std::string& file = {}) {
         PalmParameters wood = barePole(4.0f);
         wood.trunkDiameter = 2.0f * radius;
@@ -37,11 +37,11 @@ protected:
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(0.5 * width / 5.0)),
                                                 1.0, 1.0, 20.0);
-        viewer().getLight()->setPosition(osg::Vec4(1, 0.5f, 1, 0)); // of the camera
+        viewer().getLight()->setPosition(osg::Vec4(1, 0.5f, 1, 0)); // in the camera's frame
         return poleFrom(0.0);
     }
 
-    /// The same one. @param side radians about it.
+    /// The same pole from another side. @param side angle around the pole, radians.
     osg::ref_ptr<osg::Image> poleFrom(double side) {
         const osg::Vec3d eye(5.0 * std::sin(side), -5.0 * std::cos(side), 2.0);
         viewer().getCamera()->setViewMatrixAsLookAt(eye, osg::Vec3d(0, 0, 2), osg::Vec3d(0, 0, 1));
@@ -56,7 +56,7 @@ int brightness(const osg::Image& image, int x, int y) {
 
 } // namespace
 
-TEST_F(BarkReliefGlTest, stemsOfBirchesAreWhiteAndTwigsAreNot) {
+TEST_F(BarkReliefGlTest, BirchStemsAreBrighterThanTwigs) {
     const auto mean = [](const osg::Image& image) {
         int sum = 0;
         for (int y = 0; y < size; ++y)
@@ -66,12 +66,13 @@ TEST_F(BarkReliefGlTest, stemsOfBirchesAreWhiteAndTwigsAreNot) {
     const int stem = mean(*pole(BarkForm::Banded, 0.1f, 1.0)),
               twig = mean(*pole(BarkForm::Banded, 0.006f, 0.04));
     EXPECT_GT(stem, 70);
-    EXPECT_GT(twig, 0) << "there should be a twig";
+    EXPECT_GT(twig, 0) << "no twig is visible";
     EXPECT_LT(twig, stem / 2);
 }
 
-// Derivatives are those of two by two pixels: relief that is made of them alone changes at every second one.
-TEST_F(BarkReliefGlTest, closeByItIsFineAndHasNoSteps) {
+// GPUs compute derivatives for blocks of 2 x 2 pixels. Relief made of them alone changes at every second
+// pixel.
+TEST_F(BarkReliefGlTest, IsFineAndSmoothInCloseUp) {
     const osg::ref_ptr<osg::Image> bark = pole(BarkForm::Furrowed, 0.3f, 0.15);
     int within = 0, across = 0;
     for (int y = 0; y < size; ++y)
@@ -79,13 +80,13 @@ TEST_F(BarkReliefGlTest, closeByItIsFineAndHasNoSteps) {
             within += std::abs(brightness(*bark, x + 1, y) - brightness(*bark, x, y));
             across += std::abs(brightness(*bark, x + 2, y) - brightness(*bark, x + 1, y));
         }
-    EXPECT_GT(within, 30000) << "fine relief is missing: it more than doubles this";
+    EXPECT_GT(within, 30000) << "fine relief is missing, which more than doubles this value";
     EXPECT_LT(across, 1.2 * within);
 }
 
-// There and back again around the pole: once from light to dark and once from dark to light. Where a seam
-// shows, all of the bark comes once more between two vertices.
-TEST_F(BarkReliefGlTest, closesAroundWithoutASeam) {
+// Around the pole, brightness changes once from light to dark and once from dark to light. At a seam, the
+// whole texture would repeat between two vertices.
+TEST_F(BarkReliefGlTest, IsSeamlessAroundABranch) {
     const TemporaryFolder folder;
     const osg::ref_ptr<osg::Image> halves = new osg::Image;
     halves->allocateImage(64, 64, 1, GL_RGB, GL_UNSIGNED_BYTE);

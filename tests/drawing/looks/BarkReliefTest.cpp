@@ -11,7 +11,7 @@ namespace {
 
 constexpr int forms = static_cast<int>(BarkForm::Scaly) + 1;
 
-/// Mean difference between a row and the next one up, or a column and the next one right, of a channel.
+/// Mean difference of a channel between a row and the next row, or between a column and the next column.
 double step(const osg::Image& image, bool across, int line, int channel) {
     const int length = across ? image.t() : image.s(), lines = across ? image.s() : image.t();
     const auto value = [&](int i, int j) {
@@ -23,7 +23,7 @@ double step(const osg::Image& image, bool across, int line, int channel) {
     return sum / length;
 }
 
-/// Standard deviation of the brightness along a row or up a column, in the mean of all.
+/// Mean standard deviation of the brightness along rows or along columns.
 double variation(const osg::Image& image, bool across) {
     const int lines = across ? image.t() : image.s(), length = across ? image.s() : image.t();
     double total = 0.0;
@@ -41,7 +41,7 @@ double variation(const osg::Image& image, bool across) {
 
 } // namespace
 
-TEST(BarkRelief, GoesOnWithoutASeam) {
+TEST(BarkRelief, IsSeamless) {
     for (int form = 0; form < forms; ++form) {
         const osg::ref_ptr<osg::Image> image = paintBark(static_cast<BarkForm>(form));
         for (const bool across : {false, true})
@@ -56,7 +56,7 @@ TEST(BarkRelief, GoesOnWithoutASeam) {
     }
 }
 
-TEST(BarkRelief, IsAsBrightAsItsSpeciesSays) {
+TEST(BarkRelief, AllFormsHaveTheSameMeanBrightness) {
     for (int form = 0; form < forms; ++form) {
         const osg::ref_ptr<osg::Image> image = paintBark(static_cast<BarkForm>(form));
         double sum = 0.0;
@@ -66,7 +66,7 @@ TEST(BarkRelief, IsAsBrightAsItsSpeciesSays) {
     }
 }
 
-TEST(BarkRelief, OaksAreFurrowedAlongAndBirchesAndPalmsBandedAcross) {
+TEST(BarkRelief, FurrowsRunAlongAndBandsAndRingsAcross) {
     const auto ratio = [](BarkForm form) {
         const osg::ref_ptr<osg::Image> image = paintBark(form);
         return variation(*image, true) / variation(*image, false);

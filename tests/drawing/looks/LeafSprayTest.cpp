@@ -18,7 +18,7 @@ namespace {
 
 constexpr int twigs = 2, all = 3;
 
-/// Share of texels that the alpha test keeps: of leaves without the twigs among them, or of bare twigs.
+/// Share of texels with leaves that pass the alpha test, without leaves in front of twigs.
 float leavesOn(const LeafTexels& card) {
     std::size_t kept = 0;
     for (const glm::vec4& texel : card.texels)
@@ -39,12 +39,12 @@ LeafTexels painted(LeafForm form, int variant) {
 
 } // namespace
 
-class LeafSprayOf : public testing::TestWithParam<int> {
+class LeafSprayFormTest : public testing::TestWithParam<int> {
 protected:
     LeafForm form() const { return static_cast<LeafForm>(GetParam()); }
 };
 
-TEST_P(LeafSprayOf, CoversWhatMechanicsCountOn) {
+TEST_P(LeafSprayFormTest, HasTheCoverageOfTheMechanics) {
     float leaves = 0.0f, bare = 0.0f;
     for (int variant = 0; variant < LeafAtlas::sprays; ++variant) {
         leaves += leavesOn(painted(form(), variant)) / LeafAtlas::sprays;
@@ -54,7 +54,7 @@ TEST_P(LeafSprayOf, CoversWhatMechanicsCountOn) {
     EXPECT_NEAR(leaves, leafCoverage(form()), 0.035f) << "half of a large leaf";
 }
 
-TEST_P(LeafSprayOf, SpringsFromItsLowerEdge) {
+TEST_P(LeafSprayFormTest, GrowsFromTheLowerEdge) {
     const LeafTexels spray = painted(form(), 0);
     float foot = 0.0f, elsewhere = 0.0f;
     for (int x = 0; x < spray.size; ++x)
@@ -67,9 +67,9 @@ TEST_P(LeafSprayOf, SpringsFromItsLowerEdge) {
     }
 }
 
-TEST_P(LeafSprayOf, DoesNotShowTheCard) {
+TEST_P(LeafSprayFormTest, HidesTheEdgesOfTheCard) {
     if (form() == LeafForm::Frond)
-        return; // goes on in its neighbours
+        return; // extends into its neighbours
     const LeafTexels spray = painted(form(), 0);
     const int last = spray.size - 1;
     float edge = 0.0f;
@@ -82,7 +82,7 @@ TEST_P(LeafSprayOf, DoesNotShowTheCard) {
     EXPECT_LT(edge / (3.0f * static_cast<float>(spray.size)), 0.05f);
 }
 
-TEST_P(LeafSprayOf, HasNoTwoVariantsAlike) {
+TEST_P(LeafSprayFormTest, VariantsDiffer) {
     const LeafTexels one = painted(form(), 0), other = painted(form(), 1);
     double apart = 0.0;
     for (std::size_t i = 0; i < one.texels.size(); ++i)
@@ -90,7 +90,7 @@ TEST_P(LeafSprayOf, HasNoTwoVariantsAlike) {
     EXPECT_GT(apart / static_cast<double>(one.texels.size()), 0.15);
 }
 
-TEST_P(LeafSprayOf, KeepsItsCoverageInSmallerLevels) {
+TEST_P(LeafSprayFormTest, MipmapLevelsHaveEqualCoverage) {
     const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
     ASSERT_EQ(levels.size(), 9u);
     const auto mean = [](const LeafTexels& level, int channel) {
@@ -104,8 +104,7 @@ TEST_P(LeafSprayOf, KeepsItsCoverageInSmallerLevels) {
             EXPECT_NEAR(mean(level, channel), mean(levels.front(), channel), 1e-3f) << level.size;
 }
 
-/// Far away, of the cells of a card as many are solid as it covers, finely and evenly.
-TEST_P(LeafSprayOf, FarAwayShowsOnAsManyCells) {
+TEST_P(LeafSprayFormTest, DistantStencilsHaveEqualCoverage) {
     const LeafTexels card = painted(form(), 0);
     const osg::ref_ptr<osg::Image> atlas = makeLeafAtlas({card, card, card}, {card});
     const LeafStencils stencils(*atlas, LeafAtlas::spray(0));
@@ -118,28 +117,28 @@ TEST_P(LeafSprayOf, FarAwayShowsOnAsManyCells) {
     }
 }
 
-TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
+TEST_P(LeafSprayFormTest, BoughsHaveTheCoverageOfASpray) {
     const LeafTexels full = painted(form(), 0);
     const std::vector<LeafTexels> sparse{paintSpray(form(), growSpray(form(), 0, 0.6f))};
-    for (const int growth : {2, 3, 4}) {
-        const LeafTexels bough = paintBough(sparse, full, growth, 0);
+    for (const int enlargement : {2, 3, 4}) {
+        const LeafTexels bough = paintBough(sparse, full, enlargement, 0);
         EXPECT_EQ(bough.size, full.size / 2);
         float wanted = 0.0f, there = 0.0f;
         for (const glm::vec4& texel : full.texels)
             wanted += texel.a / static_cast<float>(full.texels.size());
         for (const glm::vec4& texel : bough.texels)
             there += texel.a / static_cast<float>(bough.texels.size());
-        EXPECT_NEAR(there, wanted, 0.04f) << growth;
+        EXPECT_NEAR(there, wanted, 0.04f) << enlargement;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, leafForms),
+INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayFormTest, testing::Range(0, leafFormCount),
                          NamesInOrder({"Blade", "Lobed", "Ovate", "Rhombic", "Palmate", "Pinnate", "Heart",
                                        "Round", "Fingered", "Fan", "Needles", "Bundles", "Tufts", "Frond",
                                        "Pointed"}));
 
 TEST(LeafSpray, EveryFormLooksDifferent) {
-    for (int a = 0; a < leafForms; ++a)
+    for (int a = 0; a < leafFormCount; ++a)
         for (int b = 0; b < a; ++b) {
             const LeafTexels one = painted(static_cast<LeafForm>(a), 0),
                              other = painted(static_cast<LeafForm>(b), 0);
@@ -150,7 +149,7 @@ TEST(LeafSpray, EveryFormLooksDifferent) {
         }
 }
 
-TEST(LeafAtlas, CardsLieApart) {
+TEST(LeafAtlas, CardsDoNotOverlap) {
     const LeafAtlas::Cell cells[] = {LeafAtlas::spray(0),    LeafAtlas::spray(1),    LeafAtlas::spray(2),
                                      LeafAtlas::bough(2, 0), LeafAtlas::bough(2, 1), LeafAtlas::bough(3),
                                      LeafAtlas::bough(4)};
@@ -164,7 +163,7 @@ TEST(LeafAtlas, CardsLieApart) {
     EXPECT_FLOAT_EQ(area, 1.0f);
 }
 
-TEST(LeafAtlas, NeighboursAreNotAlike) {
+TEST(LeafAtlas, NeighboursDiffer) {
     for (std::size_t cluster = 0; cluster < 100; ++cluster)
         for (std::size_t quad = 0; quad < 2; ++quad)
             EXPECT_NE(LeafAtlas::choose(cluster, quad).variant, LeafAtlas::choose(cluster, quad + 1).variant);

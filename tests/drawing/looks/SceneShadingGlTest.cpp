@@ -23,7 +23,7 @@ namespace {
 
 constexpr int pictureSize = 128;
 
-/// The mean of what is not background.
+/// Mean colour of the pixels that differ from the background.
 osg::Vec3d meanColour(const osg::Image& image) {
     osg::Vec3d sum;
     int pixels = 0;
@@ -47,7 +47,7 @@ osg::ref_ptr<osg::LightSource> lightSource(int number, const osg::Vec4& position
     return source;
 }
 
-/// A tree of bark and leaves in still air, on black, and the light that a test gives it. Colours stay linear.
+/// A tree in still air on a black background, lit by the lights of the test. Colours are linear.
 class SceneShadingGlTest : public GlTest {
 protected:
     SceneShadingGlTest() : scene(new osg::Group), forest(new Forest(oneTree(smallSpecies(), 0.0f))) {
@@ -62,7 +62,7 @@ protected:
         scene->addChild(source);
         source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
     }
-    /// From the south, `distance` metres away, the tree as large each time.
+    /// The tree from the south, at the same size from any distance (metres).
     osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = pictureSize, int samples = 0,
                                      double half = 3.0, float lodScale = 1.0f) {
         reopen(pixels, pixels, samples);
@@ -88,7 +88,7 @@ const osg::Vec4 sun(0.3f, -1.0f, 0.6f, 0.0f), white(0.4f, 0.4f, 0.4f, 1.0f);
 
 } // namespace
 
-TEST_F(SceneShadingGlTest, everyLightThatIsOnCounts) {
+TEST_F(SceneShadingGlTest, EveryEnabledLightCounts) {
     light(lightSource(0, sun, white));
     const osg::Vec3d one = meanColour(*picture());
     light(lightSource(3, sun, osg::Vec4(0.4f, 0, 0, 1)));
@@ -103,7 +103,7 @@ TEST_F(SceneShadingGlTest, everyLightThatIsOnCounts) {
     EXPECT_GT(red.x(), 2.0 * red.y());
 }
 
-TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
+TEST_F(SceneShadingGlTest, ColoursAreEncodedAsSrgb) {
     light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
     osg::ref_ptr<osg::Image> linear = picture();
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
@@ -119,10 +119,10 @@ TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
     }
     EXPECT_GT(pixels, 1000);
     scene->getStateSet()->setMode(GL_FRAMEBUFFER_SRGB, osg::StateAttribute::ON);
-    EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes, were its buffer for sRGB";
+    EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes colours in an sRGB buffer only";
 }
 
-TEST_F(SceneShadingGlTest, filmRollsOffWhatIsBright) {
+TEST_F(SceneShadingGlTest, FilmCurveCompressesBrightColours) {
     light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
     const osg::ref_ptr<osg::Image> linear = picture();
     scene->getStateSet()->setDefine("FILM", "1.5");
@@ -142,7 +142,7 @@ TEST_F(SceneShadingGlTest, filmRollsOffWhatIsBright) {
     EXPECT_GT(meanColour(*bright).y(), meanColour(*filmed).y());
 }
 
-TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
+TEST_F(SceneShadingGlTest, CrownShadeTurnsWithTheTree) {
     osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), osg::Vec4(2, 2, 2, 1));
     light(source);
     osg::ref_ptr<osg::Image> one = picture(), turned;
@@ -160,7 +160,7 @@ TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
 
 namespace {
 
-/// The means of n x n pixels, as a window's resolve has them: of the bytes.
+/// The means of the bytes of n x n pixels, like the multisample resolve of a window.
 osg::ref_ptr<osg::Image> resolved(const osg::Image& fine, int n) {
     osg::ref_ptr<osg::Image> mean = new osg::Image;
     mean->allocateImage(fine.s() / n, fine.t() / n, 1, GL_RGBA, GL_UNSIGNED_BYTE);
@@ -177,7 +177,7 @@ osg::ref_ptr<osg::Image> resolved(const osg::Image& fine, int n) {
 
 } // namespace
 
-TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
+TEST_F(SceneShadingGlTest, MultisamplingSmoothsLeafEdges) {
     scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
     const auto picture = [this](int pixels, int samples) {
@@ -187,10 +187,10 @@ TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
                              plain = picture(pictureSize, 0), multisampled = picture(pictureSize, 4);
     EXPECT_LT(difference(*multisampled, *mean).mean, 0.95 * difference(*plain, *mean).mean);
     for (int i = 3; i < 4 * pictureSize * pictureSize; i += 4)
-        ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
+        ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "multisampling does not change alpha";
 }
 
-TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersampling) {
+TEST_F(SceneShadingGlTest, MultisampledCrownsAreAsDenseAsSupersampledOnes) {
     light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
     scene->getStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
@@ -209,8 +209,8 @@ TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersamplin
     scene->removeChild(forest);
     scene->addChild(new Forest(wood));
     background.set(1, 1, 1, 1);                     // shows through gaps
-    for (const double half : {13.5, 30.0}) {        // trees, and pictures of them
-        const int pixels = half < 20.0 ? 384 : 340; // 185 or 74 a tree
+    for (const double half : {13.5, 30.0}) {        // with branches; impostors
+        const int pixels = half < 20.0 ? 384 : 340; // 185 or 74 for a tree
         osg::ref_ptr<osg::Image> fine = resolved(*picture(60.0, 2 * pixels, 0, half, 2.0), 2),
                                  multisampled = picture(60.0, pixels, 4, half);
         for (int crown = 0; crown < 3; ++crown) {
@@ -226,7 +226,7 @@ TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersamplin
                 return sum / count;
             };
             const osg::Vec3d expected = meanOf(*fine), found = meanOf(*multisampled);
-            EXPECT_LT(expected.y(), 200.0) << "a crown";
+            EXPECT_LT(expected.y(), 200.0) << "there is no crown here";
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(found[c], expected[c], 3.0)
                     << wood.species[crown].name << ' ' << half << ' ' << c;
@@ -234,7 +234,7 @@ TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersamplin
     }
 }
 
-TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {
+TEST_F(SceneShadingGlTest, OverrideAndProtectedModesWorkAsInOsg) {
     light(lightSource(0, sun, white));
     light(lightSource(1, sun, white));
     const osg::Vec3d both = meanColour(*picture());
@@ -248,19 +248,19 @@ TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {
     EXPECT_NEAR(meanColour(*picture()).y(), one.y(), 0.5);
 }
 
-TEST_F(SceneShadingGlTest, withoutLightingNoLightCounts) {
+TEST_F(SceneShadingGlTest, WithoutLightingNoLightCounts) {
     osg::ref_ptr<osg::LightSource> source = lightSource(0, sun, white);
     light(source);
     scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     osg::ref_ptr<osg::Image> one = picture();
     source->getLight()->setDiffuse(osg::Vec4(0, 0, 0, 1));
     EXPECT_EQ(difference(*one, *picture()).mean, 0.0);
-    EXPECT_GT(meanColour(*one).y(), 30.0) << "in full colour";
+    EXPECT_GT(meanColour(*one).y(), 30.0) << "unlit trees have their full colour";
 }
 
-TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
-    osg::ref_ptr<osg::LightSource> source =
-        lightSource(0, osg::Vec4(0, -30, 2.5f, 1), osg::Vec4(4, 4, 4, 1)); // 8 bits are coarse
+TEST_F(SceneShadingGlTest, SpotlightHasConeExponentAndAttenuation) {
+    osg::ref_ptr<osg::LightSource> source = lightSource(
+        0, osg::Vec4(0, -30, 2.5f, 1), osg::Vec4(4, 4, 4, 1)); // bright, because 8 bits are coarse
     light(source);
     osg::Light& lamp = *source->getLight();
     const osg::Vec3d open = meanColour(*picture());
@@ -283,9 +283,9 @@ TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
     EXPECT_NEAR(meanColour(*picture()).y(), half, 0.05 * half);
 }
 
-TEST_F(SceneShadingGlTest, fogTakesAsMuchAsOpenGLs) {
+TEST_F(SceneShadingGlTest, FogMatchesOpenGL) {
     light(lightSource(0, sun, white));
-    scene->getStateSet()->removeDefine("LINEAR_COLORS"); // it is mixed into what is seen
+    scene->getStateSet()->removeDefine("LINEAR_COLORS"); // fog is mixed into encoded colours
     const double distance = 60.0;
     const osg::Vec3d clear = meanColour(*picture(distance)), colour(0.7, 0.75, 0.8);
     osg::ref_ptr<osg::Fog> fog = new osg::Fog;
@@ -315,7 +315,7 @@ namespace {
 
 enum Technique { Map, ViewDependent, TwoViewDependent };
 
-/// With the sun in the east, half way up.
+/// The sun is in the east at an elevation of 45 degrees.
 class ShadowsGlTest : public GlTest, public ::testing::WithParamInterface<Technique> {
 protected:
     osg::ref_ptr<osgShadow::ShadowedScene> shadowedScene() {
@@ -354,12 +354,12 @@ protected:
 
 } // namespace
 
-TEST_P(ShadowsGlTest, fallOnTrees) {
+TEST_P(ShadowsGlTest, ShadowsFallOnTrees) {
     osg::Vec3d colours[2];
     for (const bool shaded : {false, true}) {
         osg::ref_ptr<osg::Group> scene = shadowedScene();
         scene->addChild(new Forest(oneTree(smallSpecies(), 0.0f)));
-        // In the sun's way, or as far from it.
+        // Between the sun and the tree, or beside it.
         osg::ref_ptr<osg::ShapeDrawable> cloud =
             new osg::ShapeDrawable(new osg::Box(osg::Vec3(20, shaded ? 0 : 40, 22), 14.0f, 14.0f, 14.0f));
         scene->addChild(cloud);
@@ -368,11 +368,11 @@ TEST_P(ShadowsGlTest, fallOnTrees) {
     }
     EXPECT_GT(colours[0].y(), 20.0);
     EXPECT_LT(colours[1].y(), 0.8 * colours[0].y());
-    EXPECT_GT(colours[1].y(), 0.2 * colours[0].y()) << "the sky still lights it";
+    EXPECT_GT(colours[1].y(), 0.2 * colours[0].y()) << "the sky lights shaded trees";
 }
 
-TEST_P(ShadowsGlTest, takeTheSunAndLeaveSkyAndLamps) {
-    for (const double half : {3.0, 10.0}) { // a tree, and a picture of one
+TEST_P(ShadowsGlTest, ShadowsBlockTheSunButNotSkyAndLamps) {
+    for (const double half : {3.0, 10.0}) { // with branches; impostor
         osg::ref_ptr<osg::Image> shaded, sunless;
         for (const bool sunShines : {true, false}) {
             osg::ref_ptr<osgShadow::ShadowedScene> scene = shadowedScene();
@@ -400,7 +400,7 @@ TEST_P(ShadowsGlTest, takeTheSunAndLeaveSkyAndLamps) {
     }
 }
 
-TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
+TEST_P(ShadowsGlTest, TreeShadowsMoveOnTheGroundInWind) {
     osg::ref_ptr<osg::Group> scene = shadowedScene();
     osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies(), 15.0f));
     scene->addChild(forest);
@@ -414,15 +414,15 @@ TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
     osg::ref_ptr<osg::Image> first = run(2, 3), later = run(4, 40);
     EXPECT_GT(difference(*bare, *first).outliers, 0.02) << "no shadow";
     EXPECT_LT(meanColour(*first).y(), meanColour(*bare).y());
-    EXPECT_GT(difference(*first, *later).outliers, 0.01) << "it stands still";
+    EXPECT_GT(difference(*first, *later).outliers, 0.01) << "the shadow does not move";
 }
 
-TEST_P(ShadowsGlTest, ofPicturesOfTreesFallOnTheGround) {
+TEST_P(ShadowsGlTest, ImpostorsCastShadowsOnTheGround) {
     osg::ref_ptr<osg::Group> scene = shadowedScene();
     ForestDescription description = oneTree(smallSpecies(), 0.0f);
     description.drawing.full = 6000.0f;
     description.drawing.reduced = 5000.0f;
-    description.drawing.impostor = 4000.0f; // pixels: a picture at any distance
+    description.drawing.impostor = 4000.0f; // pixels: an impostor at any distance
     osg::ref_ptr<Forest> forest = new Forest(description);
     scene->addChild(forest);
     scene->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.5f), 40.0f, 40.0f, 1.0f)));

@@ -9,7 +9,7 @@ namespace {
 
 class SpeciesLooksGlTest : public GlTest {
 protected:
-    /// Of a tree in a wind whose leaves face upward, more or less, as seen from a height.
+    /// A tree with nearly horizontal leaves in a wind, seen from a height.
     osg::ref_ptr<osg::Image> picture(float underside, float eyeHeight, float speed = 0.0f) {
         Species species = smallSpecies();
         species.tree.leaves.clusters = 400;
@@ -37,13 +37,13 @@ protected:
 
 } // namespace
 
-TEST_F(SpeciesLooksGlTest, crownsArePalerFromBelow) {
+TEST_F(SpeciesLooksGlTest, CrownsArePalerFromBelow) {
     EXPECT_GT(brightness(*picture(2.0f, 0.2f)), 1.05 * brightness(*picture(1.0f, 0.2f)));
     EXPECT_LT(brightness(*picture(2.0f, 20.0f)), 0.97 * brightness(*picture(1.0f, 20.0f)))
-        << "the colour of leaves is that of both sides";
+        << "the leaf colour is the mean of both sides";
 }
 
-TEST_F(SpeciesLooksGlTest, windTurnsUndersidesUp) {
+TEST_F(SpeciesLooksGlTest, WindTurnsUndersidesUp) {
     const auto paler = [&](float speed) {
         return brightness(*picture(2.0f, 20.0f, speed)) / brightness(*picture(1.0f, 20.0f, speed));
     };

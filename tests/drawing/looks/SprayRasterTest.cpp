@@ -9,7 +9,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Of the card.
+/// Rasterized area, as a share of the card.
 double areaOf(const std::vector<glm::vec2>& polygon) {
     SprayRaster raster;
     double samples = 0.0;
@@ -18,7 +18,7 @@ double areaOf(const std::vector<glm::vec2>& polygon) {
     return samples / (SprayRaster::size * SprayRaster::size);
 }
 
-/// Gauss' formula.
+/// Shoelace formula.
 double exactArea(const std::vector<glm::vec2>& polygon) {
     double twice = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -30,21 +30,21 @@ double exactArea(const std::vector<glm::vec2>& polygon) {
 
 } // namespace
 
-TEST(SprayRaster, TakesAsManySamplesAsAPolygonIsLarge) {
+TEST(SprayRaster, SampleCountMatchesTheArea) {
     const std::vector<glm::vec2> triangle{{0.1f, 0.05f}, {0.93f, 0.2f}, {0.4f, 0.88f}},
         dented{{0.1f, 0.1f}, {0.5f, 0.45f}, {0.9f, 0.1f}, {0.9f, 0.9f}, {0.5f, 0.55f}, {0.1f, 0.9f}};
     EXPECT_NEAR(areaOf(triangle), exactArea(triangle), 5e-4);
     EXPECT_NEAR(areaOf(dented), exactArea(dented), 5e-4);
 }
 
-TEST(SprayRaster, LeavesOutWhatIsCoveredTwice) {
-    // A square within a square, as one line.
+TEST(SprayRaster, UsesTheEvenOddRule) {
+    // A square inside a square, as one polygon.
     const std::vector<glm::vec2> framed{{0.1f, 0.1f}, {0.9f, 0.1f}, {0.9f, 0.9f}, {0.1f, 0.9f}, {0.1f, 0.1f},
                                         {0.3f, 0.3f}, {0.7f, 0.3f}, {0.7f, 0.7f}, {0.3f, 0.7f}, {0.3f, 0.3f}};
     EXPECT_NEAR(areaOf(framed), 0.64 - 0.16, 5e-3);
 }
 
-TEST(SprayRaster, KeepsToTheCard) {
+TEST(SprayRaster, ClipsToTheCard) {
     EXPECT_DOUBLE_EQ(areaOf({{-1.0f, -1.0f}, {3.0f, -1.0f}, {3.0f, 3.0f}, {-1.0f, 3.0f}}), 1.0);
     EXPECT_DOUBLE_EQ(areaOf({{1.1f, 0.2f}, {1.5f, 0.2f}, {1.3f, 0.8f}}), 0.0);
     SprayRaster raster;

@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Its right half is there; the upper one of that is twice as bright (in linear light) as the lower.
+/// The left half is transparent. The upper right quarter is twice as bright (linear) as the lower one.
 std::string writePicture(const TemporaryFolder& folder) {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(100, 60, 1, GL_RGBA, GL_UNSIGNED_BYTE);
@@ -41,9 +41,9 @@ TEST(TreePicture, BecomesALeafCard) {
     EXPECT_EQ(leaf->getNumMipmapLevels(), 10u);
     const unsigned char *low = leaf->data(200, 50), *high = leaf->data(200, 200), *off = leaf->data(50, 50);
     EXPECT_NEAR(low[0], 0.8 * 2.0 / 3.0 * 255.0, 4.0);
-    EXPECT_EQ(high[0], 255); // 4/3 of the mean, as far as it goes
+    EXPECT_EQ(high[0], 255); // 4/3 of the mean, clamped
     EXPECT_NEAR(low[1], 128, 2) << "grey has no hue";
-    EXPECT_EQ(low[2], 0) << "no twigs of its own";
+    EXPECT_EQ(low[2], 0) << "pictures have no twigs";
     EXPECT_EQ(low[3], 255);
     EXPECT_EQ(off[3], 0);
 }
@@ -56,7 +56,7 @@ TEST(TreePicture, BecomesBarkWhoseBrightPartsStandOut) {
     EXPECT_GT(bark->data(200, 400)[1], bark->data(200, 100)[1]);
 }
 
-TEST(TreePicture, IsReadOnceForAllWhoShowIt) {
+TEST(TreePicture, IsReadOnceAndShared) {
     const TemporaryFolder folder;
     Appearance appearance;
     appearance.leafImage = writePicture(folder);
@@ -68,39 +68,33 @@ TEST(TreePicture, IsReadOnceForAllWhoShowIt) {
     EXPECT_NE(texture, leafTexture({}));
 }
 
-TEST(TreePicture, WhatIsNoneIsSaidAndOurOwnIsShown) {
+TEST(TreePicture, UnreadableFileIsReportedAndReplaced) {
     const TemporaryFolder folder;
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
-    osg::setNotifyHandler(messages);
+    const ScopedMessages messages;
     Appearance appearance;
     appearance.leafImage = folder.write("spray.png", "no picture");
     appearance.barkImage = folder.path() + "/no.png";
     const osg::ref_ptr<osg::Image> leaves = leafImage(appearance), bark = barkImage(appearance);
-    osg::setNotifyHandler(before);
     EXPECT_EQ(leaves, leafImage({}));
     EXPECT_EQ(bark, barkImage({}));
-    const std::string said = messages->take();
-    EXPECT_NE(said.find("spray.png\" is no picture"), std::string::npos) << said;
-    EXPECT_NE(said.find("no.png\" is no picture"), std::string::npos) << said;
+    const std::string said = messages.take();
+    EXPECT_NE(said.find("spray.png\" as a picture"), std::string::npos) << said;
+    EXPECT_NE(said.find("no.png\" as a picture"), std::string::npos) << said;
 }
 
-TEST(TreePicture, LargerThanTheMemoryIsNotRead) {
+TEST(TreePicture, IsNotReadBeyondTheMemoryLimit) {
     const TemporaryFolder folder;
     const std::string png = writePicture(folder), jpeg = folder.path() + "/bark.jpg";
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(640, 480, 1, GL_RGB, GL_UNSIGNED_BYTE);
     EXPECT_TRUE(osgDB::writeImageFile(*image, jpeg));
-    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
-    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
-    osg::setNotifyHandler(messages);
+    const ScopedMessages messages;
     for (const char* size : {"3M", "20k"}) {
         const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", size);
         readBarkPicture(jpeg);
         readLeafPicture(png);
     }
-    osg::setNotifyHandler(before);
-    const std::string said = messages->take();
+    const std::string said = messages.take();
     EXPECT_EQ(said.find("its pixels need about 48 kB of memory; the limit is 20 kB"),
               said.rfind("its pixels need about 48 kB"))
         << said;
@@ -110,7 +104,7 @@ TEST(TreePicture, LargerThanTheMemoryIsNotRead) {
     EXPECT_EQ(said.find("limit is 3 MB"), std::string::npos) << said;
 }
 
-TEST(PictureSize, IsNoneWhereTheHeadSaysNone) {
+TEST(PictureSize, IsEmptyForUnknownAndTruncatedFiles) {
     for (const std::string& bytes : {std::string(), std::string("\x89PNG"), std::string("\xff\xd8\xff"),
                                      std::string("\xff\xd8\xff\xe0\0\0\xff\xc0", 8), std::string("GIF89a")}) {
         std::istringstream file(bytes);

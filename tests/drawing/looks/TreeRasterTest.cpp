@@ -23,14 +23,14 @@ int seen(const TreeRaster& raster, std::uint32_t item) {
 
 } // namespace
 
-TEST(TreeRaster, APieceCoversItsArea) {
+TEST(TreeRaster, PieceCoversItsArea) {
     TreeRaster raster(100);
     raster.draw({{20.3f, 10.1f, 0.0f}, {40.0f, 20.0f, 0.0f}, {-10.0f, 50.0f, 0.0f}}, solidStencil(), 7);
     EXPECT_NEAR(seen(raster, 7), 40 * 50 + 20 * 10, 40);
     EXPECT_EQ(raster.sample(99, 0).item, TreeRaster::nothing);
 }
 
-TEST(TreeRaster, ThinPiecesCoverTheirAreaInTheMean) {
+TEST(TreeRaster, ThinPiecesCoverTheirAreaOnAverage) {
     int sum = 0;
     for (int i = 0; i < 200; ++i) {
         TreeRaster raster(100);
@@ -42,7 +42,7 @@ TEST(TreeRaster, ThinPiecesCoverTheirAreaInTheMean) {
     EXPECT_NEAR(sum / 200.0, 16.0, 1.0);
 }
 
-TEST(TreeRaster, WhatIsNearerIsSeenWhateverComesFirst) {
+TEST(TreeRaster, NearestPieceIsVisibleInAnyOrder) {
     for (const bool nearFirst : {false, true}) {
         TreeRaster raster(10);
         for (const std::uint32_t item : {nearFirst ? 1u : 0u, nearFirst ? 0u : 1u})
@@ -51,7 +51,7 @@ TEST(TreeRaster, WhatIsNearerIsSeenWhateverComesFirst) {
     }
 }
 
-TEST(TreeRaster, DepthRunsAcrossAPiece) {
+TEST(TreeRaster, DepthIsInterpolated) {
     TreeRaster raster(10);
     raster.draw({{0, 0, -1}, {10, 0, 2}, {0, 10, 0}}, solidStencil(), 0); // nearer to the right
     raster.draw({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, solidStencil(), 1);
@@ -59,7 +59,7 @@ TEST(TreeRaster, DepthRunsAcrossAPiece) {
     EXPECT_EQ(raster.sample(9, 5).item, 0u);
 }
 
-TEST(TreeRaster, StencilsAreSeenThrough) {
+TEST(TreeRaster, StencilsHaveHoles) {
     TreeRaster::Stencil left{};
     for (std::size_t i = 0; i < left.size(); ++i)
         left[i] = i % TreeRaster::cells < TreeRaster::cells / 2;
@@ -71,7 +71,7 @@ TEST(TreeRaster, StencilsAreSeenThrough) {
     EXPECT_EQ(raster.sample(2, 7).cell / TreeRaster::cells, 24);
 }
 
-TEST(TreeRaster, PiecesBeyondThePictureOrOnEdgeDrawNothingThere) {
+TEST(TreeRaster, ClipsPiecesAndSkipsDegenerateOnes) {
     TreeRaster raster(10);
     raster.draw({{-50, -50, 0}, {20, 0, 0}, {0, 20, 0}}, solidStencil(), 1);
     raster.draw({{1, 1, 0}, {5, 5, 0}, {2, 2, 0}}, solidStencil(), 1);

@@ -18,11 +18,10 @@ namespace {
 using Texels = std::vector<glm::vec4>;
 using Inputs = std::vector<std::pair<std::string, Texels>>;
 
-/// One step of a law on the GPU, given all its inputs: the text of the passes' law files and nothing else of
-/// ours.
+/// One step of a law on the GPU with given inputs, using only the law files of the passes.
 class LawsGlTest : public GlTest {
 protected:
-    /// @param inputs name and one texel a state. @param body of the expression, which finds them by name.
+    /// @param inputs by name, with a texel per state. @param body expression that uses these names.
     Texels step(const Texels& states, const Inputs& inputs, const std::string& body) {
         AnglePass pass("branchwise/branch_angles", states);
         unsigned unit = 1;
@@ -31,7 +30,7 @@ protected:
         for (const auto& [name, texels] : inputs) {
             textures.emplace_back(name.c_str(), texels.size());
             textures.back().fill(texels);
-            bindData(pass.inputs(), (name + "Texels").c_str(), unit++, textures.back().texture());
+            bindDataTexture(pass.inputs(), (name + "Texels").c_str(), unit++, textures.back().texture());
             declared += "uniform sampler2D " + name + "Texels;\n#define " + name + " dataTexel(" + name +
                         "Texels, targetIndex(previousAngles))\n";
         }
@@ -43,7 +42,7 @@ protected:
         viewer().setSceneData(pass.node());
         frame(0.0);
         Texels result;
-        EXPECT_TRUE(pass.take(result));
+        EXPECT_TRUE(pass.readBack(result));
         result.resize(states.size());
         return result;
     }
@@ -75,7 +74,7 @@ struct Sweep {
     Inputs inputs() const { return {{"wind", winds}, {"noise", noises}}; }
 };
 
-/// Every wind with every noise, from a few states.
+/// All combinations of winds, noises and a few states.
 Sweep sweep(const std::vector<float>& winds, const std::vector<float>& noises,
             const std::vector<float>& angles) {
     Sweep all;
@@ -151,7 +150,7 @@ TEST_F(LawsGlTest, TrembleAgreesWithTheCpu) {
     }
 }
 
-TEST_F(LawsGlTest, SwayOfShootsAgreesWithTheCpu) {
+TEST_F(LawsGlTest, ShootSwayAgreesWithTheCpu) {
     Random random(7);
     Texels places, phases;
     for (int i = 0; i < 300; ++i) {
@@ -201,7 +200,7 @@ TEST_F(LawsGlTest, TurnDownwindAgreesWithTheCpu) {
     }
 }
 
-TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
+TEST_F(LawsGlTest, ModalStepAgreesWithTheCpu) {
     Texels states, numbers, air;
     Laws laws;
     for (const float force : {0.0f, -3.0f, 40.0f})
@@ -273,7 +272,7 @@ TEST_F(LawsGlTest, NoiseAgreesWithTheCpu) {
     }
 }
 
-TEST_F(LawsGlTest, HostileInputGivesFiniteAnglesWithinLimits) {
+TEST_F(LawsGlTest, InvalidInputGivesFiniteAnglesWithinLimits) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> hostile = {inf, -inf, nan, 1e30f, -1e30f, 1e-42f, 0.0f};
     const Sweep s = sweep(hostile, hostile, hostile);

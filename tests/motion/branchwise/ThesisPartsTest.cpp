@@ -13,7 +13,7 @@ BranchUnit unit() {
 
 } // namespace
 
-TEST(ThesisParts, SpringIsThatOfTheMeanDiameter) {
+TEST(ThesisParts, SpringFollowsTheMeanDiameter) {
     Species oak;
     oak.wood.elasticModulus = 12.0e9f;
     const Laws::ThesisBranch branch = makeThesisBranch(unit(), {}, oak);
@@ -21,7 +21,7 @@ TEST(ThesisParts, SpringIsThatOfTheMeanDiameter) {
     EXPECT_NEAR(branch.spring, 12.0e9f * 0.05f * 0.05f * 0.05f * 0.05f / 32.0f, 0.5f);
 }
 
-TEST(ThesisParts, ComeFromTheScaledBranch) {
+TEST(ThesisParts, FollowTheScaledBranch) {
     TreeScale scale;
     scale.axes = {5.0f, 5.0f, 2.0f};
     scale.radius = 3.0f;

@@ -28,9 +28,8 @@ GrownTree withoutDrag() {
 
 } // namespace
 
-// What it loses in height it has in speed: w^2 = 2 c (cos lean - cos(lean + angle)), with c = 3 g / (2 L) for
-// a rod.
-TEST(FallingTree, FallsAsARigidBodyDoesWhereNoAirHoldsIt) {
+// Conservation of energy: w^2 = 2 c (cos lean - cos(lean + angle)), with c = 3 g / (2 L) for a rod.
+TEST(FallingTree, FallsLikeARigidBodyWithoutDrag) {
     const GrownTree tree = withoutDrag();
     FallingTree falling(tree.form(), 0, 0.0, 0.1);
     double first = 0.0;
@@ -44,15 +43,15 @@ TEST(FallingTree, FallsAsARigidBodyDoesWhereNoAirHoldsIt) {
             EXPECT_NEAR(c / first, 1.0, 0.02) << falling.angle();
     }
     EXPECT_GT(falling.angle(), 1.2);
-    EXPECT_GT(first / (1.5 * 9.81 / 20.0), 0.9); // a trunk that tapers is lighter at its top than a rod,
-    EXPECT_LT(first / (1.5 * 9.81 / 20.0), 2.0); // and so falls sooner
+    EXPECT_GT(first / (1.5 * 9.81 / 20.0), 0.9); // a tapered trunk is lighter at its top than a rod
+    EXPECT_LT(first / (1.5 * 9.81 / 20.0), 2.0); // and falls faster
 }
 
-TEST(FallingTree, LiesAfterSecondsOnItsCrownAndStays) {
+TEST(FallingTree, ComesToRestOnItsCrownAfterSeconds) {
     const GrownTree tree = spruce();
     FallingTree falling(tree.form(), 0, 50000.0, 0.1);
     double time = 0.0;
-    for (; time < 60.0 && !falling.lies(); time += 0.1)
+    for (; time < 60.0 && !falling.isAtRest(); time += 0.1)
         falling.step(0.1);
     EXPECT_GT(time, 1.5);
     EXPECT_LT(time, 12.0);
@@ -63,7 +62,7 @@ TEST(FallingTree, LiesAfterSecondsOnItsCrownAndStays) {
     EXPECT_EQ(falling.speed(), 0.0);
 }
 
-TEST(FallingTree, TheAirHoldsALeafyOne) {
+TEST(FallingTree, AirSlowsATreeInLeaf) {
     const GrownTree leafy = spruce(), bare = spruce(0.0f);
     FallingTree slow(leafy.form(), 0, 0.0, 0.2), fast(bare.form(), 0, 0.0, 0.2);
     double slowest = 0.0, fastest = 0.0;
@@ -73,11 +72,11 @@ TEST(FallingTree, TheAirHoldsALeafyOne) {
         slowest = std::max(slowest, slow.speed());
         fastest = std::max(fastest, fast.speed());
     }
-    EXPECT_TRUE(slow.lies() && fast.lies());
+    EXPECT_TRUE(slow.isAtRest() && fast.isAtRest());
     EXPECT_LT(slowest, 0.98 * fastest);
 }
 
-TEST(FallingTree, ComesOutAlikeAtAnyStep) {
+TEST(FallingTree, DoesNotDependOnTheStep) {
     const GrownTree tree = spruce();
     FallingTree coarse(tree.form(), 0, 50000.0, 0.1), fine(tree.form(), 0, 50000.0, 0.1);
     coarse.step(1.0);
@@ -87,7 +86,7 @@ TEST(FallingTree, ComesOutAlikeAtAnyStep) {
     EXPECT_NEAR(coarse.angle() / fine.angle(), 1.0, 0.02);
 }
 
-TEST(FallingTree, OneThatSnapsComesDownBelowItsStump) {
+TEST(FallingTree, ASnappedTreeComesToRestBelowItsStump) {
     const GrownTree tree = spruce();
     unsigned above = 0;
     while (tree.units()[above].level != 0 || tree.units()[above].base.z <= 0.0f)
@@ -97,7 +96,7 @@ TEST(FallingTree, OneThatSnapsComesDownBelowItsStump) {
     EXPECT_NEAR(snapped.restAngle() - whole.restAngle(), std::asin(stump / (20.0 - stump)), 0.03);
 }
 
-TEST(FallingTree, ABoughComesToHang) {
+TEST(FallingTree, ABoughEndsUpHanging) {
     TreeSize size;
     size.height = 15.0f;
     const GrownTree oak("oak", size);
@@ -107,7 +106,7 @@ TEST(FallingTree, ABoughComesToHang) {
     FallingTree falling(oak.form(), bough, 0.0, 0.0);
     for (int i = 0; i < 200; ++i)
         falling.step(0.1);
-    EXPECT_TRUE(falling.lies());
+    EXPECT_TRUE(falling.isAtRest());
     const glm::vec2 axis = falling.axis();
     const glm::quat turn = glm::angleAxis(static_cast<float>(falling.angle()), glm::vec3(axis, 0.0f));
     glm::vec3 way = oak.units()[bough].tip - oak.units()[bough].base;

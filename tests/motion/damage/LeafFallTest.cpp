@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/species/Season.h>
@@ -36,43 +36,45 @@ ForestDescription wood(const char* species, float speed, float season = midautum
     return forest;
 }
 
-/// @return share of leaves of the first tree then.
+/// @return share of leaves of the first tree at `to`.
 float leavesAfter(ForestSimulation& forest, double from, double to) {
     for (double time = from; time <= to; time += 0.05)
         forest.advance(time);
-    return SimulationParts::trees(forest)[0].leaves;
+    return SimulationAccess::trees(forest)[0].leaves;
 }
 
 } // namespace
 
-TEST(LeafFall, GoesWithTheDragOfWhatHangsLoose) {
+TEST(LeafFall, FollowsTheDragOfLooseLeaves) {
     Species stiff;
     stiff.wood.streamlining = stiff.wood.breezeStreamlining = 0.0f;
     const LeafFall leaves(stiff);
-    EXPECT_EQ(leaves.ahead(0.0f), 0.0f);
-    EXPECT_NEAR(leaves.ahead(16.5f), 0.25f * LeafFall::most, 1e-6f)
+    EXPECT_EQ(leaves.seasonAdvance(0.0f), 0.0f);
+    EXPECT_NEAR(leaves.seasonAdvance(16.5f), 0.25f * LeafFall::maxAdvance, 1e-6f)
         << "half the speed, a quarter of the force";
-    EXPECT_FLOAT_EQ(leaves.ahead(33.0f), LeafFall::most);
-    EXPECT_FLOAT_EQ(leaves.ahead(90.0f), LeafFall::most);
-    EXPECT_FLOAT_EQ(LeafFall::most * 365.25f / 4.0f, 14.0f) << "days";
+    EXPECT_FLOAT_EQ(leaves.seasonAdvance(33.0f), LeafFall::maxAdvance);
+    EXPECT_FLOAT_EQ(leaves.seasonAdvance(90.0f), LeafFall::maxAdvance);
+    EXPECT_FLOAT_EQ(LeafFall::maxAdvance * 365.25f / 4.0f, 14.0f) << "days";
     const Species birch = *findSpecies("silver birch");
-    EXPECT_GT(LeafFall(birch).ahead(16.5f), 0.28f * LeafFall::most) << "which turn out of stronger winds";
+    EXPECT_GT(LeafFall(birch).seasonAdvance(16.5f), 0.28f * LeafFall::maxAdvance)
+        << "birch leaves streamline in stronger winds";
 }
 
-TEST(LeafFall, TakesWhatWouldHaveFallenSoonAndNothingInOtherSeasons) {
+TEST(LeafFall, TakesLeavesThatWouldFallSoonAndOnlyInAutumn) {
     const Species birch = *findSpecies("silver birch"), spruce = *findSpecies("Norway spruce");
     const LeafFall leaves(birch);
-    EXPECT_EQ(leaves.share(midautumn, 0.1f), leafShare(birch.appearance, midautumn + 0.1f));
-    EXPECT_LT(leaves.share(midautumn, 0.1f), leafShare(birch.appearance, midautumn) - 0.15f);
+    EXPECT_EQ(leaves.remainingShare(midautumn, 0.1f), leafShare(birch.appearance, midautumn + 0.1f));
+    EXPECT_LT(leaves.remainingShare(midautumn, 0.1f), leafShare(birch.appearance, midautumn) - 0.15f);
     for (const float season : {midwinter, midspring, 1.1f, midsummer, 2.4f, 3.9f}) {
-        EXPECT_FALSE(leaves.someHangLoose(season)) << season;
-        EXPECT_EQ(leaves.share(season, LeafFall::most), leafShare(birch.appearance, season)) << season;
+        EXPECT_FALSE(leaves.hasLooseLeaves(season)) << season;
+        EXPECT_EQ(leaves.remainingShare(season, LeafFall::maxAdvance), leafShare(birch.appearance, season))
+            << season;
     }
-    EXPECT_TRUE(leaves.someHangLoose(midautumn));
-    EXPECT_FALSE(LeafFall(spruce).someHangLoose(midautumn));
+    EXPECT_TRUE(leaves.hasLooseLeaves(midautumn));
+    EXPECT_FALSE(LeafFall(spruce).hasLooseLeaves(midautumn));
 }
 
-TEST(LeafFall, AGustThatIsOverHasTakenThem) {
+TEST(LeafFall, LeavesStayOffAfterAGust) {
     ForestDescription description = wood("silver birch", 0.0f);
     description.wind = std::make_shared<FunctionWind>([](const glm::vec3&, double time) {
         return glm::vec3(time > 4.0 && time < 5.0 ? 15.0f : 3.0f, 0.0f, 0.0f);
@@ -80,13 +82,14 @@ TEST(LeafFall, AGustThatIsOverHasTakenThem) {
     ForestSimulation forest(description);
     const LeafFall leaves(description.species[0]);
     const float before = leavesAfter(forest, 0.0, 3.0);
-    EXPECT_NEAR(before, leaves.share(midautumn, leaves.ahead(3.0f)), 1e-4f);
-    EXPECT_NEAR(leavesAfter(forest, 3.05, 8.0), leaves.share(midautumn, leaves.ahead(15.0f)), 1e-4f);
-    EXPECT_LT(SimulationParts::trees(forest)[0].leaves, before - 0.05f);
-    EXPECT_GT(SimulationParts::trees(forest)[0].leaves, 0.1f);
+    EXPECT_NEAR(before, leaves.remainingShare(midautumn, leaves.seasonAdvance(3.0f)), 1e-4f);
+    EXPECT_NEAR(leavesAfter(forest, 3.05, 8.0), leaves.remainingShare(midautumn, leaves.seasonAdvance(15.0f)),
+                1e-4f);
+    EXPECT_LT(SimulationAccess::trees(forest)[0].leaves, before - 0.05f);
+    EXPECT_GT(SimulationAccess::trees(forest)[0].leaves, 0.1f);
 }
 
-TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
+TEST(LeafFall, TheTreeSwaysWithItsRemainingLeaves) {
     ForestSimulation shed(wood("silver birch", 28.0f));
     const float left = leavesAfter(shed, 0.0, 10.0);
     ForestDescription description = wood("silver birch", 28.0f);
@@ -95,7 +98,7 @@ TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
         tree.leaves = left / leafShare(description.species[0].appearance, midautumn);
     ForestSimulation thinned(description);
     leavesAfter(thinned, 0.0, 10.0);
-    ASSERT_NEAR(SimulationParts::trees(thinned)[0].leaves, left, 1e-5f);
+    ASSERT_NEAR(SimulationAccess::trees(thinned)[0].leaves, left, 1e-5f);
     ForestDescription full = wood("silver birch", 28.0f);
     full.damage = false;
     ForestSimulation unshed(full);
@@ -104,12 +107,12 @@ TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
         each->setWind(westerly(10.0f));
         leavesAfter(*each, 10.05, 60.0);
     }
-    const float lean = SimulationParts::modal(thinned)->lean(0).x;
-    EXPECT_NEAR(SimulationParts::modal(shed)->lean(0).x, lean, 0.01f * lean);
-    EXPECT_GT(SimulationParts::modal(unshed)->lean(0).x, 1.05f * lean);
+    const float lean = SimulationAccess::modal(thinned)->lean(0).x;
+    EXPECT_NEAR(SimulationAccess::modal(shed)->lean(0).x, lean, 0.01f * lean);
+    EXPECT_GT(SimulationAccess::modal(unshed)->lean(0).x, 1.05f * lean);
 }
 
-TEST(LeafFall, NoneWithoutDamageInSummerOrOfAnEvergreen) {
+TEST(LeafFall, DoesNotOccurWithoutDamageInSummerOrOnEvergreens) {
     ForestDescription calm = wood("silver birch", 15.0f);
     calm.damage = false;
     ForestSimulation off(calm), summer(wood("silver birch", 15.0f, midsummer)),
@@ -119,14 +122,14 @@ TEST(LeafFall, NoneWithoutDamageInSummerOrOfAnEvergreen) {
     EXPECT_EQ(leavesAfter(spruce, 0.0, 3.0), 1.0f);
 }
 
-TEST(LeafFall, StaysThroughAutumnAndIsForgottenBySummer) {
+TEST(LeafFall, LastsThroughAutumnAndIsResetInSummer) {
     const ForestDescription description = wood("silver birch", 15.0f);
     const Appearance& birch = description.species[0].appearance;
     ForestSimulation forest(description);
     const float shed = leavesAfter(forest, 0.0, 3.0);
     EXPECT_LT(shed, leafShare(birch, midautumn) - 0.05f);
     forest.setWind(nullptr);
-    forest.setSeason(midautumn - 0.05f); // a season that goes back grows none but those of then
+    forest.setSeason(midautumn - 0.05f); // an earlier season restores only the leaves of that season
     EXPECT_LT(leavesAfter(forest, 3.05, 4.0), leafShare(birch, midautumn - 0.05f));
     forest.setSeason(midsummer - 0.5f);
     EXPECT_EQ(leavesAfter(forest, 4.05, 5.0), leafShare(birch, midsummer - 0.5f));
@@ -134,17 +137,17 @@ TEST(LeafFall, StaysThroughAutumnAndIsForgottenBySummer) {
     EXPECT_EQ(leavesAfter(forest, 5.05, 6.0), leafShare(birch, midautumn));
 }
 
-TEST(LeafFall, ResetCopiesAndTreesPutUpAnewBearThemAgain) {
+TEST(LeafFall, ResetCopiesAndReplacedTreesHaveAllLeaves) {
     const ForestDescription description = wood("silver birch", 15.0f);
     const float all = leafShare(description.species[0].appearance, midautumn);
     ForestSimulation forest(description);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
-    EXPECT_EQ(SimulationParts::trees(*forest.restarted())[0].leaves, all);
+    EXPECT_EQ(SimulationAccess::trees(*forest.cloneAtRest())[0].leaves, all);
     EXPECT_EQ(forest.describe().trees[0].leaves, 1.0f);
     const TreeId second = forest.idOf(1);
     EXPECT_TRUE(forest.changeTree(second, forest.placementOf(second)).empty());
-    EXPECT_EQ(SimulationParts::trees(forest)[1].leaves, all);
+    EXPECT_EQ(SimulationAccess::trees(forest)[1].leaves, all);
     forest.reset();
-    EXPECT_EQ(SimulationParts::trees(forest)[0].leaves, all);
+    EXPECT_EQ(SimulationAccess::trees(forest)[0].leaves, all);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
 }

@@ -21,11 +21,11 @@ TreeStrength strengthOf(const Species& species, float diameter, float height) {
 
 } // namespace
 
-// ForestGALES' Sitka spruce, as fgr has it: 34 MPa without knots; 162.5 N m/kg as the mean of its rooting
-// depths on freely draining mineral soil, 850 kg/m3, volume of the stem 6.8e-5 d^1.827 h^0.981 m3 by cm and
-// m; a crown of 2.4682 + 0.3667 h m, at whose middle z the wind pushes, and a foot thicker than breast height
-// by (z / (z - 1.3))^0.333. Ours begins lower, so that less of the moment at the foot comes to breast height.
-TEST(TreeStrength, IsThatOfForestGales) {
+// Sitka spruce in ForestGALES (R package fgr): 34 MPa without knots; 162.5 N m/kg, the mean over rooting
+// depths on freely draining mineral soil; 850 kg/m3; stem volume 6.8e-5 d^1.827 h^0.981 m3 (cm, m); crown
+// depth 2.4682 + 0.3667 h m, with the wind load at its middle z; a foot thicker than breast height by (z / (z
+// - 1.3))^0.333. Our crown begins lower, so a smaller part of the moment at the foot acts at breast height.
+TEST(TreeStrength, MatchesForestGales) {
     const TreeStrength spruce = strengthOf(*findSpecies("Sitka spruce"), 0.24f, 20.0f);
     const double pushed = 20.0 - 0.5 * (2.4682 + 0.3667 * 20.0);
     const double foot = 0.24 * std::pow(pushed / (pushed - 1.3), 0.333);
@@ -34,15 +34,15 @@ TEST(TreeStrength, IsThatOfForestGales) {
     EXPECT_NEAR(spruce.uproot / (162.5 * stem), 1.0, 0.15);
 }
 
-TEST(TreeStrength, KnotsTakeTheirShare) {
+TEST(TreeStrength, KnotsReduceStrength) {
     Species pine = *findSpecies("Scots pine");
     const double knotty = strengthOf(pine, 0.3f, 20.0f).breaking;
     pine.wood.knotFactor = 1.0f;
     EXPECT_NEAR(knotty / strengthOf(pine, 0.3f, 20.0f).breaking, 0.85, 1e-6);
 }
 
-// One that is pushed at half of its height has 1.3 m less of 10 m to bear at breast height.
-TEST(TreeStrength, LowerCrownsLeaveStemsStronger) {
+// A load at height z has the arm z at the foot and z - 1.3 m at breast height.
+TEST(TreeStrength, LowerCrownsMakeStemsStronger) {
     Species pole = *findSpecies("Norway spruce");
     const double breast = breakingMoment(pole.wood, 0.24);
     const auto withCrownFrom = [&](float base) { // over the height
@@ -53,7 +53,7 @@ TEST(TreeStrength, LowerCrownsLeaveStemsStronger) {
     EXPECT_NEAR(withCrownFrom(0.75f), 17.5 / 16.2, 0.01);
 }
 
-TEST(TreeStrength, WhatIsNotKnownIsNothing) {
+TEST(TreeStrength, UnknownStrengthIsZero) {
     Species palm = *findSpecies("palm");
     EXPECT_EQ(strengthOf(palm, 0.3f, 10.0f).breaking, 0.0);
     palm.wood.anchorage = 0.0f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double step = 1.0 / 30.0;
 
-/// Trees in the open, 30 m apart, turned all ways, whose stems bear more than their roots.
+/// Open-grown trees, 30 m apart, with different headings; their roots fail before their stems.
 ForestDescription spruces(int count, float speed) {
     ForestDescription forest;
     forest.species = {*findSpecies("Norway spruce")};
@@ -39,8 +39,8 @@ ForestDescription spruces(int count, float speed) {
     return forest;
 }
 
-/// All that it brings down from one time to another.
-std::vector<TreeDamage> blown(ForestSimulation& forest, double from, double to) {
+/// All damage between two times.
+std::vector<TreeDamage> damageBetween(ForestSimulation& forest, double from, double to) {
     std::vector<TreeDamage> all;
     for (int i = 0; from + step * i <= to; ++i) {
         forest.advance(from + step * i);
@@ -49,21 +49,20 @@ std::vector<TreeDamage> blown(ForestSimulation& forest, double from, double to) 
     return all;
 }
 
-/// The tip of its trunk: at rest, in the tree's own axes; and where it is, from its foot, in those of the
-/// scene.
+/// The tip of a trunk: at rest, in the tree's own axes, and now, relative to its foot, in scene axes.
 struct Top {
     glm::vec3 rest, now;
 };
 Top tipOf(const ForestSimulation& forest, std::size_t slot) {
-    const PlacedTree& tree = SimulationParts::trees(forest)[slot];
-    const std::vector<BranchUnit>& units = SimulationParts::forest(forest).modelOf(tree).skeleton.units;
+    const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
+    const std::vector<BranchUnit>& units = SimulationAccess::forest(forest).modelOf(tree).skeleton.units;
     std::size_t top = 0;
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level == 0)
             top = i;
     const glm::vec3 rest = tree.scale.axes * units[top].tip;
-    return {rest, turnHeading(forest.motion(slot).poses[top].apply(rest), std::sin(tree.heading),
-                              std::cos(tree.heading))};
+    return {rest, rotateAboutZ(forest.motion(slot).poses[top].apply(rest), std::sin(tree.heading),
+                               std::cos(tree.heading))};
 }
 glm::vec3 topOf(const ForestSimulation& forest, std::size_t slot) {
     return tipOf(forest, slot).now;
@@ -71,50 +70,50 @@ glm::vec3 topOf(const ForestSimulation& forest, std::size_t slot) {
 
 } // namespace
 
-TEST(WindDamage, SparesTreesInABreeze) {
+TEST(WindDamage, DoesNotOccurInABreeze) {
     ForestSimulation forest(spruces(10, 8.0f));
-    EXPECT_TRUE(blown(forest, 0.0, 60.0).empty());
+    EXPECT_TRUE(damageBetween(forest, 0.0, 60.0).empty());
     for (std::size_t slot = 0; slot < 10; ++slot)
-        EXPECT_TRUE(forest.stands(forest.idOf(slot)));
+        EXPECT_TRUE(forest.isStanding(forest.idOf(slot)));
 }
 
-TEST(WindDamage, DoesNoneWhereItIsNotAskedFor) {
+TEST(WindDamage, DoesNotOccurUnlessEnabled) {
     ForestDescription description = spruces(10, 60.0f);
     description.damage = false;
     ForestSimulation forest(description);
-    EXPECT_TRUE(blown(forest, 0.0, 40.0).empty());
-    EXPECT_TRUE(forest.stands(forest.idOf(0)));
+    EXPECT_TRUE(damageBetween(forest, 0.0, 40.0).empty());
+    EXPECT_TRUE(forest.isStanding(forest.idOf(0)));
 }
 
-TEST(WindDamage, BringsDownWhatAStormPullsAtTooHard) {
+TEST(WindDamage, FellsTreesInAStorm) {
     ForestSimulation forest(spruces(20, 45.0f));
-    EXPECT_TRUE(blown(forest, 0.0, static_cast<double>(WindDamage::settling) - 0.1).empty());
-    const std::vector<TreeDamage> down = blown(forest, 20.0, 60.0);
+    EXPECT_TRUE(damageBetween(forest, 0.0, static_cast<double>(WindDamage::settlingTime) - 0.1).empty());
+    const std::vector<TreeDamage> down = damageBetween(forest, 20.0, 60.0);
     std::set<TreeId> once;
     for (const TreeDamage& damage : down) {
         EXPECT_TRUE(once.insert(damage.tree).second);
-        EXPECT_FALSE(forest.stands(damage.tree));
+        EXPECT_FALSE(forest.isStanding(damage.tree));
         EXPECT_EQ(damage.kind, DamageKind::Uprooted);
         EXPECT_GT(damage.moment, damage.limit);
         EXPECT_NEAR(glm::length(glm::vec2(damage.wind)), 45.0f, 1.0f);
         const std::size_t slot = slotOfTree(damage.tree);
         const glm::vec3 top = topOf(forest, slot);
         EXPECT_LT(top.z, 6.0f) << slot;
-        EXPECT_NEAR(glm::length(top), glm::length(tipOf(forest, slot).rest), 0.01f) << "straight again";
+        EXPECT_NEAR(glm::length(top), glm::length(tipOf(forest, slot).rest), 0.01f) << "upright";
         EXPECT_GT(glm::dot(glm::normalize(glm::vec2(top)), glm::vec2(0.6f, 0.8f)), 0.98f) << "downwind";
-        EXPECT_EQ(SimulationParts::modal(forest)->lean(slot), glm::vec2(0.0f));
+        EXPECT_EQ(SimulationAccess::modal(forest)->lean(slot), glm::vec2(0.0f));
     }
     EXPECT_EQ(down.size(), 20u);
     EXPECT_TRUE(forest.damage().empty());
 }
 
-/// A wind that freshens slowly: each tree goes when its moment reaches what ForestGALES' roots bear.
-TEST(WindDamage, EachGoesAsSoonAsItsLimitIsReached) {
+/// In a slowly rising wind, each tree falls when its moment reaches the limit of its roots (ForestGALES).
+TEST(WindDamage, EachTreeFailsAtItsLimit) {
     ForestDescription description = spruces(5, 0.0f);
     description.wind = std::make_shared<FunctionWind>(
         [](const glm::vec3&, double time) { return glm::vec3(0.3f * static_cast<float>(time), 0.0f, 0.0f); });
     ForestSimulation forest(description);
-    const std::vector<TreeDamage> down = blown(forest, 0.0, 200.0);
+    const std::vector<TreeDamage> down = damageBetween(forest, 0.0, 200.0);
     ASSERT_EQ(down.size(), 5u);
     for (const TreeDamage& damage : down) {
         EXPECT_GE(damage.moment, damage.limit);
@@ -125,29 +124,29 @@ TEST(WindDamage, EachGoesAsSoonAsItsLimitIsReached) {
     EXPECT_EQ(slotOfTree(down.back().tree), 4u) << "the thickest";
 }
 
-TEST(WindDamage, AStormThatIsOverBeforeTreesHaveSettledBreaksNothingLater) {
+TEST(WindDamage, AStormDuringSettlingBreaksNothingLater) {
     ForestDescription description = spruces(3, 0.0f);
     description.species = {*findSpecies("Scots pine")};
     description.wind = std::make_shared<FunctionWind>(
         [](const glm::vec3&, double time) { return glm::vec3(time < 8.0 ? 60.0f : 2.0f, 0.0f, 0.0f); });
     ForestSimulation forest(description);
-    EXPECT_TRUE(blown(forest, 0.0, 40.0).empty());
+    EXPECT_TRUE(damageBetween(forest, 0.0, 40.0).empty());
 }
 
-TEST(WindDamage, AWeakStemSnapsAboveItsStumpAndTheStumpStands) {
+TEST(WindDamage, AWeakStemSnapsAndLeavesAStump) {
     ForestDescription description = spruces(5, 40.0f);
     description.species[0].wood.bendingStrength = 4.0e6f;
     ForestSimulation forest(description);
-    const std::vector<TreeDamage> down = blown(forest, 0.0, 40.0);
+    const std::vector<TreeDamage> down = damageBetween(forest, 0.0, 40.0);
     ASSERT_EQ(down.size(), 5u);
     for (const TreeDamage& damage : down) {
         EXPECT_EQ(damage.kind, DamageKind::Snapped);
         EXPECT_GT(damage.unit, 0u);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = SimulationParts::trees(forest)[slot];
+        const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
         const TreeMotion motion = forest.motion(slot);
         const glm::vec3 stump =
-            tree.scale.axes * SimulationParts::forest(forest).modelOf(tree).skeleton.units[damage.unit].base;
+            tree.scale.axes * SimulationAccess::forest(forest).modelOf(tree).skeleton.units[damage.unit].base;
         EXPECT_GE(stump.z, 1.3f);
         EXPECT_LT(glm::distance(motion.poses[damage.unit].apply(stump), stump), 0.02f);
         EXPECT_LT(topOf(forest, slot).z, 4.0f);
@@ -156,8 +155,8 @@ TEST(WindDamage, AWeakStemSnapsAboveItsStumpAndTheStumpStands) {
     }
 }
 
-/// Some boughs of an oak bear less than its stem.
-TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
+/// Some boughs of an oak fail before its stem.
+TEST(WindDamage, AtMostThreeBoughsPerTreeTearOff) {
     ForestDescription description = spruces(3, 0.0f);
     description.species = {*findSpecies("oak")};
     description.species[0].wood.anchorage = 0.0f;
@@ -165,7 +164,7 @@ TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
         [](const glm::vec3&, double time) { return glm::vec3(0.5f * static_cast<float>(time), 0.0f, 0.0f); });
     std::vector<TreeDamage> down;
     ForestSimulation forest(description);
-    for (const TreeDamage& damage : blown(forest, 0.0, 60.0))
+    for (const TreeDamage& damage : damageBetween(forest, 0.0, 60.0))
         if (damage.kind == DamageKind::BoughTorn)
             down.push_back(damage);
     ASSERT_FALSE(down.empty());
@@ -174,12 +173,12 @@ TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
         EXPECT_LE(++boughs[damage.tree], 3);
         EXPECT_GT(damage.moment, damage.limit);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = SimulationParts::trees(forest)[slot];
-        const BranchUnit& bough = SimulationParts::forest(forest).modelOf(tree).skeleton.units[damage.unit];
+        const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
+        const BranchUnit& bough = SimulationAccess::forest(forest).modelOf(tree).skeleton.units[damage.unit];
         EXPECT_EQ(bough.level, 1);
         const TreeMotion motion = forest.motion(slot);
         const UnitPose& pose = motion.poses[damage.unit];
-        if (forest.stands(damage.tree)) {
+        if (forest.isStanding(damage.tree)) {
             EXPECT_LT(pose.apply(tree.scale.axes * bough.tip).z, pose.apply(tree.scale.axes * bough.base).z);
         }
         const UnitMotion one = forest.unitMotion(slot, damage.unit);
@@ -187,36 +186,36 @@ TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
     }
 }
 
-TEST(WindDamage, WhatIsPutUpAnewStands) {
+TEST(WindDamage, ReplacedTreesStand) {
     ForestSimulation forest(spruces(4, 45.0f));
-    EXPECT_EQ(blown(forest, 0.0, 40.0).size(), 4u);
+    EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 4u);
     const TreeId first = forest.idOf(0), second = forest.idOf(1);
     EXPECT_TRUE(forest.changeTree(first, forest.placementOf(first)).empty());
-    EXPECT_TRUE(forest.stands(first));
+    EXPECT_TRUE(forest.isStanding(first));
     TreePlacement placement = forest.placementOf(second);
     EXPECT_TRUE(forest.removeTree(second).empty());
-    EXPECT_FALSE(forest.stands(second));
+    EXPECT_FALSE(forest.isStanding(second));
     placement.position.x += 5.0;
     const auto third = forest.addTree(placement);
     ASSERT_TRUE(third);
-    EXPECT_TRUE(forest.stands(third.value()));
-    EXPECT_TRUE(blown(forest, 40.0, 41.0).empty());
-    EXPECT_EQ(blown(forest, 41.0, 80.0).size(), 2u) << "and falls again";
+    EXPECT_TRUE(forest.isStanding(third.value()));
+    EXPECT_TRUE(damageBetween(forest, 40.0, 41.0).empty());
+    EXPECT_EQ(damageBetween(forest, 41.0, 80.0).size(), 2u) << "and falls again";
     forest.reset();
-    for (std::size_t slot = 0; slot < SimulationParts::trees(forest).size(); ++slot)
-        EXPECT_TRUE(forest.stands(forest.idOf(slot)));
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(forest).size(); ++slot)
+        EXPECT_TRUE(forest.isStanding(forest.idOf(slot)));
 }
 
-TEST(WindDamage, ACopyHasThemAllStanding) {
+TEST(WindDamage, ACopyHasAllTreesStanding) {
     ForestSimulation forest(spruces(3, 45.0f));
-    EXPECT_EQ(blown(forest, 0.0, 40.0).size(), 3u);
-    const auto copy = forest.restarted();
-    EXPECT_TRUE(copy->stands(copy->idOf(0)));
-    EXPECT_FALSE(forest.stands(forest.idOf(0)));
+    EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 3u);
+    const auto copy = forest.cloneAtRest();
+    EXPECT_TRUE(copy->isStanding(copy->idOf(0)));
+    EXPECT_FALSE(forest.isStanding(forest.idOf(0)));
     EXPECT_TRUE(forest.describe().damage);
 }
 
-TEST(WindDamage, APauseTellsNothingTwice) {
+TEST(WindDamage, APauseReportsNothingTwice) {
     ForestSimulation forest(spruces(3, 45.0f));
     double time = 0.0;
     while (forest.damage().empty() && time < 60.0)
@@ -226,31 +225,31 @@ TEST(WindDamage, APauseTellsNothingTwice) {
     EXPECT_TRUE(forest.damage().empty());
 }
 
-TEST(WindDamage, ASeasonDoesNotPutTreesUp) {
+TEST(WindDamage, ASeasonDoesNotRaiseFallenTrees) {
     ForestDescription description = spruces(2, 45.0f);
     description.species = {*findSpecies("silver birch")};
     ForestSimulation forest(description);
-    EXPECT_EQ(blown(forest, 0.0, 40.0).size(), 2u);
+    EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 2u);
     forest.setSeason(0.0f);
-    blown(forest, 40.0, 41.0);
-    EXPECT_FALSE(forest.stands(forest.idOf(0)));
+    damageBetween(forest, 40.0, 41.0);
+    EXPECT_FALSE(forest.isStanding(forest.idOf(0)));
     EXPECT_LT(topOf(forest, 0).z, 6.0f);
 }
 
-TEST(WindDamage, AHurricaneLeavesThemStandingOrLyingAndTheLogAddsUp) {
+TEST(WindDamage, EveryTreeInAHurricaneStandsOrIsReportedOnce) {
     ForestDescription description = spruces(300, 0.0f);
     GustWind::Parameters gusts;
     gusts.mean = {25.0f, 0.0f, 0.0f};
     description.wind = GustWind::create(gusts).value();
     ForestSimulation forest(description);
     std::map<TreeId, int> told;
-    for (const TreeDamage& damage : blown(forest, 0.0, 60.0))
+    for (const TreeDamage& damage : damageBetween(forest, 0.0, 60.0))
         ++told[damage.tree];
     std::size_t down = 0;
-    for (std::size_t slot = 0; slot < SimulationParts::trees(forest).size(); ++slot) {
+    for (std::size_t slot = 0; slot < SimulationAccess::trees(forest).size(); ++slot) {
         const TreeId tree = forest.idOf(slot);
-        down += !forest.stands(tree);
-        EXPECT_EQ(told.count(tree), forest.stands(tree) ? 0u : 1u);
+        down += !forest.isStanding(tree);
+        EXPECT_EQ(told.count(tree), forest.isStanding(tree) ? 0u : 1u);
         const glm::vec3 top = topOf(forest, slot);
         EXPECT_TRUE(std::isfinite(top.x + top.y + top.z));
     }

@@ -9,7 +9,7 @@
 
 using namespace osgTreeWind;
 
-TEST(Elementary, ArcSineIsThatOfTheStandardLibrary) {
+TEST(Elementary, ArcSineMatchesTheStandardLibrary) {
     for (int i = -10000; i <= 10000; ++i) {
         const double x = i / 10000.0;
         const float sine = static_cast<float>(x);
@@ -17,13 +17,13 @@ TEST(Elementary, ArcSineIsThatOfTheStandardLibrary) {
     }
 }
 
-TEST(Elementary, ArcSineKeepsSmallAngles) {
+TEST(Elementary, ArcSineIsExactForSmallAngles) {
     EXPECT_EQ(Laws().arcSine(0.0f), 0.0f);
     EXPECT_EQ(Laws().arcSine(1e-6f), 1e-6f);
     EXPECT_EQ(Laws().arcSine(-1e-12f), -1e-12f);
 }
 
-TEST(Elementary, DecayedIsTheExponentialOfTheStandardLibrary) {
+TEST(Elementary, DecayedMatchesTheStandardExponential) {
     for (int i = 0; i <= 86000; ++i) {
         const float x = static_cast<float>(i) / 1000.0f;
         const double expected = std::exp(-static_cast<double>(x));
@@ -37,7 +37,7 @@ TEST(Elementary, DecayedEndsAtZero) {
         EXPECT_EQ(Laws().decayed(x), 0.0f);
 }
 
-TEST(Elementary, CosineAndSineAreThoseOfTheStandardLibrary) {
+TEST(Elementary, CosineAndSineMatchTheStandardLibrary) {
     for (int i = 0; i <= 100000; ++i) {
         const float x = static_cast<float>(i) / 1000.0f;
         const Laws::CosineSine turned = Laws().cosineSine(x);
@@ -56,7 +56,7 @@ TEST(Elementary, CosineAndSineStayInTheUnitCircle) {
         ASSERT_LE(std::hypot(Laws().cosineSine(x).cosine, Laws().cosineSine(x).sine), 1.000001f) << x;
 }
 
-TEST(Elementary, LogarithmIsThatOfTheStandardLibrary) {
+TEST(Elementary, LogarithmMatchesTheStandardLibrary) {
     for (float x = 1.0f; x <= 64.0f; x += 0.001f)
         ASSERT_NEAR(Laws().logarithm(x), std::log(static_cast<double>(x)), 5e-7) << x;
     EXPECT_EQ(Laws().logarithm(1.0f), 0.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any law, for any input: finite, within limits, and recovered when the input is sane again.
+// Every law, for any input, stays finite and within limits, and recovers when the input is valid again.
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <osgTreeWind/base/Random.h>
@@ -58,7 +58,7 @@ struct Case {
 
 class LawRobustness : public testing::TestWithParam<Case> {};
 
-/// What any step must give: maxAngle is slot 12.
+/// Requirements on every step; maxAngle is slot 12.
 testing::AssertionResult holds(const glm::vec4& result, float maxAngle) {
     const float limit = maxAngle >= 0.0f && maxAngle <= quarterTurn ? maxAngle : quarterTurn;
     for (int i = 0; i < 4; ++i)
@@ -70,7 +70,7 @@ testing::AssertionResult holds(const glm::vec4& result, float maxAngle) {
     return testing::AssertionSuccess();
 }
 
-/// After a bad step, sane steps lead to where a run without it has led.
+/// Whether valid steps after a bad one lead to the same state as without it.
 testing::AssertionResult recovers(const Case& law, const glm::vec4& result) {
     std::array<float, 16> disturbed = law.sane, clean = law.sane;
     for (int i = 0; i < 4; ++i)

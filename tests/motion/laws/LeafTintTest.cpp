@@ -16,7 +16,7 @@ struct Hsv {
     double hue, saturation; ///< Degrees; [0, 1].
 };
 
-/// Of a linear colour as it is seen.
+/// Hue and saturation of a linear colour after gamma encoding.
 Hsv seen(const glm::vec3& linear) {
     double c[3];
     for (int i = 0; i < 3; ++i) {
@@ -51,7 +51,7 @@ TEST(LeafTint, KeepsTheLuminanceOfAGreenLeaf) {
             EXPECT_NEAR(luminance(Laws().leafTint(hue, saturation) * green) / luminance(green), 1.0, 0.025);
 }
 
-TEST(LeafTint, ClustersAreOfManyGreens) {
+TEST(LeafTint, ClustersHaveManyGreens) {
     std::vector<double> hues;
     for (int leaf = 0; leaf < 1000; ++leaf)
         hues.push_back(seen(Laws().clusterTint(0.3f, static_cast<float>(leaf)) * green).hue);
@@ -59,17 +59,17 @@ TEST(LeafTint, ClustersAreOfManyGreens) {
     EXPECT_GT(hues[900] - hues[100], 15.0);
 }
 
-TEST(LeafShade, FourSharesTravelInAFloat) {
+TEST(LeafShade, FourSharesArePackedInAFloat) {
     for (const glm::vec4& shares : {glm::vec4(1, 1, 1, 1), glm::vec4(0, 0, 0, 0),
                                     glm::vec4(1, 0, 0.5f, 0.25f), glm::vec4(0.03f, 0.7f, 0.99f, 0.01f)}) {
         const glm::vec4 back = Laws().unpackedShares(Laws().packedShares(shares));
         for (int i = 0; i < 4; ++i)
             EXPECT_NEAR(back[i], shares[i], 0.017f) << i;
     }
-    EXPECT_EQ(Laws().packedShares(glm::vec4(1.0f)), 0.0f) << "geometry that says nothing is in the open";
+    EXPECT_EQ(Laws().packedShares(glm::vec4(1.0f)), 0.0f) << "geometry without shade data is in the open";
 }
 
-TEST(LeafShade, BetweenTheAxesShareIsBetweenTheirs) {
+TEST(LeafShade, BetweenAxesTheShareIsInterpolated) {
     const glm::vec4 above(0.2f, 0.4f, 0.9f, 1.0f), below(0.1f, 0.3f, 0.5f, 1.0f);
     EXPECT_FLOAT_EQ(Laws().shareFrom({1, 0, 0}, above, below), 0.2f);
     EXPECT_FLOAT_EQ(Laws().shareFrom({0, -2, 0}, above, below), 0.3f);

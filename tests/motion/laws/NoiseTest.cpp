@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaders/law/noise.glsl: Perlin noise on an integer hash, and the split of time that feeds it.
+// shaders/law/noise.glsl: Perlin noise on an integer hash, and NoiseTime.
 #include <tests/Spectrum.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
@@ -67,7 +67,7 @@ TEST(Noise, IsBoundedAndUnbiased) {
     }
 }
 
-TEST(Noise, IsLikeGlmPerlin) {
+TEST(Noise, MatchesGlmPerlin) {
     const Statistics ours = streamStatistics(5u);
     const Statistics theirs = measure([](int cell, float fraction) {
         return glm::perlin(
@@ -94,7 +94,7 @@ TEST(Noise, IsContinuous) {
         EXPECT_LT(streamStatistics(stream).largestStep, 5.75 / perPeriod);
 }
 
-TEST(Noise, IsContinuousWhereThePhaseMeetsTheNextCell) {
+TEST(Noise, IsContinuousBetweenCells) {
     Laws laws;
     for (std::uint32_t stream = 0; stream < 200; ++stream)
         for (std::uint32_t cell : {0u, 4294967295u}) {
@@ -130,7 +130,7 @@ TEST(Noise, StreamsAreUncorrelated) {
     }
 }
 
-TEST(Noise, NeighbouringTreesElementsAndAxesHaveStreamsOfTheirOwn) {
+TEST(Noise, NeighbouringTreesElementsAndAxesHaveDifferentStreams) {
     Laws laws;
     std::set<std::uint32_t> streams;
     for (std::uint32_t seed = 0; seed < 10; ++seed)
@@ -142,7 +142,7 @@ TEST(Noise, NeighbouringTreesElementsAndAxesHaveStreamsOfTheirOwn) {
 
 namespace {
 
-/// 1 Hz noise as the laws ask for it, 32 times a second.
+/// 1 Hz noise of the laws, sampled at 32 Hz.
 std::vector<double> noiseSeries(std::optional<float> exponent, std::size_t count) {
     Laws laws;
     std::vector<double> series;
@@ -162,7 +162,7 @@ TEST(OctaveNoise, PowerFallsAsFrequencyToTheMinusBeta) {
     }
 }
 
-TEST(OctaveNoise, IsAsStrongAsPerlinNoiseAndRarelyCut) {
+TEST(OctaveNoise, HasTheVarianceOfPerlinNoiseAndIsRarelyClamped) {
     const auto variance = [](const std::vector<double>& series) {
         double sum = 0;
         for (const double x : series)
@@ -182,7 +182,7 @@ TEST(OctaveNoise, IsAsStrongAsPerlinNoiseAndRarelyCut) {
     }
 }
 
-TEST(OctaveNoise, IsContinuousThroughZeroAndFromCellToCell) {
+TEST(OctaveNoise, IsContinuousThroughZeroAndBetweenCells) {
     Laws laws;
     const auto at = [&](double time) {
         const NoiseTime now = NoiseTime::at(time, 1.0f, 1.0f);
@@ -196,11 +196,11 @@ TEST(OctaveNoise, WithoutAGainIsPerlinNoise) {
     EXPECT_EQ(Laws().motionNoise(9u, 4u, 0.3f, 0.0f), Laws().streamNoise(9u, 4u, 0.3f));
 }
 
-TEST(NoiseTime, ExponentsAreTakenWithinTheirRange) {
+TEST(NoiseTime, ExponentsAreClamped) {
     EXPECT_EQ(NoiseTime::at(1.0, 1.0f, 9.0f).gain, NoiseTime::at(1.0, 1.0f, 3.0f).gain);
     EXPECT_EQ(NoiseTime::at(1.0, 1.0f, 1.0f).gain, 1.0f);
     EXPECT_EQ(NoiseTime::at(1.0, 1.0f).gain, 0.0f);
-    EXPECT_FLOAT_EQ(NoiseTime::at(4.0, 1.0f, 1.0f).fraction, 0.5f); // of 8 s
+    EXPECT_FLOAT_EQ(NoiseTime::at(4.0, 1.0f, 1.0f).fraction, 0.5f); // the slowest octave has 8 s
 }
 
 TEST(NoiseTime, SplitsPeriods) {
@@ -229,7 +229,7 @@ TEST(NoiseTime, FractionStaysBelowOne) {
     EXPECT_EQ(NoiseTime::at(-1e-12, 1.0f).cell, 0u);
 }
 
-TEST(NoiseTime, WhatIsNotFiniteCountsAsZero) {
+TEST(NoiseTime, ValuesThatAreNotFiniteCountAsZero) {
     for (const double time : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
         EXPECT_EQ(NoiseTime::at(time, 1.0f).cell, 0u);
         EXPECT_EQ(NoiseTime::at(time, 1.0f).fraction, 0.0f);

@@ -16,17 +16,17 @@ namespace {
 
 using Limits = std::numeric_limits<float>;
 
-/// Broadleaves of the catalogue.
+/// Typical of the broadleaves in the catalogue.
 Reconfiguration broadleaf() {
     Reconfiguration foliage;
     foliage.streamlining = 0.877f;
     foliage.breezeStreamlining = 0.35f;
     foliage.streamlinedTo = 20.0f;
-    foliage.mostPull = 1.2f;
+    foliage.maxPull = 1.2f;
     return foliage;
 }
 
-/// Evenly over the sphere.
+/// Directions distributed evenly over the sphere.
 std::vector<glm::vec3> petioles(int count) {
     std::vector<glm::vec3> petioles;
     for (int i = 0; i < count; ++i) {
@@ -41,8 +41,8 @@ glm::vec3 drawn(const glm::vec3& petiole, const glm::vec3& pull) {
     return Laws().turnVector(Laws().downwindTurn(petiole, pull), petiole);
 }
 
-/// Drag of petioles and their cones in a wind toward +x over that in a calm: as long as they are across it,
-/// and as wide as they are open, that with the sine of the half-angle.
+/// Drag of petioles and their cones in a wind toward +x, over that in calm: projected length times the open
+/// width, times the sine of the half-angle.
 float dragLeft(const glm::vec4& pull) {
     float calm = 0.0f, now = 0.0f;
     for (const glm::vec3& petiole : petioles(4000)) {
@@ -64,7 +64,7 @@ TEST(Reconfiguration, CalmMovesNothing) {
         EXPECT_EQ(Laws().turnVector(Laws().downwindTurn(petiole, glm::vec3(pull)), corner), corner);
 }
 
-TEST(Reconfiguration, PetiolesTurnDownwindTheMoreTheHarderItBlows) {
+TEST(Reconfiguration, PetiolesTurnDownwindMoreInStrongerWind) {
     for (const glm::vec3& petiole : petioles(300)) {
         const glm::vec3 way = glm::normalize(glm::vec3(1.0f, 0.0f, 0.3f)); // downwind, and a little up
         float before = glm::dot(petiole, way);
@@ -77,14 +77,14 @@ TEST(Reconfiguration, PetiolesTurnDownwindTheMoreTheHarderItBlows) {
     }
 }
 
-TEST(Reconfiguration, HalfOfThePullIsThereInAFreshBreeze) {
+TEST(Reconfiguration, PullIsHalfItsMaximumAtTenMetresPerSecond) {
     const float at10 = glm::length(glm::vec3(broadleaf().pull({0.0f, 10.0f, 0.0f})));
     EXPECT_NEAR(at10, 0.6f, 1e-5f);
     EXPECT_LT(glm::length(glm::vec3(broadleaf().pull({0.0f, 2.0f, 0.0f}))), 0.05f);
     EXPECT_NEAR(glm::length(glm::vec3(broadleaf().pull({0.0f, 200.0f, 0.0f}))), 1.2f, 0.01f);
 }
 
-TEST(Reconfiguration, FoldsInStepWithTheDragOfTheLawOfMotion) {
+TEST(Reconfiguration, ClosesAsTheDragOfTheLawFalls) {
     Laws laws;
     const Reconfiguration foliage = broadleaf();
     const auto left = [&](float speed) { return dragLeft(foliage.pull({speed, 0.0f, 0.0f})); };
@@ -98,8 +98,7 @@ TEST(Reconfiguration, FoldsInStepWithTheDragOfTheLawOfMotion) {
 }
 
 TEST(Reconfiguration, DragFallsFromTheFirstBreezeOn) {
-    // An oak's leaves had u^-0.35 (Angelou et al. 2019): half of their calm drag is left at 1.6 * 2^(1 /
-    // 0.35) m/s.
+    // Oak leaves have u^-0.35 (Angelou et al. 2019): half of it is left at 1.6 * 2^(1 / 0.35) m/s.
     Laws laws;
     const auto drag = [&](float speed) { return laws.foliageDrag(0.8f, 0.35f, 25.0f, speed); };
     EXPECT_EQ(drag(0.0f), 1.0f);
@@ -112,16 +111,17 @@ TEST(Reconfiguration, DragFallsFromTheFirstBreezeOn) {
     }
 }
 
-TEST(Reconfiguration, FoliageOfWhichNothingIsMeasuredTurnsButDoesNotClose) {
+TEST(Reconfiguration, FoliageWithoutStreamliningTurnsAndDoesNotClose) {
     Reconfiguration foliage;
-    foliage.mostPull = 0.7f;
+    foliage.maxPull = 0.7f;
     for (const float speed : {3.0f, 10.0f, 40.0f})
         EXPECT_EQ(foliage.pull({speed, 0.0f, 0.0f}).w, 1.0f);
     EXPECT_GT(foliage.pull({20.0f, 0.0f, 0.0f}).x, 0.4f);
 }
 
-TEST(Reconfiguration, NoPetioleIsTornBetweenTwoSides) { // as the wind turns a little
-    constexpr float strongest = 1.7320508f * 1.45f; // max_downwind of 60 degrees, the most of pullOfGusts()
+TEST(Reconfiguration, TurnIsContinuousForEveryPetiole) { // under small changes of wind direction
+    constexpr float strongest =
+        1.7320508f * 1.45f; // max_downwind of 60 degrees times the maximum of pullOfGusts()
     for (const glm::vec3& petiole : petioles(500))
         for (const glm::vec3& wind : petioles(200)) {
             const glm::vec3 other = glm::normalize(wind + glm::vec3(0.001f, -0.002f, 0.001f));
@@ -130,7 +130,7 @@ TEST(Reconfiguration, NoPetioleIsTornBetweenTwoSides) { // as the wind turns a l
         }
 }
 
-TEST(Reconfiguration, GustsRunDownwindAndAreSmooth) {
+TEST(Reconfiguration, GustsTravelDownwindSmoothly) {
     Laws laws;
     const glm::vec3 pull(1.0f, 0.0f, 0.0f);
     for (int i = 0; i < 1000; ++i) {
@@ -144,7 +144,7 @@ TEST(Reconfiguration, GustsRunDownwindAndAreSmooth) {
     }
 }
 
-TEST(Reconfiguration, StaysInBoundsWhateverIsGiven) {
+TEST(Reconfiguration, StaysInBoundsForAnyInput) {
     const std::vector<float> hostile = {0.0f,
                                         -5.0f,
                                         0.4f,
@@ -174,9 +174,9 @@ TEST(Reconfiguration, AClusterFluttersBeforeItTurnsDownwind) {
     const glm::vec4 state(0.2f, -0.1f, 0.4f, 1.3f), calm(0.0f, 0.0f, 0.0f, 1.0f);
     const glm::vec3 corner(0.1f, 0.2f, 0.5f), petiole = orientation * glm::vec3(0.0f, 0.0f, 1.0f);
     const glm::quat flutter = orientation * leafRotation(state);
-    EXPECT_LT(glm::distance(drawnLeafTurn(orientation, state, calm) * corner, flutter * corner), 1e-6f);
+    EXPECT_LT(glm::distance(downwindLeafTurn(orientation, state, calm) * corner, flutter * corner), 1e-6f);
     const glm::vec3 pull(0.9f, 0.3f, 0.2f);
     const glm::vec3 expected = Laws().turnVector(Laws().downwindTurn(petiole, 1.3f * pull), flutter * corner);
-    EXPECT_LT(glm::distance(drawnLeafTurn(orientation, state, glm::vec4(pull, 0.7f)) * corner, expected),
+    EXPECT_LT(glm::distance(downwindLeafTurn(orientation, state, glm::vec4(pull, 0.7f)) * corner, expected),
               1e-5f);
 }

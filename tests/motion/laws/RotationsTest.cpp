@@ -14,7 +14,7 @@ namespace {
 
 const glm::vec3 up(0, 0, 1);
 
-/// A turn about an axis given in the thesis' frame.
+/// Rotation about an axis in the thesis' frame.
 glm::quat thesisTurn(const glm::vec3& axis, float angle) {
     return glm::angleAxis(angle, fromThesis(axis));
 }
@@ -36,7 +36,7 @@ TEST(Rotations, BranchTurnsAboutZFirstThenAboutX) {
         expectNear(branchRotation({0.7f, 0.3f, 0, 0}) * v, expected * v);
 }
 
-TEST(Rotations, LeafTurnsAboutPetioleThenZThenX) {
+TEST(Rotations, LeafTurnsAboutThePetioleThenZThenX) {
     const glm::quat expected =
         thesisTurn({1, 0, 0}, 0.3f) * thesisTurn({0, 0, 1}, 0.2f) * thesisTurn({0, 1, 0}, 0.9f);
     for (const glm::vec3 v : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), up})
@@ -47,7 +47,7 @@ TEST(Rotations, LeafRotationKeepsThePetiole) {
     expectNear(leafRotation({0, 0, 1.0f, 0}) * up, up);
 }
 
-TEST(Rotations, ShaderArithmeticIsThatOfGlm) {
+TEST(Rotations, ShaderArithmeticMatchesGlm) {
     Laws laws;
     const glm::vec4 q = laws.branchRotation(0.7f, -0.4f);
     const glm::quat g(q.w, q.x, q.y, q.z);

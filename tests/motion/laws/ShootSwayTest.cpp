@@ -17,7 +17,7 @@ glm::vec3 swayAt(double time, float reach, float speed, const glm::vec3& place =
     return Laws().shootSway(place, reach, speed, flutterPhases(time, LeafMotion()), 0.3f);
 }
 
-/// Of the speed, m/s.
+/// Rms speed, m/s.
 double rootMeanSquare(float reach, float speed) {
     constexpr double step = 0.01;
     double sum = 0.0;
@@ -31,7 +31,7 @@ double rootMeanSquare(float reach, float speed) {
 
 } // namespace
 
-TEST(ShootSway, ThickWoodAndACalmHaveNone) {
+TEST(ShootSway, IsZeroForThickWoodAndInCalm) {
     EXPECT_EQ(swayAt(3.0, 0.0f, 12.0f), glm::vec3(0.0f));
     EXPECT_EQ(swayAt(3.0, 1.5f, 0.0f), glm::vec3(0.0f));
 }
@@ -43,7 +43,7 @@ TEST(ShootSway, GrowsWithReachAndWindAndStaysBounded) {
         EXPECT_LT(glm::length(swayAt(3.0, 1e6f, speed)), 3.0f);
 }
 
-TEST(ShootSway, GoesOnWithoutAStepAfterMonths) {
+TEST(ShootSway, IsContinuousAfterMonths) {
     for (const double time : {0.0, 12.34, 1e7})
         for (int i = 0; i < 2000; ++i)
             EXPECT_LT(glm::distance(swayAt(time + 0.001 * i, 1.0f, 8.0f),

@@ -28,7 +28,7 @@ float largest(const glm::vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Of all angles of a leaf over 400 s.
+/// Mean square of all angles of a leaf over 400 s.
 double meanSquare(float speed) {
     double sum = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -38,7 +38,7 @@ double meanSquare(float speed) {
     return sum / 4000.0;
 }
 
-/// Root mean square over the leaves of a card of 0.4 by 0.4 m, which moves by itself alone, m/s.
+/// Rms speed of the leaves on a card of 0.4 by 0.4 m, from their own motion alone, m/s.
 float leafSpeed(float speed, const LeafMotion& motion) {
     Laws laws;
     const glm::vec2 tremble = leafTremble(motion);
@@ -73,7 +73,7 @@ TEST(StatelessFlutter, CalmIsStill) {
         EXPECT_EQ(largest(angles(0.0f, 3.7 * leaf, leaf)), 0.0f);
 }
 
-TEST(StatelessFlutter, NoWindIsTooStrong) {
+TEST(StatelessFlutter, StaysBoundedInAnyWind) {
     const glm::vec2 aspen = leafTremble(findSpecies("aspen")->leaf);
     for (const float speed : {90.0f, 1e30f, Limits::infinity()}) {
         EXPECT_LE(Laws().flutterAmplitude(speed), 1.0f);
@@ -84,7 +84,7 @@ TEST(StatelessFlutter, NoWindIsTooStrong) {
 }
 
 // Goldshmid, Dabiri and Sader, arXiv 2504.10584: U = 740 sqrt(nu u / D), in low to moderate winds.
-TEST(StatelessFlutter, LeavesMoveAsFastAsMeasuredOnes) {
+TEST(StatelessFlutter, LeafSpeedsMatchMeasurements) {
     for (const char* name : {"oak", "silver birch", "beech", "Norway maple", "linden"})
         for (const float speed : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f}) {
             const LeafMotion motion = findSpecies(name)->leaf;
@@ -93,11 +93,11 @@ TEST(StatelessFlutter, LeavesMoveAsFastAsMeasuredOnes) {
         }
 }
 
-TEST(StatelessFlutter, AspensTrembleWhereOthersAreCalm) {
+TEST(StatelessFlutter, AspensTrembleInWindsTooWeakForOtherSpecies) {
     EXPECT_GT(leafSpeed(2.0f, findSpecies("aspen")->leaf), 4.0f * leafSpeed(2.0f, findSpecies("oak")->leaf));
 }
 
-TEST(StatelessFlutter, GrowsWithABreezeAndNarrowsInAGale) {
+TEST(StatelessFlutter, GrowsInABreezeAndShrinksInAGale) {
     double before = 0.0;
     for (const float speed : {0.5f, 1.6f, 3.4f, 5.5f, 10.0f, 25.0f}) {
         const double now = meanSquare(speed);
@@ -112,7 +112,7 @@ TEST(StatelessFlutter, GrowsWithABreezeAndNarrowsInAGale) {
     EXPECT_GT(before, 0.05 * meanSquare(5.5f));
 }
 
-TEST(StatelessFlutter, LeavesRollWithTheGusts) {
+TEST(StatelessFlutter, LeavesRollInGusts) {
     for (int leaf = 0; leaf < 20; ++leaf) {
         const glm::vec3 lull = angles(12.0f, 3.0, leaf, {}, 0.3f, 0.7f),
                         gust = angles(12.0f, 3.0, leaf, {}, 0.3f, 1.3f);
@@ -131,7 +131,7 @@ TEST(StatelessFlutter, GustsTurnSomeLeavesOver) {
     EXPECT_LE(laws.turnedOver(200.0f, 1.45f), 1.0f);
 }
 
-TEST(StatelessFlutter, IsFasterForItsSizeInAGale) {
+TEST(StatelessFlutter, IsFasterForItsAmplitudeInAGale) {
     const auto pace = [](float speed) {
         double moved = 0.0;
         for (int i = 0; i < 4000; ++i)
@@ -153,12 +153,12 @@ TEST(StatelessFlutter, StaysWithinTheLimitsOfTheSpecies) {
     EXPECT_LE(most.x, 0.2f);
     EXPECT_LE(most.y, 0.05f);
     EXPECT_LE(most.z, 0.2f);
-    EXPECT_GT(most.x, 0.07f); // and takes a good part of them
+    EXPECT_GT(most.x, 0.07f); // and uses a large part of them
     EXPECT_GT(most.y, 0.017f);
     EXPECT_GT(most.z, 0.13f);
 }
 
-TEST(StatelessFlutter, StaysWithinLimitsWhateverIsGiven) {
+TEST(StatelessFlutter, StaysWithinLimitsForAnyInput) {
     constexpr std::array<float, 9> hostile = {0.0f,
                                               -5.0f,
                                               0.4f,
@@ -191,7 +191,7 @@ TEST(StatelessFlutter, IsContinuousInTime) {
             << i;
 }
 
-TEST(StatelessFlutter, MeanIsNearNothing) {
+TEST(StatelessFlutter, MeanIsNearZero) {
     for (int leaf = 0; leaf < 20; ++leaf) {
         glm::dvec3 sum(0.0);
         for (int i = 0; i < 20000; ++i)
@@ -200,7 +200,7 @@ TEST(StatelessFlutter, MeanIsNearNothing) {
     }
 }
 
-TEST(StatelessFlutter, LeavesOfOneTreeAndTreesAreNotInStep) {
+TEST(StatelessFlutter, LeavesAndTreesAreNotInPhase) {
     for (int i = 0; i < 20; ++i) {
         double products = 0.0, squares = 0.0;
         for (int k = 0; k < 20000; ++k) {
@@ -214,7 +214,7 @@ TEST(StatelessFlutter, LeavesOfOneTreeAndTreesAreNotInStep) {
     }
 }
 
-TEST(StatelessFlutter, IsAsExactAfterThirtyDays) {
+TEST(StatelessFlutter, IsExactAfterThirtyDays) {
     const LeafMotion motion;
     const double month = 30.0 * 86400.0;
     for (int i = 0; i < 1000; ++i) {
@@ -250,10 +250,10 @@ TEST(StatelessFlutter, ATreesLeavesFollowTheWindOfTheirUnits) {
     EXPECT_NE(result[2].w, result[3].w);
 }
 
-TEST(StatelessFlutter, NumbersOfTreesSpreadEvenly) {
+TEST(StatelessFlutter, RandomNumbersOfTreesAreUniform) {
     int low = 0;
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
-        const float own = ownNumber(seed);
+        const float own = treeRandom(seed);
         ASSERT_GE(own, 0.0f);
         ASSERT_LT(own, 1.0f);
         low += own < 0.5f;

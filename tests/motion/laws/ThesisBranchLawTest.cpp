@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaders/law/thesis_branch.glsl against numbers worked out from appendix B and §3.1 of the thesis.
+// shaders/law/thesis_branch.glsl against numbers calculated from appendix B and §3.1 of the thesis.
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <gtest/gtest.h>
@@ -38,14 +38,14 @@ TEST(ThesisBranchLaw, SpringIsARectangularCantilever) {
     EXPECT_FLOAT_EQ(Laws().cantileverSpring(4.0f, 3.0f, 2.0f, 1.0f), 24.0f);
 }
 
-TEST(ThesisBranchLaw, GoldenOfALightWind) {
+TEST(ThesisBranchLaw, MatchesAHandCalculationInALightWind) {
     const glm::vec4 state = thesis(restingBranch, glm::vec3(0.1f), 0.3f, unitBranch());
     EXPECT_NEAR(state.x, 0.07217f, 1e-5f);
     EXPECT_NEAR(state.y, 0.08250f, 1e-5f);
 }
 
-TEST(ThesisBranchLaw, GoldenOfALoadBeyondTheArcSine) {
-    // Vertical wind alone: the substitute angles asin 0.6 and asin 0.3, the first limited.
+TEST(ThesisBranchLaw, MatchesAHandCalculationBeyondTheArcSine) {
+    // In vertical wind only, the substitute angles are asin 0.6 and asin 0.3; the first one is limited.
     const glm::vec4 state = thesis(restingBranch, {0, 9, 0}, 0.3f, unitBranch(0.5f));
     EXPECT_NEAR(state.x, 0.5f, 1e-5f);
     EXPECT_NEAR(state.y, 0.3046f, 1e-3f);
@@ -61,13 +61,13 @@ TEST(ThesisBranchLaw, EachAxisBeyondTheArcSineSubstitutesAllAngles) {
 }
 
 TEST(ThesisBranchLaw, ArcSineIsClampedBelow) {
-    // The listing would make NaN of a share of -7.
+    // The thesis' listing would give NaN for a share of -7.
     const glm::vec4 state = thesis(restingBranch, {-10, 0, -10}, 0.3f, unitBranch(0.4f));
     EXPECT_FLOAT_EQ(state.x, -0.4f);
     EXPECT_FLOAT_EQ(state.y, -0.4f);
 }
 
-TEST(ThesisBranchLaw, TexelCarriesTheWind) {
+TEST(ThesisBranchLaw, StateContainsTheWind) {
     const glm::vec4 state = thesis(restingBranch, {1, 2, 3}, 0.3f, unitBranch());
     EXPECT_EQ(state.z, 1.0f);
     EXPECT_EQ(state.w, 3.0f);
@@ -91,7 +91,7 @@ TEST(ThesisBranchLaw, SpeedFollowsTheNumberOfFrames) {
     EXPECT_NEAR(fast.x, 2.0f * slow.x, 1e-6f);
 }
 
-TEST(ThesisBranchLaw, CalmFreezes) {
+TEST(ThesisBranchLaw, CalmFreezesTheState) {
     const glm::vec4 bent(0.3f, -0.2f, 4.0f, 5.0f);
     const glm::vec4 state = thesis(bent, glm::vec3(0.0f), 0.3f, unitBranch());
     EXPECT_EQ(state.x, 0.3f);
@@ -104,7 +104,7 @@ TEST(ThesisBranchLaw, NearlyNoWindIsCalmAlongZOnly) {
     EXPECT_EQ(state.y, 0.0f);
 }
 
-TEST(ThesisBranchLaw, NoiseOfZeroCountsAsOneEvenInACalm) {
+TEST(ThesisBranchLaw, NoiseOfZeroCountsAsOneEvenInCalm) {
     const glm::vec4 state = thesis(restingBranch, glm::vec3(0.0f), 0.0f, unitBranch());
     EXPECT_NEAR(state.x, std::asin(0.007f), 1e-7f);
     EXPECT_NEAR(state.y, std::asin(0.008f), 1e-7f);
@@ -118,19 +118,19 @@ TEST(ThesisBranchLaw, PartialStepsAndLevelHaveNoEffectAsPublished) {
               thesis(restingBranch, glm::vec3(0.1f), 0.3f, other));
 }
 
-TEST(ThesisBranchLaw, WindTowardPlusMakesPlusAngles) {
+TEST(ThesisBranchLaw, WindTowardPositiveAxesMakesPositiveAngles) {
     const glm::vec4 state = thesis(restingBranch, {0.2f, 0, 0.2f}, -0.5f, unitBranch());
     EXPECT_GT(state.x, 0.0f);
     EXPECT_GT(state.y, 0.0f);
 }
 
-TEST(ThesisSmoothBranchLaw, TakesOnePartOfTheWay) {
+TEST(ThesisSmoothBranchLaw, TakesOnePartialStep) {
     const glm::vec4 state = smooth({0.1f, 0.2f, 0, 0}, glm::vec3(0.1f), 0.3f, unitBranch());
     EXPECT_NEAR(state.x, 0.1f + 0.07217f / 24.0f, 1e-6f);
     EXPECT_NEAR(state.y, 0.2f + 0.08250f / 24.0f, 1e-6f);
 }
 
-TEST(ThesisSmoothBranchLaw, TheTargetIsLimitedBeforeTheWayIsDivided) {
+TEST(ThesisSmoothBranchLaw, TheTargetIsLimitedBeforeThePartialStep) {
     // 0.49 + asin 0.6 is limited to 0.5; a twenty-fourth of the remaining 0.01 is taken.
     const glm::vec4 state = smooth({0.49f, 0, 0, 0}, {9, 0, 0}, 0.3f, unitBranch(0.5f));
     EXPECT_NEAR(state.x, 0.49f + 0.01f / 24.0f, 1e-6f);
@@ -143,14 +143,14 @@ TEST(ThesisSmoothBranchLaw, LevelAddsToTheLoad) {
     EXPECT_NEAR(smooth(restingBranch, glm::vec3(0.1f), 0.3f, branch).x, std::asin(0.7f * 0.353f), 1e-6f);
 }
 
-TEST(ThesisSmoothBranchLaw, CalmFreezesWhateverTheNoiseAndLevel) {
+TEST(ThesisSmoothBranchLaw, CalmFreezesTheStateForAnyNoiseAndLevel) {
     Laws::ThesisBranch branch = unitBranch();
     branch.levelLoad = 0.25f;
     for (const float noise : {0.0f, 0.3f, -1.0f})
         EXPECT_EQ(smooth({0.3f, -0.2f, 0, 0}, glm::vec3(0.0f), noise, branch), glm::vec4(0.3f, -0.2f, 0, 0));
 }
 
-TEST(ThesisSmoothBranchLaw, OneStepIsTheThesisLaw) {
+TEST(ThesisSmoothBranchLaw, WithOnePartialStepIsTheThesisLaw) {
     Laws::ThesisBranch branch = unitBranch();
     branch.partialSteps = 1.0f;
     for (const glm::vec3 wind : {glm::vec3(0.1f), glm::vec3(-0.4f, 0, 0.2f), glm::vec3(0, 9, 0.1f)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaders/law/thesis_leaf.glsl against numbers worked out from appendix D of the thesis.
+// shaders/law/thesis_leaf.glsl against numbers calculated from appendix D of the thesis.
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(ThesisLeafLaw, GrowingAnglesAreLimitedByMaxX) {
     EXPECT_FLOAT_EQ(Laws().thesisLeafStep(restingLeaf, 1.0f, 1.0f, leaf()).z, 0.5f); // target 1.35
 }
 
-TEST(ThesisLeafLaw, TakesOnePartOfTheWay) {
+TEST(ThesisLeafLaw, TakesOnePartialStep) {
     const glm::vec4 state = Laws().thesisLeafStep({0.1f, 0.1f, 0, 0}, 0.4f, -0.5f, leaf(10.0f));
     EXPECT_NEAR(state.x, 0.1f + 0.01f, 1e-6f);
     EXPECT_NEAR(state.y, 0.1f - 0.02f, 1e-6f);
@@ -67,7 +67,7 @@ TEST(ThesisLeafLaw, FactorScalesTheMotion) {
     EXPECT_FLOAT_EQ(Laws().thesisLeafStep(restingLeaf, 0.4f, 0.4f, calm).x, 0.05f);
 }
 
-TEST(ThesisLeafLaw, ATargetReachedStays) {
+TEST(ThesisLeafLaw, AReachedTargetIsKept) {
     const Laws::ThesisLeaf still = leaf(3.0f);
     const glm::vec4 there(0.2f, 0.08f, 0.2f, 0.4f);
     const glm::vec4 state = Laws().thesisLeafStep(there, 0.4f, 0.4f, still);

@@ -29,7 +29,7 @@ TreeModel twoBranches() {
 
 } // namespace
 
-TEST(UnitLoads, LeavesFollowTheSectionOfTheTrunk) {
+TEST(UnitLoads, LeafAreaFollowsTheTrunkSection) {
     const Species species;
     const auto loads = makeUnitLoads(twoBranches(), {}, species);
     const float area = species.wood.leafArea * glm::pi<float>() * 0.01f;
@@ -39,7 +39,7 @@ TEST(UnitLoads, LeavesFollowTheSectionOfTheTrunk) {
     EXPECT_EQ(loads[2].leafMass, 0.0f);
 }
 
-TEST(UnitLoads, WoodStandsInTheAirWithItsOutline) {
+TEST(UnitLoads, WoodDragFollowsItsOutline) {
     const auto loads = makeUnitLoads(twoBranches(), {}, Species());
     EXPECT_NEAR(loads[0].woodDrag, 0.8f, 1e-6f);
     EXPECT_NEAR(loads[1].woodDrag, 0.2f, 1e-6f);
@@ -54,7 +54,7 @@ TEST(UnitLoads, AMeasuredCrownIncludesItsBranches) {
     EXPECT_NEAR(loads[1].leafDrag, 2.0f * 0.25f * (2.0f + 2.0f) * 4.0f, 1e-4f); // a rhombus
 }
 
-TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
+TEST(UnitLoads, JointStiffnessUsesTheReachToTheAxisTip) {
     TreeModel model = twoBranches();
     model.skeleton.units.insert(model.skeleton.units.begin(), {-1, 0, {0, 0, -4}, {0, 0, 0}, 0.1f, 0.1f});
     for (std::size_t i = 1; i < model.skeleton.units.size(); ++i)
@@ -67,8 +67,8 @@ TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
                     1.0, 1e-5);
 }
 
-TEST(UnitLoads, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
-    // An even pole in three: together they must move the tip by F L^3 / (3 E I).
+TEST(UnitLoads, JointsOfAnAxisDeflectLikeABeamUnderATipForce) {
+    // A uniform pole of three units: together they must deflect the tip by F L^3 / (3 E I).
     double shift = 0.0;
     for (const double base : {0.0, 2.0, 5.0}) {
         const double length = base == 0.0 ? 2.0 : base == 2.0 ? 3.0 : 5.0, reach = 10.0 - base;
@@ -77,21 +77,21 @@ TEST(UnitLoads, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
     EXPECT_NEAR(shift / (1000.0 / (3.0 * 1.0e10 * glm::pi<double>() * std::pow(0.2, 4) / 64.0)), 1.0, 1e-9);
 }
 
-TEST(UnitLoads, WoodWeighsAsItsPoles) {
+TEST(UnitLoads, WoodMassIsThatOfTheUnits) {
     const auto loads = makeUnitLoads(twoBranches(), {}, Species());
     EXPECT_NEAR(loads[0].woodMass, 900.0f * glm::pi<float>() * 0.01f * 4.0f, 1e-3f);
     EXPECT_NEAR(loads[1].woodMass, 900.0f * glm::pi<float>() * 0.0025f * 2.0f, 1e-3f);
 }
 
-TEST(UnitLoads, RootsGiveUnderTheTrunkOnly) {
+TEST(UnitLoads, OnlyTheTrunkHasRootCompliance) {
     Species species;
     const auto rigid = makeUnitLoads(twoBranches(), {}, species);
     species.wood.anchorage = 150.0f;
     const auto loads = makeUnitLoads(twoBranches(), {}, species);
-    EXPECT_EQ(rigid[0].rootGive, 0.0f);
-    EXPECT_GT(loads[0].rootGive, 0.0f);
-    EXPECT_EQ(loads[1].rootGive, 0.0f);
-    EXPECT_NEAR(1.0f / loads[0].stiffness, 1.0f / rigid[0].stiffness + loads[0].rootGive,
+    EXPECT_EQ(rigid[0].rootCompliance, 0.0f);
+    EXPECT_GT(loads[0].rootCompliance, 0.0f);
+    EXPECT_EQ(loads[1].rootCompliance, 0.0f);
+    EXPECT_NEAR(1.0f / loads[0].stiffness, 1.0f / rigid[0].stiffness + loads[0].rootCompliance,
                 1e-5f / rigid[0].stiffness);
     EXPECT_EQ(loads[1].stiffness, rigid[1].stiffness);
 }
@@ -114,14 +114,14 @@ TEST(UnitLoads, BranchesHaveTheWoodOfTheAllometry) {
     EXPECT_NEAR(loads[1].woodMass + loads[2].woodMass,
                 branchWoodMass(species.wood, 0.2, twoBranches().skeleton.height(), drawn[0].woodMass, 0.0),
                 1e-3);
-    // It stands for several, side by side.
+    // A drawn branch represents several, side by side.
     EXPECT_NEAR(loads[1].modulus / drawn[1].modulus, loads[1].woodMass / drawn[1].woodMass, 1e-4f);
     species.wood.branchWood = WoodAllometry::Broadleaf;
     EXPECT_EQ(makeUnitLoads(twoBranches(), {}, species)[1].modulus, drawn[1].modulus);
 }
 
-TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
-    // Twice as large in all: four times the leaves and the outline; bare, eight times the stiffness.
+TEST(UnitLoads, FollowTheSizeOfTheTree) {
+    // Twice as large: four times the leaves and the outline; bare, eight times the stiffness.
     Species species = *findSpecies("oak");
     species.wood.branchWood = WoodAllometry::Drawn;
     species.wood.anchorage = 0.0f;
@@ -134,7 +134,7 @@ TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
                bareTwo = makeUnitLoads(model, twice, species, 0.0f);
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_NEAR(two[i].leafDrag, 4.0f * one[i].leafDrag, 1e-3f * one[i].leafDrag);
-        // What does not bend under its own weight: that grows by 16 (a force by 8, an arm by 2).
+        // The stiffness against its own weight grows by 16 (force by 8, arm by 2).
         const float stiffer = bareTwo[i].stiffness / bareOne[i].stiffness;
         EXPECT_GE(stiffer, 8.0f - 1e-2f);
         EXPECT_LE(stiffer, 16.0f + 1e-2f);
@@ -160,8 +160,8 @@ TEST(UnitLoads, ABareTreeHasTheDragOfItsWood) {
     EXPECT_EQ(bare[1].stiffness, full[1].stiffness);
 }
 
-TEST(UnitLoads, AThinBranchSagsByItsWeightAsLittleInManyUnitsAsInOne) {
-    for (const int count : {1, 2, 8}) { // 8 m long, 2 cm thick: its wood alone would let it hang
+TEST(UnitLoads, SagOfAThinBranchDoesNotDependOnTheNumberOfUnits) {
+    for (const int count : {1, 2, 8}) { // 8 m long, 2 cm thick: would hang down without its minimum stiffness
         TreeModel model;
         model.skeleton.units = {{-1, 0, {0, 0, 0}, {0, 0, 8}, 0.1f, 0.1f}};
         const float length = 8.0f / static_cast<float>(count);

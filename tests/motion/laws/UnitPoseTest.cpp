@@ -13,7 +13,7 @@ namespace {
 
 constexpr float tolerance = 1e-4f;
 
-/// Fig 3.10: unit 0 bears two chains, 1-2 and 3-4.
+/// Fig 3.10: unit 0 carries two chains, 1-2 and 3-4.
 Skeleton twoChains() {
     Skeleton skeleton;
     skeleton.units.resize(5);
@@ -42,7 +42,7 @@ std::vector<UnitPose> pose(const Skeleton& skeleton, const TreeScale& scale,
 
 } // namespace
 
-TEST(UnitPose, NoTurnIsTheRestPose) {
+TEST(UnitPose, NoRotationIsTheRestPose) {
     const Skeleton skeleton = twoChains();
     for (const UnitPose& p : pose(skeleton, {}, std::vector<glm::quat>(5, glm::quat(1, 0, 0, 0))))
         expectNear(p.apply({1, 2, 3}), {1, 2, 3}, tolerance);

@@ -46,7 +46,7 @@ public:
                " m wide";
     }
 
-    std::vector<SwayingTree> trees;
+    std::vector<TreeForm> trees;
 
 private:
     std::vector<GrownTree> _kinds;
@@ -59,13 +59,14 @@ float grown(const SizePowers& powers, const SizePowers& logs) {
                                   powers.support * logs.support + powers.roots * logs.roots);
 }
 
-/// Of a mode of the only tree, with weight, rad/s.
-float paceOf(const ModalMotion& motion, std::size_t mode) {
+/// Angular frequency of a mode of the only tree, with weight, rad/s.
+float omegaOf(const ModalMotion& motion, std::size_t mode) {
     const ModalModel::Mode& m = motion.archetype(0).model(0).modes[mode];
     const TreeFactors f = motion.factors(0);
     const float stiffness = grown(m.stiffness, f.logs), mass = grown(m.mass, f.logs);
-    const float weight = std::clamp(m.weightShare * mass / (f.pace * f.length * stiffness), -1.0f, 0.75f);
-    return m.pace * std::sqrt(f.pace * stiffness * (1.0f - weight) / mass);
+    const float weight =
+        std::clamp(m.weightShare * mass / (f.omegaSquare * f.length * stiffness), -1.0f, 0.75f);
+    return m.omega * std::sqrt(f.omegaSquare * stiffness * (1.0f - weight) / mass);
 }
 
 std::vector<double> modeAngles(const ModalMotion& motion, std::size_t mode) {
@@ -76,29 +77,29 @@ std::vector<double> modeAngles(const ModalMotion& motion, std::size_t mode) {
     return angles;
 }
 
-/// Pace that the rung gives to the tree's own strongest mode, over what it is. Where paces lie close together
-/// a mode is a mixture of several on the rung: the mean of their squared paces, by their part in it.
-float paceRatio(const ModalMotion& rung, const ModalMotion& own, const SwayingTree& tree) {
+/// Frequency of the tree's strongest mode by its size class, over the exact one. Where frequencies are close,
+/// the mode is a mixture of several modes of the size class: the mean of their squared frequencies by share.
+float omegaRatio(const ModalMotion& typical, const ModalMotion& own, const TreeForm& tree) {
     const JointMasses masses(makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves));
     const std::vector<double> momenta = masses.times(modeAngles(own, 0));
     double parts = 0.0, squares = 0.0;
-    for (std::size_t k = 0; k < rung.archetype(0).model(0).modes.size(); ++k) {
-        const std::vector<double> angles = modeAngles(rung, k), its = masses.times(angles);
+    for (std::size_t k = 0; k < typical.archetype(0).model(0).modes.size(); ++k) {
+        const std::vector<double> angles = modeAngles(typical, k), its = masses.times(angles);
         const double common = std::inner_product(angles.begin(), angles.end(), momenta.begin(), 0.0),
                      whole = std::inner_product(angles.begin(), angles.end(), its.begin(), 0.0);
-        const double part = common * common / whole, pace = static_cast<double>(paceOf(rung, k));
+        const double part = common * common / whole, omega = static_cast<double>(omegaOf(typical, k));
         parts += part;
-        squares += part * pace * pace;
+        squares += part * omega * omega;
     }
-    return static_cast<float>(std::sqrt(squares / parts)) / paceOf(own, 0);
+    return static_cast<float>(std::sqrt(squares / parts)) / omegaOf(own, 0);
 }
 
-/// Standard deviation of the angle at which the top of the trunk stands in gusts.
-float topMotion(ModalMotion& motion, const SwayingTree& tree, const WindField& wind) {
+/// Standard deviation of the angle of the top of the trunk in gusts.
+float topMotion(ModalMotion& motion, const TreeForm& tree, const WindField& wind) {
     constexpr int frames = 1200, settling = 120;
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
     std::vector<glm::vec2> angles(units.size());
-    motion.meet(&wind, 0.0);
+    motion.sampleWind(&wind, 0.0);
     glm::vec2 sum(0.0f);
     float squares = 0.0f, count = 0.0f;
     for (int i = 1; i <= frames; ++i) {
@@ -117,27 +118,28 @@ float topMotion(ModalMotion& motion, const SwayingTree& tree, const WindField& w
     return std::sqrt((squares - glm::dot(sum, sum) / count) / count);
 }
 
-TEST(Archetype, FitsTheTreesAroundIt) {
+TEST(Archetype, FitsTheTreesOfItsSizeClass) {
     const MixedForest forest(60);
     const WindFieldPtr wind = gustsOf(8);
-    std::vector<std::pair<float, std::size_t>> paces, motions; // error, tree
+    std::vector<std::pair<float, std::size_t>> frequencyErrors, motions; // error, tree
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
         ModalMotion::Tree placed;
         placed.form = forest.trees[i];
-        ModalMotion rung({placed}, 1.0f, runInTurn), own({placed}, 1.0f, runInTurn, true);
-        paces.emplace_back(std::abs(paceRatio(rung, own, placed.form) - 1.0f), i);
+        ModalMotion typical({placed}, 1.0f, runInTurn), own({placed}, 1.0f, runInTurn, true);
+        frequencyErrors.emplace_back(std::abs(omegaRatio(typical, own, placed.form) - 1.0f), i);
         motions.emplace_back(
-            std::abs(topMotion(rung, placed.form, *wind) / topMotion(own, placed.form, *wind) - 1.0f), i);
+            std::abs(topMotion(typical, placed.form, *wind) / topMotion(own, placed.form, *wind) - 1.0f), i);
     }
-    std::sort(paces.begin(), paces.end());
+    std::sort(frequencyErrors.begin(), frequencyErrors.end());
     std::sort(motions.begin(), motions.end());
     const std::size_t most = forest.trees.size() * 95 / 100 - 1;
-    EXPECT_LT(paces[most].first, 0.035f) << forest.nameOf(paces[most].second) << "; median "
-                                         << paces[paces.size() / 2].first << ", worst " << paces.back().first;
+    EXPECT_LT(frequencyErrors[most].first, 0.035f)
+        << forest.nameOf(frequencyErrors[most].second) << "; median "
+        << frequencyErrors[frequencyErrors.size() / 2].first << ", worst " << frequencyErrors.back().first;
     EXPECT_LT(motions[most].first, 0.16f)
         << forest.nameOf(motions[most].second) << "; median " << motions[motions.size() / 2].first
         << ", worst " << motions.back().first;
-    RecordProperty("medianPaceError", std::to_string(paces[paces.size() / 2].first));
+    RecordProperty("medianFrequencyError", std::to_string(frequencyErrors[frequencyErrors.size() / 2].first));
     RecordProperty("medianMotionError", std::to_string(motions[motions.size() / 2].first));
 }
 
@@ -146,7 +148,7 @@ TEST(Archetype, IsExactForItsOwnTree) {
     const Archetype archetype(oak.form());
     const TreeFactors factors = archetype.factors(oak.form(), 0.0f);
     EXPECT_EQ(factors.length, 1.0f);
-    EXPECT_EQ(factors.pace, 1.0f);
+    EXPECT_EQ(factors.omegaSquare, 1.0f);
     EXPECT_EQ(factors.logs.modulus, 0.0f);
     EXPECT_EQ(factors.logs.branches, 0.0f);
     EXPECT_EQ(factors.logs.width, 0.0f);
@@ -157,33 +159,33 @@ TEST(Archetype, IsExactForItsOwnTree) {
     EXPECT_EQ(factors.stillDrag, 1.0f);
 }
 
-TEST(Archetype, ATreeOnARungIsItsOwn) {
+TEST(Archetype, ATypicalTreeIsExact) {
     const MixedForest forest(60);
-    for (const SwayingTree& tree : forest.trees) {
-        const ArchetypeRung rung = nearestRung(tree), again = nearestRung(treeOn(rung));
-        EXPECT_FALSE(rung < again || again < rung);
+    for (const TreeForm& tree : forest.trees) {
+        const TreeSizeClass sizeClass = sizeClassOf(tree), again = sizeClassOf(typicalTree(sizeClass));
+        EXPECT_FALSE(sizeClass < again || again < sizeClass);
     }
 }
 
-TEST(Archetype, RungsAreOneForAllWhoAreNear) {
+TEST(Archetype, SimilarTreesShareASizeClass) {
     const GrownTree oak("oak", {18, 0.3f, 0});
-    const ArchetypeRung rung = nearestRung(oak.form());
-    SwayingTree near = treeOn(rung), far = treeOn(rung);
+    const TreeSizeClass typical = sizeClassOf(oak.form());
+    TreeForm near = typicalTree(typical), far = typicalTree(typical);
     near.scale.axes *= 1.2f;
     near.scale.radius *= 1.2f;
     far.scale.axes *= 1.6f;
     far.scale.radius *= 1.6f;
-    EXPECT_FALSE(nearestRung(near) < rung || rung < nearestRung(near));
-    EXPECT_TRUE(rung < nearestRung(far));
-    far = treeOn(rung);
+    EXPECT_FALSE(sizeClassOf(near) < typical || typical < sizeClassOf(near));
+    EXPECT_TRUE(typical < sizeClassOf(far));
+    far = typicalTree(typical);
     far.leaves = 0.0f;
-    EXPECT_TRUE(nearestRung(far) < rung) << "bare trees stand on a rung of their own";
+    EXPECT_TRUE(sizeClassOf(far) < typical) << "bare trees have their own size class";
 }
 
-TEST(Archetype, ARungDoesNotDependOnTheForest) {
+TEST(Archetype, ASizeClassDoesNotDependOnTheForest) {
     const MixedForest forest(60);
     std::vector<ModalMotion::Tree> trees;
-    for (const SwayingTree& form : forest.trees) {
+    for (const TreeForm& form : forest.trees) {
         trees.emplace_back();
         trees.back().form = form;
     }
@@ -192,12 +194,12 @@ TEST(Archetype, ARungDoesNotDependOnTheForest) {
         const ModalMotion alone({trees[i]}, 1.0f, runInTurn);
         const ModalModel &a = all.archetype(i).model(0), &b = alone.archetype(0).model(0);
         EXPECT_EQ(a.poses, b.poses) << forest.nameOf(i);
-        EXPECT_EQ(all.factors(i).pace, alone.factors(0).pace);
+        EXPECT_EQ(all.factors(i).omegaSquare, alone.factors(0).omegaSquare);
         EXPECT_EQ(all.factors(i).logs.branches, alone.factors(0).logs.branches);
     }
 }
 
-TEST(Archetype, AFarPatchIsNextToItsNearOnes) {
+TEST(Archetype, AFarPatchIsNearItsNearPatches) {
     const GrownTree oak("oak", {18, 0.3f, 0});
     const Archetype archetype(oak.form());
     for (std::size_t level = 0; level < Archetype::levels; ++level) {

@@ -13,8 +13,8 @@ namespace {
 
 using Patches = std::vector<std::size_t>;
 
-/// A link from the end of its parent, with drag in its middle.
-std::size_t grow(JointTree& tree, int parent, const glm::dvec3& base, const glm::dvec3& tip, double drag) {
+/// Adds a link at the end of its parent, with drag at its midpoint.
+std::size_t addLink(JointTree& tree, int parent, const glm::dvec3& base, const glm::dvec3& tip, double drag) {
     JointTree::Link link;
     link.parent = parent;
     link.base = base;
@@ -27,13 +27,13 @@ std::size_t grow(JointTree& tree, int parent, const glm::dvec3& base, const glm:
     return point.link;
 }
 
-/// A trunk (link 0) that bears two boughs of two links each: 1 and 2, 3 and 4.
+/// A trunk (link 0) with two boughs of two links each: 1 and 2, 3 and 4.
 JointTree fork(double drag = 1.0) {
     JointTree tree;
-    grow(tree, -1, {0, 0, 0}, {0, 0, 5}, drag);
+    addLink(tree, -1, {0, 0, 0}, {0, 0, 5}, drag);
     for (const double side : {-1.0, 1.0}) {
-        const auto bough = static_cast<int>(grow(tree, 0, {0, 0, 5}, {2 * side, 0, 7}, drag));
-        grow(tree, bough, {2 * side, 0, 7}, {3 * side, 0, 8}, drag);
+        const auto bough = static_cast<int>(addLink(tree, 0, {0, 0, 5}, {2 * side, 0, 7}, drag));
+        addLink(tree, bough, {2 * side, 0, 7}, {3 * side, 0, 8}, drag);
     }
     return tree;
 }
@@ -49,7 +49,7 @@ TEST(DragPatches, CoverAllLinks) {
     }
 }
 
-TEST(DragPatches, TheFirstOnesAreCutAsForFewer) {
+TEST(DragPatches, TheFirstPatchesAreCutAsForFewer) {
     const JointTree tree = GrownTree("Norway spruce", {18, 0.3f, 0}).joints();
     const Patches fine = dragPatches(tree, 20);
     for (std::size_t count = 1; count < 20; ++count) {
@@ -66,7 +66,7 @@ TEST(DragPatches, TheFirstOnesAreCutAsForFewer) {
     }
 }
 
-TEST(DragPatches, EachIsALinkAndWhatItCarries) {
+TEST(DragPatches, EachIsALinkWithItsDescendants) {
     const JointTree tree = GrownTree("beech", {18, 0.3f, 0}).joints();
     const Patches patches = dragPatches(tree, 12);
     std::vector<int> feet(12, 0); // links that start a patch
@@ -79,26 +79,26 @@ TEST(DragPatches, EachIsALinkAndWhatItCarries) {
         EXPECT_EQ(feet[p], 1) << "patch " << p << " is in pieces";
 }
 
-TEST(DragPatches, AForkIsCutBoughByBough) {
+TEST(DragPatches, AForkIsCutIntoItsBoughs) {
     EXPECT_EQ(dragPatches(fork(), 2), (Patches{0, 1, 1, 0, 0}));
     EXPECT_EQ(dragPatches(fork(), 3), (Patches{0, 1, 1, 2, 2}));
 }
 
-TEST(DragPatches, OneIsTheWholeTree) {
+TEST(DragPatches, OnePatchIsTheWholeTree) {
     EXPECT_EQ(dragPatches(fork(), 1), Patches(5, 0));
 }
 
-TEST(DragPatches, ThereAreNoMoreThanLinks) {
+TEST(DragPatches, NeverOutnumberTheLinks) {
     const Patches patches = dragPatches(fork(), 30);
     EXPECT_EQ(std::set<std::size_t>(patches.begin(), patches.end()).size(), 5u);
     EXPECT_EQ(*std::max_element(patches.begin(), patches.end()), 4u);
 }
 
-TEST(DragPatches, WithoutDragThereIsOne) {
+TEST(DragPatches, WithoutDragThereIsOnePatch) {
     EXPECT_EQ(dragPatches(fork(0.0), 10), Patches(5, 0));
 }
 
-TEST(DragPatches, NothingHasNone) {
+TEST(DragPatches, AnEmptyTreeHasNone) {
     EXPECT_TRUE(dragPatches(JointTree(), 10).empty());
 }
 

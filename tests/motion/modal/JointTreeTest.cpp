@@ -18,7 +18,7 @@ namespace {
 
 constexpr float length = 8.0f, radius = 0.05f;
 
-/// An even pole that stands upright.
+/// A uniform upright pole.
 TreeModel poleOf(int units) {
     TreeModel model;
     for (int i = 0; i < units; ++i) {
@@ -33,8 +33,8 @@ TreeModel poleOf(int units) {
     return model;
 }
 
-/// First pace of an even cantilever: 3.516 sqrt(E I / (m L^4)).
-double cantileverPace(const WoodParameters& wood) {
+/// First angular frequency of a uniform cantilever: 3.516 sqrt(E I / (m L^4)).
+double cantileverOmega(const WoodParameters& wood) {
     const double r = radius, l = length;
     const double section = glm::pi<double>() * r * r, moment = glm::pi<double>() * std::pow(r, 4.0) / 4.0;
     return 3.516 * std::sqrt(static_cast<double>(wood.elasticModulus) * moment /
@@ -48,27 +48,27 @@ double massOf(const JointTree& tree) {
     return mass;
 }
 
-TEST(JointTree, APoleOfOneUnitSwaysAsACantilever) {
-    const Species species; // grows as clear wood on rock
+TEST(JointTree, APoleOfOneUnitHasTheFrequencyOfACantilever) {
+    const Species species; // clear wood on rigid ground
     const JointTree tree = makeJointTree(poleOf(1), {}, species);
-    EXPECT_NEAR(slowestModes(tree, 1)[0].speed / cantileverPace(species.wood), 1.0, 0.02);
+    EXPECT_NEAR(lowestModes(tree, 1)[0].omega / cantileverOmega(species.wood), 1.0, 0.02);
 }
 
-TEST(JointTree, APoleOfManyUnitsSwaysNearlyAsACantilever) {
-    // Joints that bend a pole rightly under a force at its top give a little too much under its own mass.
+TEST(JointTree, APoleOfManyUnitsHasNearlyTheFrequencyOfACantilever) {
+    // Joints that are exact for a tip force are slightly too soft under the pole's own mass.
     const Species species;
-    const double exact = cantileverPace(species.wood);
+    const double exact = cantileverOmega(species.wood);
     double before = 0.0;
     for (const int units : {3, 6, 12, 24}) {
-        const double ratio = slowestModes(makeJointTree(poleOf(units), {}, species), 1)[0].speed / exact;
+        const double ratio = lowestModes(makeJointTree(poleOf(units), {}, species), 1)[0].omega / exact;
         EXPECT_NEAR(ratio, 1.0, 0.07) << units << " units";
         EXPECT_GT(ratio, before) << units << " units should do better than fewer";
         before = ratio;
     }
 }
 
-/// A pole of many units with a heavy stub at that height, where one unit ends or along the only one.
-double paceWithStub(int units, float height) {
+/// Frequency of a pole with a heavy stub at a height, at the end of one of many units or along a single unit.
+double omegaWithStub(int units, float height) {
     TreeModel model = poleOf(units);
     const float at = height / length * static_cast<float>(units);
     BranchUnit stub;
@@ -79,15 +79,15 @@ double paceWithStub(int units, float height) {
     stub.tip = {0.5f, 0.0f, height};
     stub.baseRadius = stub.tipRadius = 2.0f * radius;
     model.skeleton.units.push_back(stub);
-    return slowestModes(makeJointTree(model, {}, Species()), 1)[0].speed;
+    return lowestModes(makeJointTree(model, {}, Species()), 1)[0].omega;
 }
 
-TEST(JointTree, WhatSpringsAlongAUnitSwaysAsIfTheUnitEndedThere) {
+TEST(JointTree, ABranchAlongAUnitActsAsAtTheEndOfAUnit) {
     for (const float height : {1.7f, 4.3f, 6.7f})
-        EXPECT_NEAR(paceWithStub(6, height) / paceWithStub(80, height), 1.0, 0.06) << height << " m up";
+        EXPECT_NEAR(omegaWithStub(6, height) / omegaWithStub(80, height), 1.0, 0.06) << height << " m up";
 }
 
-TEST(JointTree, JointsGiveAsTheLoadsSay) {
+TEST(JointTree, JointsHaveTheStiffnessOfTheLoads) {
     const GrownTree oak("oak", {15, 0.3f, 0});
     const JointTree tree = oak.joints();
     const std::vector<UnitLoad> loads = makeUnitLoads(oak.model, oak.scale, oak.species, oak.leaves);
@@ -96,7 +96,7 @@ TEST(JointTree, JointsGiveAsTheLoadsSay) {
         ASSERT_FLOAT_EQ(static_cast<float>(tree.links[i].stiffness), loads[i].stiffness) << "unit " << i;
 }
 
-TEST(JointTree, AxesStandAcrossTheLinkAndEachOther) {
+TEST(JointTree, AxesArePerpendicularToTheLinkAndEachOther) {
     const GrownTree oak("oak", {15, 0.3f, 0});
     const JointTree tree = oak.joints();
     for (std::size_t i = 0; i < tree.links.size(); ++i) {
@@ -109,7 +109,7 @@ TEST(JointTree, AxesStandAcrossTheLinkAndEachOther) {
     }
 }
 
-TEST(JointTree, WeighsAsMuchAsItsWoodAndLeaves) {
+TEST(JointTree, HasTheMassOfWoodAndLeaves) {
     const GrownTree spruce("Norway spruce", {20, 0.3f, 0});
     double expected = 0.0;
     for (const UnitLoad& load : makeUnitLoads(spruce.model, spruce.scale, spruce.species))
@@ -117,7 +117,7 @@ TEST(JointTree, WeighsAsMuchAsItsWoodAndLeaves) {
     EXPECT_NEAR(massOf(spruce.joints()) / expected, 1.0, 1e-6);
 }
 
-TEST(JointTree, APoleWeighsItsVolume) {
+TEST(JointTree, APoleHasTheMassOfItsVolume) {
     const Species species;
     const double expected =
         static_cast<double>(species.wood.density) * glm::pi<double>() * radius * radius * length;
@@ -147,7 +147,7 @@ TEST(JointTree, LeavesAddMassAndDragByTheirShare) {
     EXPECT_NEAR(still[1] / still[2], 0.5, 1e-5);
 }
 
-TEST(JointTree, WhatCarriesAPointMovesIt) {
+TEST(JointTree, EveryCarrierOfAPointMovesIt) {
     const JointTree tree = makeJointTree(poleOf(3), {}, Species());
     const JointTree::Point& point = tree.points.back();
     const glm::dvec3 moved = tree.displacement(point, 0, 0);

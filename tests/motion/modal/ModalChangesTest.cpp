@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trees that come, go and change while others sway.
+// Trees added, removed and changed while others sway.
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osgTreeWind/base/Random.h>
@@ -57,7 +57,7 @@ struct ModalChanges : testing::Test {
     }
 };
 
-TEST_F(ModalChanges, AnAddedTreeIsAsOneThatWasThereFromTheStart) {
+TEST_F(ModalChanges, AnAddedTreeMovesLikeAnInitialOne) {
     const std::vector<ModalMotion::Tree> trees = anyTrees(30);
     ModalMotion all(trees, 1.0f, runInTurn);
     ModalMotion grown({trees.begin(), trees.begin() + 5}, 1.0f, runInTurn);
@@ -74,7 +74,7 @@ TEST_F(ModalChanges, AnAddedTreeIsAsOneThatWasThereFromTheStart) {
     }
 }
 
-TEST_F(ModalChanges, TreesGrowInAnEmptyForest) {
+TEST_F(ModalChanges, TreesCanBeAddedToAnEmptyForest) {
     ModalMotion motion({}, 1.0f, runInTurn);
     run(motion, *wind, 2);
     EXPECT_FALSE(motion.holds(0));
@@ -83,7 +83,7 @@ TEST_F(ModalChanges, TreesGrowInAnEmptyForest) {
     EXPECT_GT(glm::length(motion.lean(0)), 0.01f);
 }
 
-TEST_F(ModalChanges, ARemovedTreeLeavesItsNumberToTheNextAndOthersAlone) {
+TEST_F(ModalChanges, TheNumberOfARemovedTreeIsReused) {
     const std::vector<ModalMotion::Tree> trees = anyTrees(20);
     ModalMotion plain(trees, 1.0f, runInTurn), thinned(trees, 1.0f, runInTurn);
     run(plain, *wind, 60);
@@ -105,7 +105,7 @@ TEST_F(ModalChanges, ARemovedTreeLeavesItsNumberToTheNextAndOthersAlone) {
         }
 }
 
-TEST_F(ModalChanges, AMovedTreeSwaysOn) {
+TEST_F(ModalChanges, AMovedTreeKeepsSwaying) {
     const UniformWind steady({6, 2, 0});
     ModalMotion motion({placed(oak, 15)}, 1.0f, runInTurn), still({placed(oak, 15)}, 1.0f, runInTurn);
     run(motion, steady, 50);
@@ -121,7 +121,7 @@ TEST_F(ModalChanges, AMovedTreeSwaysOn) {
     EXPECT_NEAR(motion.lean(0).y, before.x, 1e-5f);
 }
 
-TEST_F(ModalChanges, ATreeOfAnotherSizeOrSpeciesGoesOnSwaying) {
+TEST_F(ModalChanges, ATreeOfAnotherSizeOrSpeciesKeepsSwaying) {
     const GrownTree birch("silver birch", {});
     for (const Level level : {Level::Near, Level::Far})
         for (const ModalMotion::Tree& other : {placed(oak, 15.5f), placed(oak, 25), placed(birch, 15)}) {
@@ -141,7 +141,7 @@ TEST_F(ModalChanges, ATreeOfAnotherSizeOrSpeciesGoesOnSwaying) {
             }
             const glm::vec2 expected = fresh.lean(0);
             EXPECT_LT(glm::distance(motion.lean(0), expected), 0.02f * glm::length(expected))
-                << "what it was before is forgotten";
+                << "the previous tree has no effect";
         }
 }
 
@@ -158,7 +158,7 @@ TEST_F(ModalChanges, ATreeReplacedByItselfIsTheSame) {
         EXPECT_EQ(replaced.amplitudes(tree), plain.amplitudes(tree));
 }
 
-TEST_F(ModalChanges, AnyOrderOfChangesKeepsEachTreeItsOwn) {
+TEST_F(ModalChanges, AnyOrderOfChangesKeepsEachTreesState) {
     ModalMotion motion(anyTrees(40), 1.0f, runInTurn);
     std::vector<float> lengths(40);
     std::vector<bool> there(40, true);
@@ -193,7 +193,7 @@ TEST_F(ModalChanges, AnyOrderOfChangesKeepsEachTreeItsOwn) {
             run(motion, *wind, 1, i);
         }
     }
-    EXPECT_LT(motion.archetypeCount(), archetypes + 20) << "rungs are shared";
+    EXPECT_LT(motion.archetypeCount(), archetypes + 20) << "archetypes are shared";
     for (std::size_t i = 0; i < there.size(); ++i) {
         ASSERT_EQ(motion.holds(i), there[i]) << i;
         if (!there[i])
@@ -204,7 +204,7 @@ TEST_F(ModalChanges, AnyOrderOfChangesKeepsEachTreeItsOwn) {
     }
 }
 
-TEST_F(ModalChanges, RestartedAreTheSameTreesAtRest) {
+TEST_F(ModalChanges, ResetCopiesAreTheSameTreesAtRest) {
     ModalMotion motion(anyTrees(30), 1.0f, runInTurn);
     motion.remove(7);
     motion.setLevel(9, Level::Far);

@@ -32,7 +32,7 @@ const ModalModel& oak() {
     return model;
 }
 
-/// No air, and wood that takes nothing.
+/// The model without drag and without damping by wood.
 ModalModel withoutDamping(ModalModel model) {
     model.dampingRatio = 0.0f;
     for (ModalModel::Patch& patch : model.patches)
@@ -59,7 +59,7 @@ public:
     float& amplitude(std::size_t mode, std::size_t tree) { return _numbers[mode].tree[tree]; }
     float& speed(std::size_t mode, std::size_t tree) { return _numbers[modes() + mode].tree[tree]; }
 
-    /// One wind at all patches of a tree from the next step on.
+    /// Sets the same wind at all patches of a tree from the next step on.
     void setWind(std::size_t tree, const glm::vec3& wind) {
         for (std::size_t i = 0; i < _wind.size(); ++i)
             _wind[i].tree[tree] = wind[static_cast<glm::length_t>(i % 3)];
@@ -86,13 +86,13 @@ public:
         for (std::size_t k = 0; k < modes(); ++k) {
             const double left =
                 1.0 - std::clamp(static_cast<double>(_model->modes[k].weightShare), -1.0, 0.75);
-            const double pace = _model->modes[k].pace, angle = _numbers[k].tree[tree],
+            const double omega = _model->modes[k].omega, angle = _numbers[k].tree[tree],
                          speed = _numbers[modes() + k].tree[tree];
-            sum += 0.5 * (pace * pace * left * angle * angle + speed * speed);
+            sum += 0.5 * (omega * omega * left * angle * angle + speed * speed);
         }
         return sum;
     }
-    /// Angles without what the air adds at once.
+    /// Joint angles without the static residual of the air.
     float largestAngle(std::size_t tree) const {
         float most = 0.0f;
         for (std::size_t i = 0; i < _model->joints; ++i) {
@@ -120,12 +120,12 @@ private:
     std::vector<TreeLanes> _numbers, _wind;
 };
 
-/// From 1e-5 to 0.1 s, each decade as often.
+/// From 1e-5 to 0.1 s, log-uniform.
 float anyStep(Random& random) {
     return 1e-5f * std::pow(1e4f, random.uniform());
 }
 
-/// Up to that speed, from anywhere.
+/// Up to a speed, in any direction.
 glm::vec3 anyWind(Random& random, float speed) {
     return speed * random.uniform() *
            glm::vec3(random.symmetric(), random.symmetric(), 0.3f * random.symmetric());
@@ -139,19 +139,19 @@ std::vector<InstructionSet> instructionSets() {
     return sets;
 }
 
-/// Each mode up to a hundredth of its limit, moving.
+/// A block whose modes have random amplitudes and speeds up to a hundredth of their limit.
 Block movingBlock(const ModalModel& model) {
     Block block(model);
     Random random(1);
     for (std::size_t tree = 0; tree < lanes; ++tree)
         for (std::size_t k = 0; k < block.modes(); ++k) {
             block.amplitude(k, tree) = 0.01f * random.symmetric() * model.modes[k].limit;
-            block.speed(k, tree) = 0.01f * random.symmetric() * model.modes[k].limit * model.modes[k].pace;
+            block.speed(k, tree) = 0.01f * random.symmetric() * model.modes[k].limit * model.modes[k].omega;
         }
     return block;
 }
 
-TEST(ModalKernel, EnergyStaysWithoutDamping) {
+TEST(ModalKernel, EnergyIsConservedWithoutDamping) {
     // Measured: up by 1.3e-6, down by 2.7e-4.
     const ModalModel model = withoutDamping(oak());
     Block block = movingBlock(model);
@@ -173,8 +173,8 @@ TEST(ModalKernel, EnergyStaysWithoutDamping) {
     }
 }
 
-TEST(ModalKernel, EqualStepsAddUpNoMoreThanTheirRounding) {
-    // A step of one length is rounded the same way each time: by up to one unit in the last place.
+TEST(ModalKernel, EqualStepsAccumulateOnlyRoundingErrors) {
+    // Equal steps are rounded alike each time, by up to one unit in the last place.
     const ModalModel model = withoutDamping(oak());
     constexpr int steps = 20000;
     for (const float seconds : {1e-5f, 1e-3f, 1.0f / 240.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.1f}) {
@@ -199,8 +199,8 @@ TEST(ModalKernel, AnyStepInAnyWindStaysWithinLimits) {
     }
 }
 
-TEST(ModalKernel, AHurricaneBendsAndDoesNotShake) {
-    // 75 m/s, as a step, with steps as long as there are: no oscillation may be fed by them.
+TEST(ModalKernel, AHurricaneBendsATreeWithoutOscillation) {
+    // A sudden 75 m/s with the longest time steps must not excite an oscillation.
     Block block(oak());
     for (std::size_t tree = 0; tree < lanes; ++tree)
         block.setWind(tree, {75.0f, 0.0f, 0.0f});
@@ -213,12 +213,12 @@ TEST(ModalKernel, AHurricaneBendsAndDoesNotShake) {
     }
 }
 
-/// Seven winds that no field should give, and a tree that never meets them.
+/// Seven invalid winds, and calm for a tree that is to stay unaffected.
 constexpr std::array<float, 8> winds{
     6.0f,   Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), 1e30f,
     -1e30f, Limits::max(),      Limits::denorm_min()};
 
-TEST(ModalKernel, ForgetsABadWind) {
+TEST(ModalKernel, RecoversFromAnInvalidWind) {
     Block block(oak());
     const auto blow = [&](bool bad, int frames) {
         for (int i = 0; i < frames; ++i) {
@@ -244,14 +244,14 @@ TEST(ModalKernel, ForgetsABadWind) {
                 << "mode " << k << " after wind " << winds[tree];
 }
 
-/// Trees of several sizes that have stood in all kinds of wind.
+/// Trees of several sizes after all kinds of wind.
 Block weathered(InstructionSet set) {
     Block block(oak());
     Random random(3);
     for (std::size_t tree = 0; tree < lanes; ++tree) {
         TreeFactors factors;
         factors.length = 0.7f + 0.1f * static_cast<float>(tree);
-        factors.pace = 1.0f / factors.length;
+        factors.omegaSquare = 1.0f / factors.length;
         factors.cosine = std::cos(static_cast<float>(tree));
         factors.sine = std::sin(static_cast<float>(tree));
         factors.logs = {0.2f * random.symmetric(), 0.2f * random.symmetric(), 0.1f * random.symmetric(),
@@ -283,15 +283,15 @@ TEST(ModalKernel, AllInstructionSetsGiveTheSameBits) {
         }
     }
     if (sets.size() < 3)
-        GTEST_SKIP() << "this machine has nothing beyond " << nameOf(sets.back());
+        GTEST_SKIP() << "this machine has no instruction set beyond " << nameOf(sets.back());
 }
 
-TEST(ModalKernel, TheEnvironmentNarrowsTheInstructionSet) {
+TEST(ModalKernel, TheEnvironmentLimitsTheInstructionSet) {
     const EnvironmentVariable baseline("OSGTREEWIND_INSTRUCTIONS", "baseline");
     EXPECT_EQ(bestInstructionSet(), InstructionSet::Baseline);
 }
 
-TEST(ModalKernel, ATreeTakesNoNoticeOfTheOthers) {
+TEST(ModalKernel, TreesInABlockAreIndependent) {
     for (const InstructionSet set : instructionSets()) {
         Block crowded(oak()), alone(oak());
         Random random(4);
@@ -313,8 +313,8 @@ TEST(ModalKernel, ATreeTakesNoNoticeOfTheOthers) {
     }
 }
 
-TEST(ModalKernel, ComesToRestInACalm) {
-    // Numbers near the smallest of all would make a processor slow.
+TEST(ModalKernel, ComesToRestInCalm) {
+    // Denormal numbers would slow down a processor.
     const ModalModel model = modelOf("broadleaf", {10, 0.2f, 0}, 0.08f);
     Block block(model);
     for (std::size_t tree = 0; tree < lanes; ++tree)
@@ -332,11 +332,11 @@ TEST(ModalKernel, ComesToRestInACalm) {
         EXPECT_EQ(number, 0.0f);
 }
 
-/// One mode, whose amplitude is how far it moves a patch of that drag along x.
+/// A model with one mode, whose amplitude is the displacement of its only patch along x.
 ModalModel onePatch(float drag, float streamlining, float breezeStreamlining) {
     ModalModel model;
     model.modes.resize(1);
-    model.modes[0].pace = 2.0f;
+    model.modes[0].omega = 2.0f;
     model.modes[0].limit = 100.0f;
     model.patches.resize(1);
     model.patches[0].leafDrag = drag;
@@ -348,10 +348,10 @@ ModalModel onePatch(float drag, float streamlining, float breezeStreamlining) {
     return model;
 }
 
-/// Rate at which a small sway about the lean of a steady wind dies down, 1/s.
+/// Decay rate of a small sway about the static lean in a steady wind, 1/s.
 double rateIn(const ModalModel& model, const glm::vec3& wind, double force, float shelter = 1.0f) {
     constexpr double small = 0.05, seconds = 1.0 / 240.0;
-    const double pace = model.modes[0].pace, lean = force / (pace * pace);
+    const double omega = model.modes[0].omega, lean = force / (omega * omega);
     Block block(model);
     TreeFactors factors;
     factors.shelter = shelter;
@@ -359,16 +359,16 @@ double rateIn(const ModalModel& model, const glm::vec3& wind, double force, floa
     block.amplitude(0, 0) = static_cast<float>(lean + small);
     block.setWind(0, wind);
     block.step(1.0f, 0);
-    const int steps = static_cast<int>(std::lround(2.0 * 6.283185307 / pace / seconds)); // two swings
+    const int steps = static_cast<int>(std::lround(2.0 * 6.283185307 / omega / seconds)); // two swings
     for (int i = 0; i < steps; ++i)
         block.step(static_cast<float>(seconds));
     const double left =
-        std::hypot(static_cast<double>(block.amplitude(0, 0)) - lean, block.speed(0, 0) / pace);
+        std::hypot(static_cast<double>(block.amplitude(0, 0)) - lean, block.speed(0, 0) / omega);
     return std::log(small / left) / (steps * seconds);
 }
 
 TEST(ModalKernel, SteadyAirDampsByTheSlopeOfItsDrag) {
-    // Drag k u^(2-n) along the wind has the slope (2-n) k u^(1-n), across it a swing meets k u^(1-n).
+    // Drag k u^(2-n) damps sway along the wind by its slope (2-n) k u^(1-n), across it by k u^(1-n).
     constexpr float drag = 0.01f;
     const auto expectSlope = [&](float speed, float n, const ModalModel& model) {
         SCOPED_TRACE("n " + std::to_string(n) + ", " + std::to_string(speed) + " m/s");
@@ -386,8 +386,8 @@ TEST(ModalKernel, SteadyAirDampsByTheSlopeOfItsDrag) {
     }
 }
 
-TEST(ModalKernel, ASwayInAStandMeetsOnlyTheAirThatShelterLeaves) {
-    // F = k (s (U - v))^2: of the wind s U that is left between leaves a sway takes s times the slope.
+TEST(ModalKernel, ShelterReducesAerodynamicDamping) {
+    // F = k (s (U - v))^2: a sway in the sheltered wind s U is damped by s times the slope.
     constexpr float drag = 0.01f, speed = 6.0f, shelter = 0.5f;
     const ModalModel model = onePatch(drag, 0.0f, 0.0f);
     const double brake = static_cast<double>(drag * speed), wood = 0.01 * 2.0;
@@ -395,12 +395,12 @@ TEST(ModalKernel, ASwayInAStandMeetsOnlyTheAirThatShelterLeaves) {
     EXPECT_NEAR(rateIn(model, {0, speed, 0}, 0.0, shelter) / (wood + 0.5 * shelter * brake), 1.0, 0.01);
 }
 
-TEST(ModalKernel, InStillAirNoCrownSheltersAnother) {
+TEST(ModalKernel, InStillAirShelterHasNoEffect) {
     const ModalModel model = onePatch(0.1f, 0.0f, 0.0f);
     EXPECT_NEAR(rateIn(model, glm::vec3(0.0f), 0.0, 0.3f), rateIn(model, glm::vec3(0.0f), 0.0), 1e-4);
 }
 
-TEST(ModalKernel, NoSubstepsTakeTheWindAndMoveNothing) {
+TEST(ModalKernel, ZeroSubstepsSetTheWindAndMoveNothing) {
     Block block(oak());
     block.amplitude(0, 3) = 1.0f;
     block.setWind(3, {4.0f, 3.0f, 2.0f});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A lean against the tree posed in full.
+// The lean against the fully posed tree.
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
 #include <osgTreeWind/motion/laws/UnitPose.h>
@@ -24,9 +24,9 @@ glm::vec2 turned(const glm::vec2& v) {
             std::sin(heading) * v.x + std::cos(heading) * v.y};
 }
 
-/// What a crown moves by, posed in full and leaning: sums of squares over time.
+/// Sums of squares over time of a crown's displacement, fully posed and by its lean.
 struct LeanErrors {
-    float crown = 0.0f, difference = 0.0f; ///< Of the mean over the clusters of leaves.
+    float crown = 0.0f, difference = 0.0f; ///< For the mean over the leaf clusters.
     float relative() const { return std::sqrt(difference / crown); }
 };
 
@@ -36,7 +36,7 @@ LeanErrors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion:
     placed.heading = heading;
     placed.level = level;
     ModalMotion motion({placed}, 1.0f, runInTurn);
-    motion.meet(&wind, 0.0);
+    motion.sampleWind(&wind, 0.0);
     const std::size_t units = tree.units().size();
     const float height = measureTree(tree.model, tree.scale).height;
     std::vector<glm::vec2> angles(units);
@@ -48,7 +48,7 @@ LeanErrors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion:
         if (i < 300 || i % 16 != 0)
             continue;
         motion.angles(0, angles.data());
-        swingPoses(tree.model.skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+        composeModalPoses(tree.model.skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
         glm::vec2 full(0.0f), leaning(0.0f);
         for (const LeafCluster& leaf : tree.model.leaves) {
             const glm::vec3 rest = tree.scale.axes * leaf.anchor;
@@ -61,7 +61,7 @@ LeanErrors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion:
     return errors;
 }
 
-TEST(ModalLean, IsThatOfTheCrownsOfBuiltInSpecies) {
+TEST(ModalLean, MatchesTheCrownsOfBuiltInSpecies) {
     for (const Species& species : SpeciesCatalogue::current().species())
         for (const TreeSize& size : {TreeSize{18, 0.3f, 0}, TreeSize{9, 0.2f, 0}})
             for (const bool gusty : {false, true}) {
@@ -75,7 +75,7 @@ TEST(ModalLean, IsThatOfTheCrownsOfBuiltInSpecies) {
             }
 }
 
-TEST(ModalLean, IsThatOfBareTreesToo) {
+TEST(ModalLean, MatchesBareTrees) {
     for (const char* name : {"oak", "European larch"})
         EXPECT_LT(leanErrors(GrownTree(name, {18, 0.3f, 0}, 0.0f), *gustsOf(12), ModalMotion::Level::Near)
                       .relative(),
@@ -83,7 +83,7 @@ TEST(ModalLean, IsThatOfBareTreesToo) {
             << name;
 }
 
-TEST(ModalLean, AModelWithoutLeavesLeansByItsUnits) {
+TEST(ModalLean, AModelWithoutLeavesUsesItsUnits) {
     Species species = *findSpecies("oak");
     species.tree.leaves.clustersPerBranch = 0;
     const GrownTree tree(species, {18, 0.3f, 0}, 0.0f);

@@ -22,7 +22,7 @@ namespace {
 /// A force on each patch, N.
 using PatchForces = std::vector<glm::dvec3>;
 
-/// Gentle, strong, upward: no two alike.
+/// Weak, strong and upward forces, all different.
 PatchForces mixedForces(std::size_t patches) {
     PatchForces forces;
     for (std::size_t p = 0; p < patches; ++p) {
@@ -32,7 +32,7 @@ PatchForces mixedForces(std::size_t patches) {
     return forces;
 }
 
-/// K^-1 sum of J^T F: each force spread over the drag of its patch.
+/// K^-1 sum of J^T F, with each force distributed over its patch by drag.
 std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, const PatchForces& forces) {
     const std::vector<std::size_t> patchOf = dragPatches(tree, patches);
     std::vector<double> area(patches, 0.0), angles(tree.jointCount(), 0.0);
@@ -49,7 +49,7 @@ std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, con
     return angles;
 }
 
-/// [Phi R](q, F) with each mode where F and its weight hold it.
+/// [Phi R](q, F) with each mode at its static amplitude under F and weight.
 std::vector<double> modalAngles(const ModalModel& model, const PatchForces& forces) {
     std::vector<double> vector(model.columns(), 0.0);
     const std::size_t modes = model.modes.size();
@@ -58,10 +58,10 @@ std::vector<double> modalAngles(const ModalModel& model, const PatchForces& forc
             const double force = forces[p][static_cast<int>(c)];
             vector[modes + 3 * p + c] = force;
             for (std::size_t k = 0; k < modes; ++k) {
-                const double pace = model.modes[k].pace;
+                const double omega = model.modes[k].omega;
                 const double left = Laws().weightLeaves(model.modes[k].weightShare);
-                vector[k] +=
-                    static_cast<double>(model.levers[(3 * p + c) * modes + k]) * force / (pace * pace * left);
+                vector[k] += static_cast<double>(model.levers[(3 * p + c) * modes + k]) * force /
+                             (omega * omega * left);
             }
         }
     std::vector<double> angles(model.joints, 0.0);
@@ -78,7 +78,7 @@ double largest(const std::vector<double>& values) {
     return most;
 }
 
-TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
+TEST(ModalModel, StaticDeflectionMatchesItsSprings) {
     for (const char* name : {"oak", "Norway spruce", "silver birch"}) {
         const GrownTree tree(name, {18, 0.25f, 0});
         const JointTree joints = tree.joints();
@@ -98,7 +98,7 @@ TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
     }
 }
 
-/// A forked tree of four units: eight joints, as many modes as any model keeps.
+/// A forked tree of four units with eight joints, which a model keeps as eight modes.
 GrownTree smallTree() {
     Species species = defaultSpecies();
     species.tree.growth.reset();
@@ -109,7 +109,7 @@ GrownTree smallTree() {
     return {species, {6, 0.1f, 0}};
 }
 
-TEST(ModalModel, NothingRemainsBesideAllModes) {
+TEST(ModalModel, WithAllModesTheResidualIsZero) {
     const GrownTree tree = smallTree();
     const JointTree joints = tree.joints();
     const ModalModel model = makeModalModel(joints, tree.material(), {16, 4});
@@ -129,7 +129,7 @@ TEST(ModalModel, NothingRemainsBesideAllModes) {
     }
 }
 
-TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
+TEST(ModalModel, ACoarserModelHasTheFirstModes) {
     const GrownTree tree("beech", {20, 0.3f, 0});
     const std::vector<ModalModel> models =
         makeModalModels(tree.joints(), tree.material(), {ModalDetail{12, 10}, ModalDetail{4, 4}});
@@ -137,7 +137,7 @@ TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
     ASSERT_EQ(coarse.modes.size(), 4u);
     ASSERT_EQ(coarse.patches.size(), 4u);
     for (std::size_t k = 0; k < coarse.modes.size(); ++k) {
-        EXPECT_EQ(coarse.modes[k].pace, fine.modes[k].pace);
+        EXPECT_EQ(coarse.modes[k].omega, fine.modes[k].omega);
         EXPECT_EQ(coarse.modes[k].weightShare, fine.modes[k].weightShare);
         for (std::size_t i = 0; i < coarse.joints; ++i)
             ASSERT_EQ(coarse.poses[i * coarse.columns() + k], fine.poses[i * fine.columns() + k])
@@ -162,7 +162,7 @@ TEST(ModalModel, KeepsTheModesWithMostEnergy) {
     }
 }
 
-TEST(ModalModel, AllDragIsOnItsPatches) {
+TEST(ModalModel, PatchesHaveAllDrag) {
     const GrownTree tree("oak", {20, 0.3f, 0});
     const JointTree joints = tree.joints();
     double wood = 0.0, leaves = 0.0, still = 0.0;
@@ -181,7 +181,7 @@ TEST(ModalModel, AllDragIsOnItsPatches) {
     EXPECT_NEAR(still, 0.0, 1e-4);
 }
 
-TEST(ModalModel, NothingStandsStill) {
+TEST(ModalModel, AnEmptyTreeMakesAModel) {
     const ModalModel model = makeModalModel(JointTree(), ModalMaterial());
     EXPECT_TRUE(model.modes.empty());
     EXPECT_TRUE(model.poses.empty());
@@ -196,7 +196,7 @@ std::vector<glm::vec2> modalAtRest(const GrownTree& tree, const glm::vec3& wind)
     ModalMotion::Tree placed;
     placed.form = tree.form();
     ModalMotion motion({placed}, 1.0f, runInTurn, true);
-    motion.meet(&field, 0.0);
+    motion.sampleWind(&field, 0.0);
     for (int i = 1; i <= restSteps; ++i)
         motion.step(&field, 0.0, restStep);
     std::vector<glm::vec2> angles(tree.units().size());
@@ -204,7 +204,7 @@ std::vector<glm::vec2> modalAtRest(const GrownTree& tree, const glm::vec3& wind)
     return angles;
 }
 
-/// As the statics of its joints say, as long as no leaf turns out of the wind and weight bends nothing.
+/// Compares the trunk with the statics of its joints; valid without streamlining and without weight.
 void expectTrunkAsStaticsSay(const GrownTree& tree, const glm::vec3& wind) {
     const Archetype archetype(tree.form());
     PatchForces forces;
@@ -224,8 +224,8 @@ void expectTrunkAsStaticsSay(const GrownTree& tree, const glm::vec3& wind) {
         }
 }
 
-/// Of wood that weighs next to nothing, and no heavier for what an allometry says or a root holds. Below 10
-/// m/s its leaves do not turn out of the wind.
+/// A species with nearly massless wood, without allometry and with rigid roots. Below 10 m/s its leaves do
+/// not streamline.
 Species weightless(Species species) {
     species.wood.density = 0.01f;
     species.wood.leafMass = 0.0f;
@@ -235,7 +235,7 @@ Species weightless(Species species) {
     return species;
 }
 
-TEST(ModalModel, APoleStandsInTheWindAsStaticsSay) {
+TEST(ModalModel, APoleInTheWindMatchesStatics) {
     GrownTree pole = smallTree();
     pole.species = weightless(pole.species);
     pole.species.wood.dampingRatio = 0.3f;
@@ -250,15 +250,14 @@ TEST(ModalModel, APoleStandsInTheWindAsStaticsSay) {
     expectTrunkAsStaticsSay(pole, {0.0f, -6.0f, 0.0f});
 }
 
-/// A light pole with a weight on its top, and the force of a wind there.
+/// A light pole with a mass and drag at its top.
 JointTree weightedPole(int links, double length, double bending, double mass) {
     JointTree tree;
     for (int i = 0; i < links; ++i) {
         JointTree::Link link;
         link.parent = i - 1;
         link.base = {0.0, 0.0, i * length / links};
-        // The first half of a link bends before its joint, the second after it: the foot's joint has one
-        // half.
+        // The halves of a link bend before and after its joint; the joint at the foot has one half only.
         link.stiffness = bending * links / length * (i == 0 ? 2.0 : 1.0);
         tree.links.push_back(link);
         JointTree::Point point;
@@ -275,10 +274,9 @@ JointTree weightedPole(int links, double length, double bending, double mass) {
     return tree;
 }
 
-TEST(ModalModel, AColumnLeansUnderItsWeightAsTimoshenkoSays) {
-    // A column of length l that bears P and is pushed by Q at its top moves there by Q l^3 / (3 E I) times
-    // 3 (tan u - u) / u^3, u = l sqrt(P / (E I)) (Timoshenko and Gere 1961). The
-    // pole's own weight is a thousandth of P.
+TEST(ModalModel, ALoadedColumnMatchesTimoshenko) {
+    // The top of a column of length l with an axial load P and a transverse load Q moves by Q l^3 / (3 E I)
+    // times 3 (tan u - u) / u^3, u = l sqrt(P / (E I)) (Timoshenko and Gere 1961). The pole weighs P / 1000.
     const double length = 12.0, bending = 2.0e5, push = 20.0, pi = 3.141592653589793;
     for (const double share : {0.1, 0.3, 0.6}) {
         const double load = share * 0.25 * pi * pi * bending / (length * length);
@@ -294,12 +292,12 @@ TEST(ModalModel, AColumnLeansUnderItsWeightAsTimoshenkoSays) {
     }
 }
 
-TEST(ModalModel, TheTrunkOfATreeStandsInTheWindAsStaticsSay) {
+TEST(ModalModel, TheTrunkOfATreeInTheWindMatchesStatics) {
     for (const char* name : {"oak", "Norway spruce"}) {
         Species species = weightless(*findSpecies(name));
         species.tree.growth.reset();
         species.tree.wood.crook = species.tree.wood.jitter = 0.0f; // an upright trunk
-        species.wood.dampingRatio = 0.3f;                          // comes to rest sooner
+        species.wood.dampingRatio = 0.3f;                          // shortens the transient
         SCOPED_TRACE(name);
         expectTrunkAsStaticsSay({species, {18, 0.25f, 0}}, {8.0f, 0.0f, 0.0f});
     }

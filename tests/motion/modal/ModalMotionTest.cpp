@@ -61,7 +61,7 @@ void run(ModalMotion& motion, const WindField* wind, int frames, int from = 0) {
         motion.step(wind, i / 60.0, frame);
 }
 
-/// Trees of one model and many sizes, scattered.
+/// Scattered trees of one model in many sizes.
 struct Forest {
     std::vector<GrownTree> kinds;
     std::vector<ModalMotion::Tree> trees;
@@ -83,7 +83,7 @@ struct Forest {
     }
 };
 
-TEST(ModalMotion, ATreeTurnedWithItsWindMovesAlike) {
+TEST(ModalMotion, ATreeRotatedWithItsWindMovesAlike) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     const float heading = 1.1f;
     ModalMotion motion({placed(oak), placed(oak, {0, 0, 0}, heading)}, 1.0f, runInTurn);
@@ -96,13 +96,13 @@ TEST(ModalMotion, ATreeTurnedWithItsWindMovesAlike) {
     const Angles expected = anglesOf(motion, 0);
     EXPECT_LT(furthest(anglesOf(turned, 0), expected), 1e-3f * largest(expected));
     EXPECT_GT(furthest(anglesOf(motion, 1), expected), 0.1f * largest(expected))
-        << "the same wind is another one to a tree that is turned";
+        << "in its own frame, a rotated tree has a different wind";
 }
 
-TEST(ModalMotion, GainMultipliesWhatASteadyWindDoes) {
+TEST(ModalMotion, GainMultipliesTheResponseToASteadyWind) {
     GrownTree oak("oak", {16, 0.4f, 0});
     oak.species.branch.maxAngle = 1.5f;
-    oak.species.wood.dampingRatio = 0.5f; // comes to rest sooner
+    oak.species.wood.dampingRatio = 0.5f; // shortens the transient
     const UniformWind wind({4, 1, 0});
     Angles angles[2];
     for (const bool more : {false, true}) {
@@ -115,7 +115,7 @@ TEST(ModalMotion, GainMultipliesWhatASteadyWindDoes) {
             << "unit " << i;
 }
 
-TEST(ModalMotion, GainLeavesPaceAndDampingAlone) {
+TEST(ModalMotion, GainDoesNotChangeFrequencyAndDamping) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     ModalMotion plain({placed(oak)}, 1.0f, runInTurn, true), more({placed(oak)}, 3.0f, runInTurn, true);
     std::vector<float> pulled = plain.amplitudes(0);
@@ -134,31 +134,31 @@ TEST(ModalMotion, GainLeavesPaceAndDampingAlone) {
     }
 }
 
-TEST(ModalMotion, CrownsAllAroundTakeTheirShareOfASway) {
-    // x e^(-ratio pace t): 0.05 more of critical damping take e^(-0.05 pace t) more, whatever else there is.
+TEST(ModalMotion, CrownContactAddsDamping) {
+    // x e^(-ratio omega t): 0.05 more damping ratio adds a factor e^(-0.05 omega t).
     GrownTree oak("oak", {16, 0.3f, 0});
     oak.species.wood.dampingRatio = 0.01f;
     ModalMotion alone({placed(oak)}, 1.0f, runInTurn, true), among({placed(oak)}, 1.0f, runInTurn, true);
-    among.setCompany(0, {1.0f, 1.0f});
-    double taken[2] = {}; // logarithm of what is left of the sway
-    double time = 0.0, pace = 0.0;
+    among.setNeighbourEffect(0, {1.0f, 1.0f});
+    double taken[2] = {}; // logarithmic decrement
+    double time = 0.0, omega = 0.0;
     for (ModalMotion* motion : {&alone, &among}) {
-        motion->setAmplitudes(0, {1.0e-3f}); // so little that air takes nothing
+        motion->setAmplitudes(0, {1.0e-3f}); // small, so that the air does not damp it
         const ModalModel::Mode& mode = motion->model(0).modes[0];
-        pace = static_cast<double>(mode.pace) * std::sqrt(1.0 - static_cast<double>(mode.weightShare));
-        const int steps = static_cast<int>(std::round(2.0 * 6.283185307 / pace * 240.0));
+        omega = static_cast<double>(mode.omega) * std::sqrt(1.0 - static_cast<double>(mode.weightShare));
+        const int steps = static_cast<int>(std::round(2.0 * 6.283185307 / omega * 240.0));
         time = steps / 240.0;
         for (int i = 0; i < steps; ++i)
             motion->step(nullptr, i / 240.0, 1.0f / 240.0f);
         taken[motion == &among] = std::log(1.0e-3 / static_cast<double>(motion->amplitudes(0)[0]));
     }
-    EXPECT_NEAR((taken[1] - taken[0]) / (pace * time), 0.05, 0.003);
+    EXPECT_NEAR((taken[1] - taken[0]) / (omega * time), 0.05, 0.003);
 }
 
-TEST(ModalMotion, ATreeKeepsItsCompanyWhateverItBecomes) {
+TEST(ModalMotion, AReplacedTreeKeepsItsNeighbourEffect) {
     const GrownTree small("oak", {16, 0.3f, 0}), alike("oak", {16.2f, 0.3f, 0}), large("oak", {30, 0.9f, 0});
     ModalMotion motion({placed(small)}, 1.0f, runInTurn);
-    motion.setCompany(0, {1.0f, 0.5f});
+    motion.setNeighbourEffect(0, {1.0f, 0.5f});
     const float contact = motion.factors(0).contact;
     EXPECT_GT(contact, 0.0f);
     for (const GrownTree* other : {&alike, &large}) {
@@ -167,7 +167,7 @@ TEST(ModalMotion, ATreeKeepsItsCompanyWhateverItBecomes) {
         EXPECT_EQ(motion.factors(0).shelter, 0.5f);
     }
     motion.remove(0);
-    EXPECT_EQ(motion.factors(motion.add(placed(small))).shelter, 1.0f) << "nobody knows its company yet";
+    EXPECT_EQ(motion.factors(motion.add(placed(small))).shelter, 1.0f) << "the neighbours are not known yet";
 }
 
 TEST(ModalMotion, WithoutGainNothingMoves) {
@@ -178,7 +178,7 @@ TEST(ModalMotion, WithoutGainNothingMoves) {
     EXPECT_EQ(largest(anglesOf(motion, 0)), 0.0f);
 }
 
-TEST(ModalMotion, ATreeMovesAloneAsInAForest) {
+TEST(ModalMotion, ASingleTreeMovesAsInAForest) {
     const Forest forest(60, {"oak", "Norway spruce"});
     const WindFieldPtr wind = gustsOf(8);
     ModalMotion all(forest.trees, 1.0f, runInTurn);
@@ -191,7 +191,7 @@ TEST(ModalMotion, ATreeMovesAloneAsInAForest) {
     }
 }
 
-TEST(ModalMotion, ThreadsChangeNothing) {
+TEST(ModalMotion, ResultsDoNotDependOnThreads) {
     const Forest forest(300, {"oak", "Norway spruce"});
     const WindFieldPtr wind = gustsOf(8);
     ModalMotion one(forest.trees, 1.0f, runInTurn);
@@ -210,7 +210,7 @@ TEST(ModalMotion, ThreadsChangeNothing) {
     }
 }
 
-TEST(ModalMotion, ATreeTakesNoMoreThanIsSaid) {
+TEST(ModalMotion, ATreeTakesAtMostTreeBytes) {
     for (const char* name : {"oak", "Norway spruce"}) {
         const Forest forest(4000, {name});
         const ModalMotion motion(forest.trees, 1.0f, ThreadPool::executor());
@@ -220,7 +220,7 @@ TEST(ModalMotion, ATreeTakesNoMoreThanIsSaid) {
     }
 }
 
-/// How often each of 40 far trees moves in a number of steps.
+/// Number of moves of each of 40 far trees in some steps.
 std::vector<int> movesOfFarTrees(int steps, float seconds) {
     const Forest forest(40, {"oak"});
     const WindFieldPtr wind = gustsOf(8);
@@ -240,14 +240,13 @@ std::vector<int> movesOfFarTrees(int steps, float seconds) {
     return moved;
 }
 
-TEST(ModalMotion, FarTreesStepFiveTimesASecondHoweverOftenTheyAreAsked) {
+TEST(ModalMotion, FarTreesStepFiveTimesASecondAtAnyFrameRate) {
     for (const float seconds : {0.1f, frame, 0.001f})
         for (const int moves : movesOfFarTrees(static_cast<int>(std::round(3.0f / seconds)), seconds))
             EXPECT_EQ(moves, 15);
 }
 
-/// How far the foot of the trunk and any unit jump as a tree changes its level again and again, over the
-/// largest angle of either.
+/// Largest jump of the trunk's foot and of any unit over level changes, over their largest angle.
 struct Jumps {
     float foot = 0.0f, any = 0.0f;
 };
@@ -255,7 +254,7 @@ Jumps jumpsTo(Level level, const GrownTree& tree, float speed) {
     const WindFieldPtr wind = gustsOf(speed);
     ModalMotion motion({placed(tree)}, 1.0f, runInTurn);
     motion.setLevel(0, level == Level::Far ? Level::Near : Level::Far);
-    motion.meet(wind.get(), 0.0);
+    motion.sampleWind(wind.get(), 0.0);
     run(motion, wind.get(), 600);
     Jumps jumps, sizes;
     for (int i = 0; i < 10; ++i) {
@@ -273,7 +272,7 @@ Jumps jumpsTo(Level level, const GrownTree& tree, float speed) {
     return {jumps.foot / sizes.foot, jumps.any / sizes.any};
 }
 
-TEST(ModalMotion, LevelsChangeWithoutAJump) {
+TEST(ModalMotion, LevelsChangeWithoutJumps) {
     for (const char* name : {"oak", "Norway spruce", "silver birch"}) {
         const GrownTree tree(name, {18, 0.3f, 0});
         for (const float speed : {3.0f, 8.0f}) {
@@ -281,14 +280,14 @@ TEST(ModalMotion, LevelsChangeWithoutAJump) {
             const Jumps nearer = jumpsTo(Level::Near, tree, speed),
                         farther = jumpsTo(Level::Far, tree, speed);
             EXPECT_LT(nearer.foot, 0.05f);
-            EXPECT_LT(nearer.any, 0.2f) << "thin ends of boughs, which stood still before";
+            EXPECT_LT(nearer.any, 0.2f) << "thin ends of boughs did not move before";
             EXPECT_LT(farther.foot, 0.12f);
-            EXPECT_LT(farther.any, 1.0f) << "twigs keep what the steady wind does to them";
+            EXPECT_LT(farther.any, 1.0f) << "twigs keep their deflection in the steady wind";
         }
     }
 }
 
-TEST(ModalMotion, ALevelSetTwiceIsTheSame) {
+TEST(ModalMotion, SettingTheSameLevelChangesNothing) {
     const Forest forest(20, {"oak"});
     const WindFieldPtr wind = gustsOf(8);
     ModalMotion motion(forest.trees, 1.0f, runInTurn);
@@ -305,7 +304,7 @@ TEST(ModalMotion, ALevelSetTwiceIsTheSame) {
     EXPECT_EQ(motion.factors(3).cosine, factors.cosine);
 }
 
-TEST(ModalMotion, OthersAreLeftAloneWhereLevelsChange) {
+TEST(ModalMotion, ALevelChangeDoesNotAffectOtherTrees) {
     const Forest forest(50, {"oak"});
     const WindFieldPtr wind = gustsOf(8);
     ModalMotion plain(forest.trees, 1.0f, runInTurn), changing(forest.trees, 1.0f, runInTurn);
@@ -319,7 +318,7 @@ TEST(ModalMotion, OthersAreLeftAloneWhereLevelsChange) {
     }
 }
 
-TEST(ModalMotion, ResetIsRestInACalm) {
+TEST(ModalMotion, ResetReturnsToRestInCalm) {
     const Forest forest(20, {"oak"});
     const WindFieldPtr wind = gustsOf(8);
     ModalMotion motion(forest.trees, 1.0f, runInTurn), fresh(forest.trees, 1.0f, runInTurn);
@@ -336,18 +335,18 @@ TEST(ModalMotion, ResetIsRestInACalm) {
         EXPECT_EQ(motion.amplitudes(tree), fresh.amplitudes(tree)) << "tree " << tree;
 }
 
-TEST(ModalMotion, MeetingAWindMovesNothing) {
+TEST(ModalMotion, SamplingTheWindMovesNothing) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     ModalMotion motion({placed(oak, {3, 4, 5}, 0.7f)}, 1.0f, runInTurn);
     const UniformWind wind({5, -2, 1});
-    motion.meet(&wind, 0.0);
+    motion.sampleWind(&wind, 0.0);
     for (const float amplitude : motion.amplitudes(0))
         EXPECT_EQ(amplitude, 0.0f);
     for (const glm::vec3& met : windsOf(motion, 0))
         EXPECT_LT(glm::length(met - glm::vec3(5, -2, 1)), 1e-5f);
 }
 
-TEST(ModalMotion, AnglesAreHeldWithinTheSpecies) {
+TEST(ModalMotion, AnglesStayWithinTheLimitOfTheSpecies) {
     GrownTree birch("silver birch", {20, 0.12f, 0});
     birch.species.branch.maxAngle = 0.2f;
     ModalMotion motion({placed(birch)}, 5.0f, runInTurn);
@@ -361,12 +360,12 @@ TEST(ModalMotion, AnglesAreHeldWithinTheSpecies) {
     }
 }
 
-TEST(ModalMotion, ALongStepIsCutIntoShortOnes) {
+TEST(ModalMotion, ALongStepIsSubdivided) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     ModalMotion motion({placed(oak)}, 1.0f, runInTurn), slow({placed(oak)}, 1.0f, runInTurn);
     const UniformWind wind({8, 0, 0});
-    motion.meet(&wind, 0.0);
-    slow.meet(&wind, 0.0);
+    motion.sampleWind(&wind, 0.0);
+    slow.sampleWind(&wind, 0.0);
     run(motion, &wind, 60);
     slow.step(&wind, 1.0, 1.0f);
     const Angles a = anglesOf(motion, 0), b = anglesOf(slow, 0);

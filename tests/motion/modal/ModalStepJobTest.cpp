@@ -14,14 +14,14 @@
 namespace osgTreeWind {
 namespace {
 
-/// One tree at rest, and a step of it.
+/// A step of one tree at rest.
 class ModalStepJobTest : public testing::Test {
 protected:
     ModalStepJobTest() : _archetype(oak.form()) {
         for (std::size_t level = 0; level < Archetype::levels; ++level)
             _state.groups.emplace_back(_archetype, level);
         _state.resize(1);
-        _state.put(0, 0);
+        _state.addToGroup(0, 0);
         _state.setFactors(0, _archetype.factors(oak.form(), 0.0f));
         job.state = &_state;
         job.wind = &_wind;
@@ -44,13 +44,13 @@ TEST_F(ModalStepJobTest, MovesATreeDownwind) {
     EXPECT_GT(lean().x, 0.0f);
 }
 
-TEST_F(ModalStepJobTest, NoSecondsMeetTheWindAndMoveNothing) {
+TEST_F(ModalStepJobTest, ZeroSecondsSetTheWindAndMoveNothing) {
     job.seconds = 0.0f;
     EXPECT_TRUE(job.run());
     EXPECT_EQ(lean(), glm::vec2(0.0f));
 }
 
-TEST_F(ModalStepJobTest, WhatIsNotValidChangesNothing) {
+TEST_F(ModalStepJobTest, AnInvalidJobChangesNothing) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     ModalStepJob noState = job, back = job, noNumber = job, never = job, noTurns = job;
     noState.state = nullptr;

@@ -32,8 +32,8 @@ JointTree::Point massAt(std::size_t link, const glm::dvec3& base, const glm::dve
     return point;
 }
 
-/// Links of one length, a mass at the end of each.
-void grow(JointTree& tree, int parent, const glm::dvec3& direction, double length, double mass) {
+/// Adds a link with a mass at its end.
+void addLink(JointTree& tree, int parent, const glm::dvec3& direction, double length, double mass) {
     const glm::dvec3 base =
         parent < 0 ? glm::dvec3(0.0) : tree.points[static_cast<std::size_t>(parent)].place;
     tree.links.push_back(linkAt(parent, base, direction));
@@ -43,20 +43,20 @@ void grow(JointTree& tree, int parent, const glm::dvec3& direction, double lengt
 JointTree pole(int links, double length = 1.0) {
     JointTree tree;
     for (int i = 0; i < links; ++i)
-        grow(tree, i - 1, {0, 0, 1}, length, 1.0);
+        addLink(tree, i - 1, {0, 0, 1}, length, 1.0);
     return tree;
 }
 
-/// A trunk and two boughs on either side of it, in the plane y = 0; the masses are at the boughs' tips.
+/// A trunk with a bough on each side, in the plane y = 0; the masses are at the boughs' tips.
 JointTree forkedTree(double angle) {
     JointTree tree;
-    grow(tree, -1, {0, 0, 1}, 1.0, 0.0);
-    grow(tree, 0, {std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
-    grow(tree, 0, {-std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
+    addLink(tree, -1, {0, 0, 1}, 1.0, 0.0);
+    addLink(tree, 0, {std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
+    addLink(tree, 0, {-std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
     return tree;
 }
 
-/// Links any which way, masses and springs of three orders of magnitude.
+/// Random links, with masses and springs over three orders of magnitude.
 JointTree randomTree(std::size_t links, unsigned seed) {
     Random random(seed);
     JointTree tree;
@@ -64,7 +64,7 @@ JointTree randomTree(std::size_t links, unsigned seed) {
         const int parent = i == 0 ? -1 : static_cast<int>(random.uniform() * static_cast<float>(i));
         const glm::dvec3 direction =
             glm::normalize(glm::dvec3(random.symmetric(), random.symmetric(), 1.2f + random.symmetric()));
-        grow(tree, parent, direction, 0.3 + random.uniform(), std::pow(10.0, 1.5 * random.symmetric()));
+        addLink(tree, parent, direction, 0.3 + random.uniform(), std::pow(10.0, 1.5 * random.symmetric()));
         tree.points.back().lever *= 0.8;
         tree.links.back().stiffness = std::pow(10.0, 1.5 * random.symmetric());
     }
@@ -92,31 +92,31 @@ Eigen::VectorXd stiffnesses(const JointTree& tree) {
     return k;
 }
 
-TEST(TreeModes, TwoLinksSwayAtSqrtTwoMinusAndPlusOne) {
-    const std::vector<TreeMode> modes = slowestModes(pole(2), 4);
+TEST(TreeModes, TwoLinksHaveFrequenciesOfSqrtTwoMinusAndPlusOne) {
+    const std::vector<TreeMode> modes = lowestModes(pole(2), 4);
     ASSERT_EQ(modes.size(), 4u);
-    EXPECT_NEAR(modes[0].speed, std::sqrt(2.0) - 1.0, 1e-9);
-    EXPECT_NEAR(modes[1].speed, std::sqrt(2.0) - 1.0, 1e-9);
-    EXPECT_NEAR(modes[2].speed, std::sqrt(2.0) + 1.0, 1e-9);
-    EXPECT_NEAR(modes[3].speed, std::sqrt(2.0) + 1.0, 1e-9);
+    EXPECT_NEAR(modes[0].omega, std::sqrt(2.0) - 1.0, 1e-9);
+    EXPECT_NEAR(modes[1].omega, std::sqrt(2.0) - 1.0, 1e-9);
+    EXPECT_NEAR(modes[2].omega, std::sqrt(2.0) + 1.0, 1e-9);
+    EXPECT_NEAR(modes[3].omega, std::sqrt(2.0) + 1.0, 1e-9);
 }
 
-TEST(TreeModes, AForkSwaysAsWorkedOutByHand) {
-    // Three equal links, 60 degrees: omega^2 = (7 -+ sqrt 43) / 3, and boughs against each other.
-    const std::vector<TreeMode> modes = slowestModes(forkedTree(std::acos(-1.0) / 3.0), 6);
+TEST(TreeModes, AForkMatchesAHandCalculation) {
+    // For three equal links at 60 degrees, omega^2 = (7 -+ sqrt 43) / 3; other modes have opposed boughs.
+    const std::vector<TreeMode> modes = lowestModes(forkedTree(std::acos(-1.0) / 3.0), 6);
     for (const double expected : {(7.0 - std::sqrt(43.0)) / 3.0, 1.0, (7.0 + std::sqrt(43.0)) / 3.0}) {
         double nearest = 0.0;
         for (const TreeMode& mode : modes)
-            if (std::abs(mode.speed * mode.speed - expected) < std::abs(nearest - expected))
-                nearest = mode.speed * mode.speed;
+            if (std::abs(mode.omega * mode.omega - expected) < std::abs(nearest - expected))
+                nearest = mode.omega * mode.omega;
         EXPECT_NEAR(nearest, expected, 1e-9);
     }
 }
 
-TEST(TreeModes, TheTrunkStandsWhereBoughsSwayAgainstEachOther) {
+TEST(TreeModes, TheTrunkRestsWhereBoughsSwayAgainstEachOther) {
     bool found = false;
-    for (const TreeMode& mode : slowestModes(forkedTree(1.0), 6))
-        if (std::abs(mode.speed - 1.0) < 1e-9 && std::abs(mode.angles[2]) > 0.1) {
+    for (const TreeMode& mode : lowestModes(forkedTree(1.0), 6))
+        if (std::abs(mode.omega - 1.0) < 1e-9 && std::abs(mode.angles[2]) > 0.1) {
             found = true;
             EXPECT_NEAR(mode.angles[0], 0.0, 1e-9);
             EXPECT_NEAR(mode.angles[2], -mode.angles[4], 1e-9);
@@ -124,7 +124,7 @@ TEST(TreeModes, TheTrunkStandsWhereBoughsSwayAgainstEachOther) {
     EXPECT_TRUE(found);
 }
 
-TEST(TreeModes, MassesAreTheSumOverAllPoints) {
+TEST(TreeModes, MassMatrixIsTheSumOverAllPoints) {
     const JointTree tree = randomTree(40, 3);
     const Eigen::MatrixXd dense = denseMasses(tree);
     const JointMasses masses(tree);
@@ -147,14 +147,14 @@ TEST(TreeModes, MassesAreTheSumOverAllPoints) {
         ASSERT_NEAR(y[i], expected[static_cast<Eigen::Index>(i)], 1e-11 * largest);
 }
 
-TEST(TreeModes, AllModesTogetherAreTheSpringsAlone) {
+TEST(TreeModes, AllModesTogetherAreTheFlexibility) {
     // sum of phi phi^T / omega^2 = diag(1 / K)
     const JointTree tree = randomTree(30, 5);
     const auto n = static_cast<Eigen::Index>(tree.jointCount());
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
-    for (const TreeMode& mode : slowestModes(tree, tree.jointCount())) {
+    for (const TreeMode& mode : lowestModes(tree, tree.jointCount())) {
         const Eigen::Map<const Eigen::VectorXd> phi(mode.angles.data(), n);
-        sum += phi * phi.transpose() / (mode.speed * mode.speed);
+        sum += phi * phi.transpose() / (mode.omega * mode.omega);
     }
     const Eigen::VectorXd k = stiffnesses(tree);
     for (Eigen::Index i = 0; i < n; ++i)
@@ -162,23 +162,23 @@ TEST(TreeModes, AllModesTogetherAreTheSpringsAlone) {
             ASSERT_NEAR(sum(i, j) * std::sqrt(k[i] * k[j]), i == j ? 1.0 : 0.0, 1e-6) << i << ", " << j;
 }
 
-TEST(TreeModes, AreThoseOfADenseSolver) {
+TEST(TreeModes, MatchADenseSolver) {
     const JointTree tree = randomTree(300, 7);
     const Eigen::MatrixXd k = stiffnesses(tree).asDiagonal();
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(k, denseMasses(tree));
-    const std::vector<TreeMode> modes = slowestModes(tree, 32);
+    const std::vector<TreeMode> modes = lowestModes(tree, 32);
     for (std::size_t i = 0; i < 16; ++i)
-        EXPECT_NEAR(modes[i].speed / std::sqrt(dense.eigenvalues()[static_cast<Eigen::Index>(i)]), 1.0, 1e-6)
+        EXPECT_NEAR(modes[i].omega / std::sqrt(dense.eigenvalues()[static_cast<Eigen::Index>(i)]), 1.0, 1e-6)
             << i;
     for (std::size_t i = 16; i < 32; ++i)
-        EXPECT_NEAR(modes[i].speed / std::sqrt(dense.eigenvalues()[static_cast<Eigen::Index>(i)]), 1.0, 1e-2)
+        EXPECT_NEAR(modes[i].omega / std::sqrt(dense.eigenvalues()[static_cast<Eigen::Index>(i)]), 1.0, 1e-2)
             << i;
 }
 
-TEST(TreeModes, ShapesAreOrthogonalByMass) {
+TEST(TreeModes, ShapesAreMassOrthogonal) {
     const JointTree tree = randomTree(60, 9);
     const JointMasses masses(tree);
-    const std::vector<TreeMode> modes = slowestModes(tree, 20);
+    const std::vector<TreeMode> modes = lowestModes(tree, 20);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const std::vector<double> image = masses.times(modes[i].angles);
         for (std::size_t j = 0; j < modes.size(); ++j) {
@@ -190,23 +190,23 @@ TEST(TreeModes, ShapesAreOrthogonalByMass) {
     }
 }
 
-TEST(TreeModes, ManyLinksSwayAsAnEvenCantilever) {
-    const std::vector<TreeMode> modes = slowestModes(pole(200, 0.01), 4);
-    EXPECT_NEAR(modes[2].speed / modes[0].speed, 6.267, 0.02);
+TEST(TreeModes, ManyLinksMatchAUniformCantilever) {
+    const std::vector<TreeMode> modes = lowestModes(pole(200, 0.01), 4);
+    EXPECT_NEAR(modes[2].omega / modes[0].omega, 6.267, 0.02);
 }
 
-TEST(TreeModes, WeightTakesItsShare) {
-    // A mass m on a link of length l: W / U = m g l / K, and as much the other way where it hangs.
+TEST(TreeModes, WeightReducesTheStiffness) {
+    // A mass m on a link of length l has W / U = m g l / K, with the opposite sign if it hangs.
     JointTree tree = pole(1, 2.0);
     tree.points[0].mass = 3.0;
     tree.links[0].stiffness = 100.0;
-    EXPECT_NEAR(slowestModes(tree, 1)[0].weightShare, 3.0 * 9.81 * 2.0 / 100.0, 1e-12);
+    EXPECT_NEAR(lowestModes(tree, 1)[0].weightShare, 3.0 * 9.81 * 2.0 / 100.0, 1e-12);
     tree.points[0].place.z = tree.points[0].lever.z = -2.0;
-    EXPECT_NEAR(slowestModes(tree, 1)[0].weightShare, -3.0 * 9.81 * 2.0 / 100.0, 1e-12);
+    EXPECT_NEAR(lowestModes(tree, 1)[0].weightShare, -3.0 * 9.81 * 2.0 / 100.0, 1e-12);
 }
 
-TEST(TreeModes, APoleBucklesWhereGreenhillSays) {
-    // q l^3 / (E I) = 7.837 for an even pole under its own weight.
+TEST(TreeModes, BucklingMatchesGreenhill) {
+    // q l^3 / (E I) = 7.837 for a uniform pole under its own weight.
     const int links = 200;
     const double length = 10.0, buckling = 7.837, stiffness = 1.0e4; // E I
     JointTree tree = pole(links, length / links);
@@ -214,12 +214,12 @@ TEST(TreeModes, APoleBucklesWhereGreenhillSays) {
         link.stiffness = stiffness * links / length;
     for (JointTree::Point& point : tree.points)
         point.mass = buckling * stiffness / std::pow(length, 3.0) * length / links / 9.81;
-    EXPECT_NEAR(slowestModes(tree, 1)[0].weightShare, 1.0, 0.02);
+    EXPECT_NEAR(lowestModes(tree, 1)[0].weightShare, 1.0, 0.02);
 }
 
-TEST(TreeModes, NothingHasNone) {
-    EXPECT_TRUE(slowestModes(JointTree(), 5).empty());
-    EXPECT_EQ(slowestModes(pole(1), 5).size(), 2u);
+TEST(TreeModes, AnEmptyTreeHasNone) {
+    EXPECT_TRUE(lowestModes(JointTree(), 5).empty());
+    EXPECT_EQ(lowestModes(pole(1), 5).size(), 2u);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ TreePlacement sized(double height, double diameterInCentimetres) {
 
 } // namespace
 
-TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
+TEST(PullAndRelease, MatchesTwentyNineMeasuredTrees) {
     REQUIRE_REAL_DATA(path, "sway/NaturalFrequencies_FieldData.csv");
     std::ifstream file(path);
     std::string line;
@@ -50,27 +50,27 @@ TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
     EXPECT_GE(near, 21); // 70 % of 29
 }
 
-TEST(PullAndRelease, SitkaSprucesSwayAsMeasured) {
+TEST(PullAndRelease, MatchesMeasuredSitkaSpruces) {
     // Milne 1991 (Tree Physiology 9:383): six trees, on average 14.2 m, 14.5 cm and 0.35 Hz.
     const auto sway = pullAndRelease(*findSpecies("Sitka spruce"), sized(14.2, 14.5));
     ASSERT_TRUE(sway);
     EXPECT_NEAR(sway->frequency, 0.35, 0.09);
 }
 
-TEST(PullAndRelease, CriticalDampingDoesNotSwing) {
+TEST(PullAndRelease, ACriticallyDampedTreeDoesNotOscillate) {
     Species species = defaultSpecies();
     species.wood.dampingRatio = 1.5f;
     EXPECT_FALSE(pullAndRelease(species, sized(10, 20)));
 }
 
-TEST(PullAndRelease, AThickerTreeIsQuickerAndATallerSlower) {
-    const Species beech = *findSpecies("beech"); // whose forms differ less than those of oaks
+TEST(PullAndRelease, FrequencyRisesWithDiameterAndFallsWithHeight) {
+    const Species beech = *findSpecies("beech"); // its shapes vary less than those of oaks
     const double usual = pullAndRelease(beech, sized(15, 30))->frequency;
     EXPECT_GT(pullAndRelease(beech, sized(15, 45))->frequency, 1.15 * usual);
     EXPECT_LT(pullAndRelease(beech, sized(22, 30))->frequency, 0.8 * usual);
 }
 
-TEST(PullAndRelease, ABareTreeRingsAsLongAsItsWood) {
+TEST(PullAndRelease, ABareTreeHasTheDampingRatioOfItsWood) {
     for (const Species& species : SpeciesCatalogue::current().species()) {
         TreePlacement tree = sized(20, 28);
         tree.leaves = 0.0f;
@@ -84,16 +84,16 @@ TEST(PullAndRelease, ABareTreeRingsAsLongAsItsWood) {
     }
 }
 
-TEST(PullAndRelease, InLeafTheAirDampsATreeMore) {
+TEST(PullAndRelease, LeavesIncreaseDampingByTheAir) {
     for (const Species& species : SpeciesCatalogue::current().species())
         for (const float height : {12.0f, 20.0f, 28.0f}) {
             const double damping = pullAndRelease(species, sized(height, 1.5f * height))->dampingRatio;
-            EXPECT_GT(damping, species.appearance.needles() ? 0.056 : 0.06) << species.name;
+            EXPECT_GT(damping, species.appearance.hasNeedles() ? 0.056 : 0.06) << species.name;
             EXPECT_LT(damping, 0.15) << species.name;
         }
 }
 
-TEST(PullAndRelease, TheAirDampsAsFarAsItIsPulled) {
+TEST(PullAndRelease, DampingByTheAirGrowsWithThePull) {
     const Species ash = *findSpecies("ash");
     const auto air = [&](double pull) {
         return pullAndRelease(ash, sized(20, 28), pull)->dampingRatio -

@@ -22,12 +22,11 @@ TEST(CanopyGrid, HoldsAllTreesAndBeginsAtAWholeCell) {
         EXPECT_EQ(std::remainder(grid.low[axis], cell[axis]), 0.0);
         EXPECT_LE(grid.low[axis], low[axis]);
         EXPECT_GE(grid.high()[axis], high[axis]);
-        EXPECT_LT(low[axis] - grid.low[axis], cell[axis]) << "no more than it takes";
+        EXPECT_LT(low[axis] - grid.low[axis], cell[axis]) << "no larger than needed";
         EXPECT_LT(grid.high()[axis] - high[axis], cell[axis]);
     }
 }
 
-/// As measured trees say of themselves.
 TEST(CanopyGrid, ABoxIsAsWideAndHighAsTheTree) {
     ForestDescription wood = smallWood();
     for (TreePlacement& tree : wood.trees)
@@ -35,14 +34,14 @@ TEST(CanopyGrid, ABoxIsAsWideAndHighAsTheTree) {
     const PlacedForest forest(wood);
     for (const PlacedTree& tree : forest.trees) {
         const TreeBox box = treeBox(forest, tree);
-        const TreeSize size = forest.measured(tree);
+        const TreeSize size = forest.sizeOf(tree);
         const glm::dvec3 extent = box.high - box.low;
         EXPECT_NEAR(extent.z, static_cast<double>(size.height), 1e-3 * extent.z);
         EXPECT_NEAR(0.5 * (extent.x + extent.y), static_cast<double>(size.crownWidth), 1e-3 * extent.x);
     }
 }
 
-TEST(CanopyGrid, IsTheBoundsThatAreGiven) {
+TEST(CanopyGrid, CoversTheGivenBounds) {
     const PlacedForest forest(smallWood());
     const glm::dvec2 corner(forest.description().origin);
     const CanopyGrid grid =
@@ -53,18 +52,18 @@ TEST(CanopyGrid, IsTheBoundsThatAreGiven) {
     EXPECT_EQ(grid.low.z, 0.0);
 }
 
-TEST(CanopyGrid, IsFlatWhereNoTreeIs) {
+TEST(CanopyGrid, HasOneLevelWithoutTrees) {
     const PlacedForest forest(smallWood());
     const CanopyGrid grid = gridOver(forest, {1.0, 1.0, 1.0}, false, CanopyBounds{{0.0, 0.0}, {5.0, 5.0}});
     EXPECT_EQ(grid.cells, glm::ivec3(5, 5, 1));
 }
 
-TEST(CanopyGrid, SaysWhatIsWrong) {
+TEST(CanopyGrid, ReportsInvalidBoundsAndCells) {
     const PlacedForest forest(smallWood());
-    const CanopyBounds tenAndAHalf{{0.0, 0.0}, {10.5, 10.0}}, none{{0.0, 0.0}, {0.0, 10.0}},
-        turned{{10.0, 0.0}, {0.0, 10.0}};
+    const CanopyBounds tenAndAHalf{{0.0, 0.0}, {10.5, 10.0}}, empty{{0.0, 0.0}, {0.0, 10.0}},
+        reversed{{10.0, 0.0}, {0.0, 10.0}};
     const glm::dvec3 metre(1.0);
-    for (const auto& bounds : {tenAndAHalf, none, turned})
+    for (const auto& bounds : {tenAndAHalf, empty, reversed})
         EXPECT_NE(
             firstProblem(canopyGridOver(forest, metre, true, bounds)).find("bounds: expected a whole number"),
             std::string::npos);

@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A post of 10 m, 40 cm thick below and 20 cm at its top, without a branch or a leaf.
+/// A post of 10 m without branches and leaves; its diameter is 40 cm at the foot and 20 cm at the top.
 Species post() {
     Species species;
     species.name = "post";
@@ -36,7 +36,7 @@ ForestDescription onePost(const glm::dvec3& position) {
 
 } // namespace
 
-TEST(CanopyRows, HoldTheLeavesOfTheTreesInEverySeason) {
+TEST(CanopyRows, HaveTheLeafAreaOfTheTreesInEverySeason) {
     for (const float season : {midwinter, 0.9f, midsummer, 3.2f}) {
         ForestDescription wood = smallWood();
         wood.season = season;
@@ -54,8 +54,8 @@ TEST(CanopyRows, HoldTheLeavesOfTheTreesInEverySeason) {
     }
 }
 
-/// What the law `modal` has on its patches, which is half the density of air times it.
-TEST(CanopyRows, HoldTheDragThatTheTreesSwayBy) {
+/// The patches of the law `modal` hold the drag area times half the density of air.
+TEST(CanopyRows, HaveTheDragAreaOfTheModalLaw) {
     for (const float season : {midwinter, midsummer}) {
         ForestDescription wood = smallWood();
         wood.season = season;
@@ -73,7 +73,7 @@ TEST(CanopyRows, HoldTheDragThatTheTreesSwayBy) {
     }
 }
 
-/// Bare wood by the outline that each cell cuts from it.
+/// Each cell holds the drag of the wood in it.
 TEST(CanopyRows, APostHasTheDragOfItsOutlineAtEachHeight) {
     const PlacedForest forest(onePost({0.5, 0.5, 0.0}));
     const WholeCanopy canopy(forest, gridOver(forest, {1.0, 1.0, 0.5}));
@@ -87,7 +87,7 @@ TEST(CanopyRows, APostHasTheDragOfItsOutlineAtEachHeight) {
     }
 }
 
-/// A tree has its leaves about its foot, and turns them with its heading.
+/// The leaves lie around the foot of the tree and turn with its heading.
 TEST(CanopyRows, TurnWithTheTree) {
     ForestDescription wood = smallWood();
     wood.trees.resize(1);
@@ -104,8 +104,8 @@ TEST(CanopyRows, TurnWithTheTree) {
     EXPECT_NEAR(back.z, arm.z, 0.05);
 }
 
-/// A measured tree is in the air as high and as wide as it was measured, within a leaf card and two cells.
-TEST(CanopyRows, FillTheSizeThatATreeWasGiven) {
+/// A measured tree is as high and as wide as measured, within a leaf card and two cells.
+TEST(CanopyRows, ReachTheGivenSizeOfATree) {
     for (std::size_t species = 0; species < 3; ++species) {
         ForestDescription wood = smallWood();
         wood.trees = {treeAt(wood.origin, species, 14.0f)};
@@ -147,7 +147,7 @@ TEST(CanopyRows, CountFromTheGroundBelowEachColumn) {
     EXPECT_NEAR(fromFoot.middle(fromFoot.leaf).z, middle.z - foot.z, 0.1);
 }
 
-/// Two halves of a map, cut through the crowns, are the whole.
+/// Two halves of a map, cut through the crowns, add up to the whole.
 TEST(CanopyRows, BoundsCutTrees) {
     const PlacedForest forest(smallWood());
     const WholeCanopy whole(forest, gridOver(forest, {1.0, 1.0, 1.0}));
@@ -175,7 +175,7 @@ TEST(CanopyRows, StopWhenTold) {
     EXPECT_FALSE(tally.finished);
 }
 
-/// The rows of one tree do not become more with more trees north of it.
+/// More trees to the north do not need more rows.
 TEST(CanopyRows, NeedTheMemoryOfTheWidestTree) {
     ForestDescription wood = smallWood();
     wood.trees.resize(1);

@@ -35,7 +35,7 @@ inline ForestDescription smallWood() {
     return forest;
 }
 
-/// A canopy in memory: all rows, one after the other.
+/// All rows of a canopy in memory.
 struct WholeCanopy {
     CanopyGrid grid;
     CanopyTally tally;
@@ -53,14 +53,14 @@ struct WholeCanopy {
     float at(const std::vector<float>& field, int x, int y, int z) const {
         return field[static_cast<std::size_t>((y * grid.cells.z + z) * grid.cells.x + x)];
     }
-    /// Of what is on the grid, m^2.
+    /// Sum of a field over the grid, m^2.
     double sum(const std::vector<float>& field) const {
         double sum = 0.0;
         for (const float density : field)
             sum += static_cast<double>(density) * grid.volume();
         return sum;
     }
-    /// Where the middle of it is.
+    /// Centre of a field.
     glm::dvec3 middle(const std::vector<float>& field) const {
         glm::dvec3 moment(0.0);
         for (int y = 0; y < grid.cells.y; ++y)

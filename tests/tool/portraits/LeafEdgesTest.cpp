@@ -14,7 +14,7 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr int size = 256, closing = 8;
-/// Bars as wide as the gaps between them, across half of the picture.
+/// Bars as wide as the gaps between them, over half of the picture.
 Silhouette bars(int width) {
     Silhouette picture(size);
     for (int x = 64; x < 192; x += 2 * width)
@@ -33,7 +33,7 @@ TEST(LeafEdges, CountChangesAndRunsAlongLines) {
     }
 }
 
-TEST(LeafEdges, OfWhatIsSolidThereAreNone) {
+TEST(LeafEdges, ASolidSquareHasNone) {
     Silhouette square(size);
     square.draw({64, 64}, {128, 0}, {0, 128}, solidMask);
     const LeafEdges edges = measureEdges(square, closing);
@@ -43,23 +43,23 @@ TEST(LeafEdges, OfWhatIsSolidThereAreNone) {
     EXPECT_EQ(measureEdges(Silhouette(size), closing).edges, 0.0f);
 }
 
-TEST(LeafEdges, OfFineBarsThatFillAnAreaHaveItsDimension) {
+TEST(LeafEdges, OfFineBarsHaveTheDimensionOfAnArea) {
     EXPECT_NEAR(measureEdges(bars(1), closing).slope, 2.0f, 0.15f);
 }
 
-/// 0.85 to 1.25 are wanted.
-TEST(LeafEdges, CrownsAreCutAsFinelyAsSingleLeavesInTheirPlaces) {
+/// The aim is a ratio of 0.85 to 1.25.
+TEST(LeafEdges, OfCrownsAreAsFineAsThoseOfSingleLeaves) {
     for (const char* name : {"oak", "beech", "silver birch", "sycamore", "Norway spruce", "Scots pine"}) {
         const Species species = *findSpecies(name);
         const TreeModel model = makeTreeModel(species.tree);
         for (const auto& [reductions, distance] : {std::pair(0, 20.0f), {2, 40.0f}, {3, 40.0f}, {5, 80.0f}}) {
             const EdgePicture picture(model, species.appearance, distance, 0.3f);
             const LeafEdges single = picture.singleLeaves(), drawn = picture.cards(reductions);
-            // Cards of needles have to be larger, for needles are round.
-            const float least = species.appearance.needles() ? 0.7f : 0.83f;
+            // Needles are round, so their cards are larger.
+            const float least = species.appearance.hasNeedles() ? 0.7f : 0.83f;
             EXPECT_GT(drawn.edges / single.edges, least) << name << ", " << reductions;
             EXPECT_LT(drawn.edges / single.edges, 1.27f) << name << ", " << reductions;
-            EXPECT_LT(drawn.leafRun / single.leafRun, species.appearance.needles() ? 1.5f : 1.4f)
+            EXPECT_LT(drawn.leafRun / single.leafRun, species.appearance.hasNeedles() ? 1.5f : 1.4f)
                 << name << ", " << reductions;
             EXPECT_GT(drawn.skyRun / single.skyRun, 0.6f) << name << ", " << reductions;
         }

@@ -57,14 +57,14 @@ TEST(TreeLooks, LeavesAreInclinedAsMeasured) {
         EXPECT_NEAR(looksOf(species).leafInclination, degrees, 5.0) << species;
 }
 
-TEST(TreeLooks, LeavesThatAreDrawnAreThoseThatCatchTheWind) {
+TEST(TreeLooks, DrawnLeafAreaMatchesThatOfTheMechanics) {
     for (const Species& species : SpeciesCatalogue::current().species()) {
         const TreeLooks& looks = looksOf(species.name);
         EXPECT_NEAR(looks.leafAreaDrawn / looks.leafAreaMechanics, 1.0, 0.2) << species.name;
     }
 }
 
-TEST(TreeLooks, GreensAreManyAndNotTooGreen) {
+TEST(TreeLooks, GreensVaryAndAreNotTooGreen) {
     for (const Species& species : SpeciesCatalogue::current().species()) {
         const TreeLooks& looks = looksOf(species.name);
         EXPECT_GE(looks.hueSpread, 15.0f) << species.name;
@@ -73,7 +73,7 @@ TEST(TreeLooks, GreensAreManyAndNotTooGreen) {
     }
 }
 
-TEST(TreeLooks, ATreeWithoutLeavesHasNoneOfTheirLooks) {
+TEST(TreeLooks, ATreeWithoutLeavesHasNoLeafNumbers) {
     Species bare;
     bare.tree.leaves.clustersPerBranch = 0;
     const TreeLooks looks = measureLooks(bare);

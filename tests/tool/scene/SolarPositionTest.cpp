@@ -6,14 +6,14 @@
 
 using namespace osgTreeWind;
 
-TEST(SolarPosition, IsThatOfTheExampleOfReda2004) {
+TEST(SolarPosition, MatchesTheExampleOfReda2004) {
     // I. Reda and A. Andreas, Solar Energy 76 (2004), appendix A.5: zenith 50.11162, azimuth 194.34024.
     const SolarPosition sun(*parseIsoTime("2003-10-17T12:30:30-07:00"), {-105.1786, 39.742476});
     EXPECT_NEAR(sun.elevation, 90.0 - 50.11162, 0.02);
     EXPECT_NEAR(sun.azimuth, 194.34024, 0.02);
 }
 
-TEST(SolarPosition, AtThePoleIsTheDeclination) {
+TEST(SolarPosition, AtThePoleTheElevationIsTheDeclination) {
     // J. Meeus, Astronomical Algorithms, example 25.a: -7.78507 on 1992-10-13.
     EXPECT_NEAR(SolarPosition(*parseIsoTime("1992-10-13T00:00Z"), {0.0, 90.0}).elevation, -7.78507, 0.012);
     // Solstices of 2000: 21 June 01:48, 21 December 13:37.
@@ -21,7 +21,7 @@ TEST(SolarPosition, AtThePoleIsTheDeclination) {
     EXPECT_NEAR(SolarPosition(*parseIsoTime("2000-12-21T13:37Z"), {0.0, -90.0}).elevation, 23.438, 0.05);
 }
 
-TEST(SolarPosition, GoesFromEastToWestAndByTheNorthInTheSouth) {
+TEST(SolarPosition, GoesThroughTheNorthInTheSouthernHemisphere) {
     const auto at = [](const char* time, double latitude) {
         return SolarPosition(*parseIsoTime(time), {0.0, latitude});
     };

@@ -18,7 +18,7 @@ TreeStrength strength(double uproot, double breaking) {
 
 } // namespace
 
-TEST(CriticalSpeeds, OfALoadThatGoesWithThePowerOfTheWind) {
+TEST(CriticalSpeeds, AreFoundForLoadsThatArePowersOfTheWind) {
     for (const double power : {1.0, 1.6, 2.0}) {
         int storms = 0;
         const auto moment = [&](double speed) {
@@ -32,13 +32,13 @@ TEST(CriticalSpeeds, OfALoadThatGoesWithThePowerOfTheWind) {
     }
 }
 
-TEST(CriticalSpeeds, LieBetweenStorms) {
-    const Storms storms{{10.0, 1e3}, {20.0, 4e3}, {40.0, 8e3}};
+TEST(CriticalSpeeds, AreInterpolatedBetweenStorms) {
+    const MomentsBySpeed storms{{10.0, 1e3}, {20.0, 4e3}, {40.0, 8e3}};
     EXPECT_NEAR(criticalSpeeds(storms, strength(2e3, 0.0)).uproot.value(), std::sqrt(200.0), 1e-9);
     EXPECT_NEAR(criticalSpeeds(storms, strength(6e3, 0.0)).uproot.value(), 30.0, 1e-9);
 }
 
-TEST(CriticalSpeeds, AreNoneWhereNothingIsKnownOrNoWindReaches) {
+TEST(CriticalSpeeds, AreEmptyWithoutALimitOrAboveTheFastestWind) {
     const auto square = [](double speed) { return speed * speed; };
     const CriticalSpeeds found = findCriticalSpeeds(square, strength(0.0, 1e6));
     EXPECT_FALSE(found.uproot);

@@ -13,7 +13,7 @@ namespace {
 
 const glm::vec3 toEast(1.0f, 0.0f, 0.0f);
 
-/// Spruces of 24 cm and 20 m, one to the west of a wood of 9 x 9 that stand 5 m apart.
+/// Spruces of 24 cm and 20 m: 9 x 9 trees 5 m apart, and one alone to the west of them.
 ForestDescription wood() {
     ForestDescription forest;
     forest.species = {*findSpecies("Sitka spruce")};
@@ -31,7 +31,7 @@ ForestDescription wood() {
 
 constexpr std::size_t alone = 0, windward = 1 + 9 * 4, leeward = windward + 8;
 
-/// Moments at the feet of trees.
+/// Moments at the feet of all trees.
 std::vector<double> feetOf(const std::vector<ForestStorm::Loads>& loads) {
     std::vector<double> moments;
     for (const ForestStorm::Loads& tree : loads)
@@ -41,22 +41,22 @@ std::vector<double> feetOf(const std::vector<ForestStorm::Loads>& loads) {
 
 } // namespace
 
-TEST(ForestStorm, PullsMostAtTreesThatStandAlone) {
+TEST(ForestStorm, LoadsTreesThatStandAloneMost) {
     const PlacedForest forest(wood());
-    const std::vector<double> moments = feetOf(ForestStorm(forest, toEast, runInTurn).hourOf(20.0, 1));
+    const std::vector<double> moments = feetOf(ForestStorm(forest, toEast, runInTurn).largestLoads(20.0, 1));
     ASSERT_EQ(moments.size(), 82u);
     EXPECT_GT(moments[leeward], 1e3);
     EXPECT_GT(moments[windward], 1.2 * moments[leeward]);
     EXPECT_GT(moments[alone], 1.2 * moments[leeward]);
 }
 
-TEST(ForestStorm, DoesNotDependOnThreadsAndLeavesOutWhatIsGone) {
+TEST(ForestStorm, DoesNotDependOnThreadsAndSkipsRemovedTrees) {
     ForestDescription few = wood();
     few.trees.resize(4);
     PlacedForest forest(few);
     forest.remove(2);
     const auto moments = [&](const Executor& executor) {
-        return feetOf(ForestStorm(forest, toEast, executor).hourOf(15.0, 1));
+        return feetOf(ForestStorm(forest, toEast, executor).largestLoads(15.0, 1));
     };
     const std::vector<double> one = moments(runInTurn);
     EXPECT_EQ(one, moments(ThreadPool::executor(3)));
@@ -64,7 +64,7 @@ TEST(ForestStorm, DoesNotDependOnThreadsAndLeavesOutWhatIsGone) {
     EXPECT_GT(one[1], 0.0);
 }
 
-TEST(ForestStorm, KnowsTheWindAtTheTopOfATreeAlone) {
+TEST(ForestStorm, GivesTheWindAtTheTopOfTrees) {
     const PlacedForest forest(wood());
     const std::vector<float> winds = ForestStorm(forest, toEast, runInTurn).topWinds();
     EXPECT_NEAR(winds[alone], LogProfile({10.0, 0.03}).factor(20.0), 0.01);

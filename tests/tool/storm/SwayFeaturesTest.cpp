@@ -17,7 +17,7 @@ double gaussian(Random& random) {
     return sum - 6.0;
 }
 
-/// An oscillator under white noise along a line that is 30 degrees off x, and a third of it across.
+/// Oscillator driven by white noise along a line 30 degrees from x, and by a third of it across that line.
 std::vector<glm::dvec2> oscillator(double hz, double damping, double rate = 8.0) {
     Random random(3);
     const double h = 1.0 / (8.0 * rate), w = 2.0 * 3.141592653589793 * hz;
@@ -50,7 +50,7 @@ TEST(SwayFeatures, FindsTheFrequencyAndDampingOfAnOscillator) {
     }
 }
 
-TEST(SwayFeatures, LooksAtTheSideToWhichItIsSkewed) {
+TEST(SwayFeatures, TheSkewnessIsPositive) {
     std::vector<glm::dvec2> series = oscillator(0.3, 0.1);
     double square = 0.0;
     for (const glm::dvec2& value : series)
@@ -62,13 +62,13 @@ TEST(SwayFeatures, LooksAtTheSideToWhichItIsSkewed) {
     EXPECT_GT(found->skewness, 0.3);
 }
 
-TEST(SwayFeatures, NothingIsSaidOfTooLittle) {
+TEST(SwayFeatures, AreEmptyForUnsuitableSeries) {
     std::vector<glm::dvec2> series = oscillator(0.3, 0.1);
-    EXPECT_FALSE(swayFeatures(series, 9.0, 0.3).has_value()) << "9 Hz are not a multiple of 4";
+    EXPECT_FALSE(swayFeatures(series, 9.0, 0.3).has_value()) << "9 Hz is not a multiple of 4 Hz";
     EXPECT_FALSE(swayFeatures(series, 8.0, 3.0).has_value());
     series.resize(1000);
     EXPECT_FALSE(swayFeatures(series, 8.0, 0.3).has_value());
-    EXPECT_FALSE(swayFeatures(std::vector<glm::dvec2>(30000), 8.0, 0.3).has_value()) << "it stands still";
+    EXPECT_FALSE(swayFeatures(std::vector<glm::dvec2>(30000), 8.0, 0.3).has_value()) << "constant series";
 }
 
 } // namespace

@@ -20,7 +20,7 @@ TreePlacement tall(float leaves = 1.0f) {
 
 } // namespace
 
-TEST(SwayModes, TheFirstIsThatOfAPulledTree) {
+TEST(SwayModes, TheFirstModesHaveTheFrequencyOfAPulledTree) {
     const Species spruce = *findSpecies("Norway spruce");
     const std::vector<SwayMode> modes = swayModes(spruce, tall());
     ASSERT_GE(modes.size(), 8u);
@@ -29,7 +29,7 @@ TEST(SwayModes, TheFirstIsThatOfAPulledTree) {
     EXPECT_NEAR(modes[1].frequency / free.frequency, 1.0, 0.05);
 }
 
-TEST(SwayModes, SharesOfTheGustsAreThoseOfOneWhole) {
+TEST(SwayModes, SharesOfTheEnergySumToOneOrLess) {
     double sum = 0.0;
     for (const SwayMode& mode : swayModes(*findSpecies("oak"), tall())) {
         EXPECT_GE(mode.share, 0.0);
@@ -39,7 +39,7 @@ TEST(SwayModes, SharesOfTheGustsAreThoseOfOneWhole) {
     EXPECT_LE(sum, 1.0 + 1e-6);
 }
 
-TEST(SwayModes, TheAirDampsEveryOneBesideItsWood) {
+TEST(SwayModes, AirAddsToTheDampingOfWood) {
     const Species ash = *findSpecies("ash");
     const double wood = ash.wood.dampingRatio;
     for (const SwayMode& mode : swayModes(ash, tall())) {
@@ -49,7 +49,7 @@ TEST(SwayModes, TheAirDampsEveryOneBesideItsWood) {
     EXPECT_GT(swayModes(ash, tall())[0].dampingRatio, 1.02 * wood);
 }
 
-TEST(SwayModes, WhatDoesNotSwingIsCritical) {
+TEST(SwayModes, AModeThatDoesNotSwingIsCritical) {
     Species species = defaultSpecies();
     species.wood.dampingRatio = 1.5f;
     for (const SwayMode& mode : swayModes(species, tall()))

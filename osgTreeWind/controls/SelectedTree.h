@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/damage/BreakableJoint.h>
+#include <osgTreeWind/motion/damage/TreeStrength.h>
+
+#include <optional>
+#include <string>
+
+namespace osgTreeWind {
+
+/// The description of a selected tree: its size, and its sway now.
+class SelectedTree {
+public:
+    SelectedTree(const ForestSimulation& simulation, TreeId tree);
+
+    TreeId id() const { return _tree; }
+    /// Two lines: name, species and size; natural frequency, lean, and moment at the foot with its limit.
+    /// Empty if the tree was removed.
+    std::string text(const ForestSimulation& simulation) const;
+
+private:
+    std::string swayText(const ForestSimulation& simulation) const;
+
+    TreeId _tree;
+    std::string _description;
+    double _frequency = 0.0; ///< Natural frequency, Hz. This and the members below: only under `modal`.
+    std::optional<BreakableJoint> _foot;
+    TreeStrength _strength;
+};
+
+} // namespace osgTreeWind

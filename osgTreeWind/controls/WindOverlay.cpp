@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/controls/WindOverlay.h>
+
+#include <osg/LineWidth>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+/// Three colours of the colour map viridis.
+osg::Vec4 windColour(float speed) {
+    constexpr float fastest = 20.0f; // m/s
+    const osg::Vec3 calm(0.267f, 0.005f, 0.329f), fresh(0.128f, 0.567f, 0.551f),
+        strong(0.993f, 0.906f, 0.144f);
+    const float share = 2.0f * std::clamp(speed / fastest, 0.0f, 1.0f);
+    return {share < 1.0f ? calm + (fresh - calm) * share : fresh + (strong - fresh) * (share - 1.0f), 1.0f};
+}
+
+float maxTreeHeight(const PlacedForest& forest) {
+    constexpr std::size_t maxMeasuredTrees = 2000;
+    const std::size_t every = forest.trees.size() / maxMeasuredTrees + 1;
+    float height = 0.0f;
+    for (std::size_t slot = 0; slot < forest.trees.size(); slot += every)
+        if (forest.trees[slot].alive)
+            height = std::max(height, forest.sizeOf(forest.trees[slot]).height);
+    return height;
+}
+
+float groundHeight(const ForestDescription& forest, const glm::vec2& place) {
+    if (!forest.ground)
+        return 0.0f;
+    const auto height = forest.ground->height(glm::dvec2(forest.origin) + glm::dvec2(place));
+    return height ? static_cast<float>(*height - forest.origin.z) : 0.0f;
+}
+
+void setUpLines(osg::Geometry& geometry, unsigned points, float width) {
+    geometry.setDataVariance(osg::Object::DYNAMIC);
+    geometry.setUseDisplayList(false);
+    geometry.setUseVertexBufferObjects(true);
+    geometry.setVertexArray(new osg::Vec3Array(points));
+    geometry.setColorArray(new osg::Vec4Array(points), osg::Array::BIND_PER_VERTEX);
+    geometry.addPrimitiveSet(new osg::DrawArrays(GL_LINES, 0, static_cast<int>(points)));
+    geometry.setCullingActive(false);
+    osg::StateSet* state = geometry.getOrCreateStateSet();
+    state->setMode(GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    state->setAttributeAndModes(new osg::LineWidth(width));
+}
+
+} // namespace osgTreeWind

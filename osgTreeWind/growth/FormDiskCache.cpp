@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/FormDiskCache.h>
+
+#include <osgTreeWind/base/AtomicFile.h>
+#include <osgTreeWind/base/TextHash.h>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace osgTreeWind {
+namespace {
+
+namespace files = std::filesystem;
+
+constexpr char extension[] = ".form";
+/// Extension of a file that is being written; it stays if the program ends meanwhile.
+constexpr char partExtension[] = ".part";
+constexpr std::chrono::hours staleAge{1};
+constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 28;
+
+/// Start of a file; the key and the value follow.
+struct FileHeader {
+    char magic[8] = {'T', 'r', 'e', 'e', 'F', 'o', 'r', 'm'};
+    std::uint32_t byteOrder = 0x01020304;
+    std::uint32_t checksum = 0; ///< Of the key and the value.
+    std::uint64_t keySize = 0, size = 0;
+};
+
+std::uint32_t computeChecksum(std::string_view text) {
+    return static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
+}
+
+std::string fileContent(const std::string& key, const std::string& bytes) {
+    std::string content = key + bytes;
+    FileHeader head;
+    head.checksum = computeChecksum(content);
+    head.keySize = key.size();
+    head.size = bytes.size();
+    return std::string(reinterpret_cast<const char*>(&head), sizeof head) + content;
+}
+
+/// Content of a file; empty if it cannot be read or is larger than any entry.
+std::string readFile(const std::string& path) {
+    std::error_code problem;
+    const std::uint64_t size = files::file_size(path, problem);
+    if (problem || size > maxFileSize)
+        return {};
+    std::string content(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(content.data(), static_cast<std::streamsize>(size));
+    return file ? content : std::string();
+}
+
+} // namespace
+
+std::string FormDiskCache::filePath(const std::string& key) const {
+    char name[17];
+    std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOf(key)));
+    return _path + '/' + name + extension;
+}
+
+std::optional<std::string> FormDiskCache::find(const std::string& key) const {
+    if (_path.empty())
+        return std::nullopt;
+    const std::string path = filePath(key), content = readFile(path);
+    FileHeader head;
+    const FileHeader ours;
+    if (content.size() < sizeof head + key.size())
+        return std::nullopt;
+    std::memcpy(&head, content.data(), sizeof head);
+    if (std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0 || head.byteOrder != ours.byteOrder ||
+        head.keySize != key.size() || head.size != content.size() - sizeof head - key.size() ||
+        content.compare(sizeof head, key.size(), key) != 0 ||
+        head.checksum != computeChecksum(std::string_view(content).substr(sizeof head)))
+        return std::nullopt;
+    std::error_code ignored;
+    files::last_write_time(path, files::file_time_type::clock::now(), ignored); // the time of last use
+    return content.substr(sizeof head + key.size());
+}
+
+void FormDiskCache::store(const std::string& key, const std::string& bytes) const {
+    std::error_code problem;
+    if (_path.empty() || bytes.size() > _maxBytes)
+        return;
+    files::create_directories(_path, problem);
+    if (!problem && writeFileAtomically(filePath(key), fileContent(key, bytes)).empty())
+        evictOldest();
+}
+
+void FormDiskCache::evictOldest() const {
+    struct File {
+        files::file_time_type used;
+        std::uint64_t size;
+        files::path path;
+    };
+    std::vector<File> all;
+    std::uint64_t sum = 0;
+    std::error_code problem, ignored;
+    for (files::directory_iterator i(_path, problem), end; !problem && i != end; i.increment(problem)) {
+        File file{i->last_write_time(ignored), 0, i->path()};
+        if (ignored)
+            continue; // another program removed it
+        if (file.path.extension() == partExtension &&
+            file.used < files::file_time_type::clock::now() - staleAge)
+            files::remove(file.path, ignored);
+        if (file.path.extension() != extension)
+            continue;
+        file.size = i->file_size(ignored);
+        if (!ignored)
+            sum += file.size;
+        all.push_back(std::move(file));
+    }
+    if (sum <= _maxBytes)
+        return;
+    std::sort(all.begin(), all.end(), [](const File& a, const File& b) { return a.used < b.used; });
+    for (const File& file : all) {
+        if (sum <= _maxBytes)
+            return;
+        files::remove(file.path, ignored);
+        sum -= file.size;
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/MemoryEstimate.h>
+
+#include <osgTreeWind/base/MemoryLimit.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+namespace {
+
+/// Arrays of a simulation, per branch unit and per leaf cluster.
+constexpr std::uint64_t unitBytes = sizeof(WindPlace) + sizeof(glm::vec3) + 2 * sizeof(glm::vec4) +
+                                    sizeof(glm::quat) + sizeof(UnitPose) + sizeof(Laws::ThesisBranch);
+constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
+
+// Nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which the
+// graphics driver may hold a second time. Under `modal`, a tree in its cell and pose inputs for two frames.
+constexpr std::uint64_t instanceBytes = 1000, posesInTexture = 4096,
+                        unitPoseBytes = 2 * 4 * sizeof(glm::vec4), impostorBytes = 8000000;
+constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexelBytes = 2 * 16;
+
+std::uint64_t shapeBytes(const TreeCounts& counts) {
+    return counts.units * sizeof(BranchUnit) + counts.skeletonPoints * sizeof(glm::vec3) +
+           counts.skinVertices * sizeof(SkinVertex) + 3 * counts.skinTriangles * sizeof(std::uint32_t) +
+           counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
+}
+
+} // namespace
+
+MemoryEstimate estimateMemory(const ForestDescription& description) {
+    const ShapeFamilies families(description);
+    std::vector<std::uint64_t> trees(families.all().size(), 0);
+    for (const TreePlacement& tree : description.trees)
+        ++trees[families.indexOf(tree)];
+    const bool modal = description.law == MotionLaw::Modal;
+    const std::vector<TreeCounts> largest = families.countLargest();
+    MemoryEstimate memory;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const auto shapes = std::uint64_t(families.all()[i].shapes);
+        const TreeCounts& counts = largest[i];
+        const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
+        memory.simulation +=
+            shapes * shapeBytes(counts) +
+            trees[i] * (modal ? simulatedTreeBytes(ModalLevel::Near)
+                              : sizeof(PlacedTree) + counts.units * unitBytes + leaves * leafBytes);
+        if (modal) // geometry counts twice: the coarser tiers add up to at most the finest one
+            memory.nodes += trees[i] * instanceBytes +
+                            shapes * (2 * geometryBytes(counts) + impostorBytes +
+                                      std::min(trees[i], posesInTexture) * counts.units * unitPoseBytes);
+        else
+            memory.nodes +=
+                shapes * geometryBytes(counts) +
+                trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
+    }
+    return memory;
+}
+
+std::uint64_t geometryBytes(const TreeCounts& counts) {
+    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
+    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
+           3 * index * counts.totalTriangles();
+}
+
+std::size_t simulatedTreeBytes(ModalLevel level) {
+    return sizeof(PlacedTree) + ModalMotion::treeBytes(level);
+}
+
+std::string problemOfMemory(const ForestDescription& description, bool withNodes) {
+    const MemoryEstimate memory = estimateMemory(description);
+    return problemOfMemory(std::to_string(description.trees.size()) + " trees of these species",
+                           memory.simulation + (withNodes ? memory.nodes : 0));
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/motion/modal/ModalTree.h>
+
+#include <cstdint>
+#include <string>
+
+namespace osgTreeWind {
+
+/// Estimated main memory of a forest, bytes; used to refuse a forest that would not fit.
+struct MemoryEstimate {
+    std::uint64_t simulation = 0; ///< ForestSimulation: shapes, parameters and states.
+    /// Added by Forest: geometry and pose textures; under a branchwise law, a scene graph node per tree.
+    std::uint64_t nodes = 0;
+};
+
+/// @param description must pass check().
+MemoryEstimate estimateMemory(const ForestDescription& description);
+
+/// Vertices and indices of a tree's bark and leaves at full detail.
+std::uint64_t geometryBytes(const TreeCounts& counts);
+
+/// Simulation memory per tree under `modal`: 262 bytes far, 421 near.
+std::size_t simulatedTreeBytes(ModalLevel level);
+
+/// States the memory that a forest needs and memoryLimit(); empty if the forest fits.
+/// @param description must pass check(). @param withNodes for a Forest; otherwise for a ForestSimulation.
+std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+
+} // namespace osgTreeWind

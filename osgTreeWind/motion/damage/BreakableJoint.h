@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The base joint of a unit, with its stiffness and its breaking moment.
+struct BreakableJoint {
+    unsigned unit = 0;
+    float stiffness = 0.0f; ///< N m/rad
+    float limit = 0.0f;     ///< Breaking moment, N m; 0: unknown.
+
+    /// Present moment at the joint from weight, inertia and wind, K theta, N m. @param tree its number in
+    /// `motion`. @param vector ModalMotion::poseVector() of the tree.
+    double moment(const ModalMotion& motion, std::size_t tree, const float* vector) const;
+    double moment(const ModalMotion& motion, std::size_t tree) const; ///< Computes the pose vector itself.
+};
+
+/// Base joints of the 32 thickest boughs of a tree, thickest first; the limit follows from the diameter
+/// (breakingMoment()). @param loads makeUnitLoads() of the tree.
+std::vector<BreakableJoint> thickestBoughs(const TreeForm& tree, const std::vector<UnitLoad>& loads);
+
+} // namespace osgTreeWind
