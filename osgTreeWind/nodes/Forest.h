@@ -53,7 +53,7 @@ public:
     Forest(); ///< A forest without trees.
     /// Calls setDescription(). If that fails, the forest is empty, and OSG_WARN gives the problems.
     explicit Forest(ForestDescription description);
-    /// As the constructor, but returns the problems. @param description @param executor see their setters.
+    /// Like the constructor; returns the problems. @param description its trees @param executor its threads
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// Copies the trees as they are now, at rest, with wind, season and technique; shares immutable data.
     /// Copies the host's children by `copyop`, but neither the transforms of branch() nor the callback.
