@@ -33,7 +33,7 @@ bool Wire::transfer(bool& value) {
 }
 
 bool Wire::transfer(Diagnostic& problem) {
-    return transfer(problem.file) && transfer(problem.key) && transfer(problem.message);
+    return transfer(problem.file, problem.line, problem.column, problem.key, problem.message);
 }
 
 bool Wire::transferBytes(void* bytes, std::size_t size) {

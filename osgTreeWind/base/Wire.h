@@ -19,7 +19,7 @@ namespace osgTreeWind {
 /// value on a sender and reads it on a receiver. It returns false for a closed connection or invalid data.
 class Wire {
 public:
-    /// Sends a value, or the first problem of an error without its line and column.
+    /// Sends a value, or the first problem of an error.
     template <typename T>
     static bool send(int descriptor, Result<T>& result);
     /// Receives what send() sent; empty if the data is incomplete or invalid.

@@ -7,6 +7,10 @@
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 
+#include <glm/vector_relational.hpp>
+
+#include <cmath>
+
 namespace osgTreeWind {
 
 namespace {
@@ -39,17 +43,27 @@ void GroundPlacer::place(std::vector<TreePlacement>& trees, const std::vector<st
         if (const auto height = footHeight(_ground, glm::dvec2(tree.position), trunkRadius(tree)))
             tree.position.z = *height;
         else if (_groundless++ == 0)
-            _firstGroundless = nameOf(tree, _trees + index);
+            _firstGroundless = nameOf(tree, _trees + index) + ": " + reasonAt(glm::dvec2(tree.position));
     }
     _trees += trees.size();
+}
+
+std::string GroundPlacer::reasonAt(const glm::dvec2& place) const {
+    const GroundArea area = _ground.area();
+    if (glm::all(glm::lessThanEqual(area.low, place)) && glm::all(glm::lessThanEqual(place, area.high)))
+        return "the ground has a hole there";
+    const auto range = [](double low, double high) {
+        return numberText(std::round(low)) + " to " + numberText(std::round(high));
+    };
+    return "the ground extends over x " + range(area.low.x, area.high.x) + ", y " +
+           range(area.low.y, area.high.y);
 }
 
 Diagnostics GroundPlacer::problems() const {
     if (_groundless == 0)
         return {};
     return {keyProblem("ground", "no ground below " + std::to_string(_groundless) + " of " +
-                                     std::to_string(_trees) + " trees, first " + _firstGroundless +
-                                     ": the ground has a hole there or does not extend that far")};
+                                     std::to_string(_trees) + " trees, first " + _firstGroundless)};
 }
 
 } // namespace osgTreeWind

@@ -25,12 +25,14 @@ public:
 
 private:
     double trunkRadius(const TreePlacement& tree);
+    /// Why there is no ground at a place.
+    std::string reasonAt(const glm::dvec2& place) const;
 
     const Ground& _ground;
     ShapeFamilies _families;
     std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> _shapeSizes; ///< By family and shape.
     std::size_t _trees = 0, _groundless = 0;
-    std::string _firstGroundless;
+    std::string _firstGroundless; ///< Its name and the reason.
 };
 
 } // namespace osgTreeWind

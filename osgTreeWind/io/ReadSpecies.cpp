@@ -68,6 +68,15 @@ void useLeaves(LeafParameters& leaves, int clusters) {
         leaves.inclination = defaultInclination;
 }
 
+/// The species or group that a key `like` names, with a note if it is a generic species; null if there is
+/// none.
+const Species* findTemplate(const std::string& like, ForestReading& reading) {
+    const Species* found = reading.builtIn().findTemplate(like);
+    if (const std::string note = found ? genericSpeciesNote(like, *found) : ""; !note.empty())
+        reading.forest.notes.push_back("like: " + note);
+    return found;
+}
+
 /// Reads [species.habit] of a species that grows by light.
 void readHabit(TableReader& table, ForestReading& reading, TreeParameters& tree) {
     if (!tree.growth) {
@@ -75,7 +84,7 @@ void readHabit(TableReader& table, ForestReading& reading, TreeParameters& tree)
         useLeaves(tree.leaves, habitClusters);
     }
     if (std::string like; table.read("like", like)) {
-        const Species* model = reading.builtIn().findTemplate(like);
+        const Species* model = findTemplate(like, reading);
         if (model && model->tree.growth)
             tree.growth->habit = model->tree.growth->habit;
         else
@@ -187,7 +196,7 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const Species* model = reading.builtIn().findTemplate(like))
+        if (const Species* model = findTemplate(like, reading))
             species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));

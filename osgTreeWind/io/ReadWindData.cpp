@@ -65,7 +65,7 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
 }
 
 /// "x 385000 to 385700, y 5818000 to 5818500".
-std::string extentText(const WindExtent& extent, const glm::dvec3& offset) {
+std::string extentText(const WindExtent& extent, const glm::dvec2& offset) {
     const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
     std::string text;
     for (int axis = 0; axis < 2; ++axis)
@@ -104,13 +104,19 @@ void checkCoverage(const WindFile& file, const std::string& path, const glm::dve
     const auto [outside, all] = countOutside(file, reading);
     if (outside == 0)
         return;
-    const std::string extent = extentText(file.summary.extent, offset);
-    if (outside == all && !allowsOutside)
+    const bool onOwnMap = !reading.forest.crs.empty() && !file.summary.crs.empty();
+    const std::string extent =
+        extentText(file.summary.extent, onOwnMap ? glm::dvec2(0.0) : glm::dvec2(offset)) +
+        (file.summary.coordinates.empty() ? "" : " of " + file.summary.coordinates);
+    if (outside == all && !allowsOutside) {
+        const TreeBounds trees = reading.treeBounds();
         return table.problem(
             table.has("files") ? "files" : "file",
-            "no tree is inside the grid of " + path + ", " + extent +
-                (file.summary.coordinates.empty() ? "" : " of " + file.summary.coordinates) +
-                "; expected a wind at the forest's place, or beyond = \"hold\" to use that of the edge");
+            "no tree is inside the grid of " + path + ", " + extent + "; the trees stand at " +
+                extentText({glm::dvec2(trees.low), glm::dvec2(trees.high)}, glm::dvec2(0.0)) +
+                (onOwnMap ? " of " + reading.forest.crs : "") +
+                "; expected a wind at their place, or beyond = \"hold\" to use that of the edge");
+    }
     reading.forest.notes.push_back(
         (reading.forest.tiles ? "parts of the world lie"
                               : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +

@@ -29,16 +29,6 @@ std::filesystem::path findHostFile() {
     return {};
 }
 
-Result<SpeciesCatalogue> readHostCatalogue() {
-    const std::filesystem::path path = findHostFile();
-    if (path.empty())
-        return SpeciesCatalogue::builtIn();
-    const Result<std::string> text = readTextFile(path.string());
-    if (!text.ok())
-        return text.problems();
-    return SpeciesCatalogue::builtIn().with(text.value(), path.string(), path.parent_path().string());
-}
-
 bool isNamed(const Species& species, const std::string& comparable) {
     return comparableName(species.name) == comparable;
 }
@@ -85,8 +75,22 @@ const SpeciesCatalogue& SpeciesCatalogue::builtIn() {
     return catalogue;
 }
 
+bool SpeciesCatalogue::isCatalogue(const std::string& path) {
+    return std::filesystem::path(path).filename() == fileName;
+}
+
+Result<SpeciesCatalogue> SpeciesCatalogue::read(const std::string& path) {
+    const Result<std::string> text = readTextFile(path);
+    if (!text.ok())
+        return text.problems();
+    return builtIn().with(text.value(), path, std::filesystem::path(path).parent_path().string());
+}
+
 const Result<SpeciesCatalogue>& SpeciesCatalogue::hostCatalogue() {
-    static const Result<SpeciesCatalogue> catalogue = readHostCatalogue();
+    static const Result<SpeciesCatalogue> catalogue = [] {
+        const std::filesystem::path path = findHostFile();
+        return path.empty() ? builtIn() : read(path.string());
+    }();
     return catalogue;
 }
 
@@ -208,6 +212,12 @@ const Species* SpeciesCatalogue::findTemplate(const std::string& name) const {
 std::optional<Species> findSpecies(const std::string& name) {
     const Species* species = SpeciesCatalogue::current().find(name);
     return species ? std::optional(*species) : std::nullopt;
+}
+
+std::string genericSpeciesNote(const std::string& name, const Species& found) {
+    if ((found.name != "conifer" && found.name != "broadleaf") || isNamed(found, comparableName(name)))
+        return {};
+    return "the built-in species " + inQuotes(found.name) + " is used for " + inQuotes(name);
 }
 
 Species defaultSpecies() {

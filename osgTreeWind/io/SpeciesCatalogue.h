@@ -21,8 +21,12 @@ class OSGTREEWIND_EXPORT SpeciesCatalogue {
 public:
     /// The built-in species (osgTreeWind/species/species.treewind, compiled into the library).
     static const SpeciesCatalogue& builtIn();
-    /// The built-in species, extended or changed by the first species.treewind in the folders of the
-    /// environment variable OSG_FILE_PATH; an error if that file is invalid. Read once per process.
+    /// Whether a file has the name of a catalogue, species.treewind.
+    static bool isCatalogue(const std::string& path);
+    /// The built-in species, extended or changed by a species.treewind file. @return all problems.
+    static Result<SpeciesCatalogue> read(const std::string& path);
+    /// What read() returns for the first species.treewind in the folders of the environment variable
+    /// OSG_FILE_PATH; the built-in species if there is none. Read once per process.
     static const Result<SpeciesCatalogue>& hostCatalogue();
     /// The host's catalogue. If its file is invalid: the built-in one, with one warning on standard error.
     static const SpeciesCatalogue& current();
@@ -58,6 +62,9 @@ private:
 
 /// SpeciesCatalogue::current().find() as a value.
 OSGTREEWIND_EXPORT std::optional<Species> findSpecies(const std::string& name);
+
+/// A note if find() returned "conifer" or "broadleaf" for the name of another species; else empty.
+OSGTREEWIND_EXPORT std::string genericSpeciesNote(const std::string& name, const Species& found);
 
 /// The species used for trees of unknown species: "broadleaf".
 OSGTREEWIND_EXPORT Species defaultSpecies();

@@ -34,9 +34,9 @@ TEST(Wire, TransfersNestedListsAndProblems) {
     const auto received = sent(lists);
     ASSERT_TRUE(received && *received);
     EXPECT_EQ(received->value(), lists);
-    const auto problem = sent(Diagnostic{"a", 0, 0, "b", "c"});
+    const auto problem = sent(Diagnostic{"a", 3, 7, "b", "c"});
     ASSERT_TRUE(problem);
-    EXPECT_EQ(firstProblem(*problem), "a: b: c");
+    EXPECT_EQ(firstProblem(*problem), "a:3:7: b: c");
 }
 
 TEST(Wire, RejectsDamagedData) {

@@ -189,9 +189,10 @@ const BadGround badGrounds[] = {
     // Trees
     {"TreeBeyondTheEdge", goodRaster,
      "test.treewind:7:8: ground.file: no ground below 1 of 1 trees, first tree[0] (id \"ash\") at (4.5, 2): "
-     "the ground has a hole there or does not extend that far",
+     "the ground extends over x 0 to 4, y 0 to 4",
      "file = \"a.tif\"\n", "position = [4.5, 2]\nid = \"ash\"\n"},
-    {"TreeOverAHole", withHole, "no ground below 1 of 1 trees, first tree[0] at (1.5, 2.5)",
+    {"TreeOverAHole", withHole,
+     "no ground below 1 of 1 trees, first tree[0] at (1.5, 2.5): the ground has a hole there",
      "file = \"a.tif\"\n", "position = [1.5, 2.5]\n"},
     {"TreesElsewhere", elsewhere, "no ground below 1 of 1 trees, first tree[0] at (2, 2)"},
     // The section

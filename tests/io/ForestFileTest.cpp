@@ -392,19 +392,33 @@ TEST(ForestFile, RejectsAForestThatDoesNotFitIntoMemory) {
     EXPECT_NE(text.find("the limit is 100 MB"), std::string::npos) << text;
 }
 
+namespace {
+
+std::vector<std::string> notesOfSpecies(const std::string& name, const std::string& keys) {
+    std::istringstream document("version = 1\n[[species]]\nname = \"" + name + "\"\n" + keys +
+                                "[[tree]]\nposition = [0, 0]\n");
+    const auto forest = readForest(document, {"f.treewind", ""});
+    return forest ? forest.value().notes : std::vector<std::string>{forest.problems().front().text()};
+}
+
+} // namespace
+
 TEST(ForestFile, NotesThatANamesakeOfABuiltInSpeciesHasTheDefaultShape) {
-    const auto notesOf = [](const std::string& species) {
-        std::istringstream document("version = 1\n[[species]]\nname = \"silver birch\"\n" + species +
-                                    "[[tree]]\nposition = [0, 0]\n");
-        const auto forest = readForest(document, {"f.treewind", ""});
-        return forest ? forest.value().notes : std::vector<std::string>{forest.problems().front().text()};
-    };
-    EXPECT_EQ(notesOf(""),
+    EXPECT_EQ(notesOfSpecies("silver birch", ""),
               std::vector<std::string>{
                   "the species \"silver birch\" has the shape of the thesis' tree; for that of the "
                   "built-in species, set like = \"silver birch\""});
-    EXPECT_TRUE(notesOf("like = \"silver birch\"\n").empty());
-    EXPECT_TRUE(notesOf("[species.habit]\nheight = 12\n").empty());
+    EXPECT_TRUE(notesOfSpecies("silver birch", "like = \"silver birch\"\n").empty());
+    EXPECT_TRUE(notesOfSpecies("silver birch", "[species.habit]\nheight = 12\n").empty());
+}
+
+TEST(ForestFile, NotesThatLikeFoundAGenericSpecies) {
+    const std::vector<std::string> note = {
+        "like: the built-in species \"broadleaf\" is used for \"hornbeam\""};
+    EXPECT_EQ(notesOfSpecies("mine", "like = \"hornbeam\"\n"), note);
+    EXPECT_EQ(notesOfSpecies("mine", "[species.habit]\nlike = \"hornbeam\"\n"), note);
+    EXPECT_TRUE(notesOfSpecies("mine", "like = \"Fagus sylvatica\"\n").empty());
+    EXPECT_TRUE(notesOfSpecies("mine", "like = \"broadleaf\"\n").empty());
 }
 
 } // namespace osgTreeWind

@@ -142,13 +142,43 @@ TEST(Portrait, TakesASpeciesOfAFile) {
     EXPECT_EQ(Json::parse(outcome.out)["species"], "spruce");
 }
 
+TEST(Portrait, TakesASpeciesOfACatalogue) {
+    const TemporaryFolder folder;
+    folder.write("species.treewind", "version = 1\n[[species]]\nname = \"hornbeam\"\nlike = \"beech\"\n");
+    const Outcome outcome = runTool({"portrait", "species.treewind:hornbeam", "--json"}, folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["species"], "hornbeam");
+}
+
+TEST(Portrait, NotesAGenericSpecies) {
+    const Outcome outcome = runTool({"portrait", "hornbeam", "--json"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.err, "hornbeam: note: the built-in species \"broadleaf\" is used for \"hornbeam\"\n");
+    EXPECT_EQ(runTool({"portrait", "Quercus robur", "--json"}).err, "");
+    EXPECT_EQ(runTool({"portrait", "broadleaf", "--json"}).err, "");
+}
+
+TEST(Portrait, WritesAllKeysOfASpecies) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runTool({"portrait", "beech", "-o", "beech.treewind"}, folder.path()).exitCode, 0);
+    const std::string text = contentOf(folder.path() + "/beech.treewind");
+    for (const char* key : {"\nbranch_angle = ", "\nelastic_modulus = ", "\nautumn_leaves = ", "\nscale = "})
+        EXPECT_NE(text.find(key), std::string::npos) << key;
+    EXPECT_EQ(runTool({"portrait", "beech.treewind:beech", "--json"}, folder.path()).out,
+              runTool({"portrait", "beech", "--json"}).out);
+    EXPECT_EQ(runTool({"portrait", "beech", "-o", "absent/beech.treewind"}, folder.path()).exitCode, 1);
+}
+
 TEST(Portrait, BadUsageIsExitCode2) {
     const TemporaryFolder folder;
     EXPECT_EQ(runTool({"portrait"}).exitCode, 2);
     const Outcome unknown = runTool({"portrait", "triffid"});
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.err.find("no built-in species \"triffid\""), std::string::npos);
-    EXPECT_EQ(runTool({"portrait", example("forest.treewind") + ":triffid"}).exitCode, 2);
+    const Outcome inFile = runTool({"portrait", example("forest.treewind") + ":triffid"});
+    EXPECT_EQ(inFile.exitCode, 2);
+    EXPECT_NE(inFile.err.find("no species \"triffid\" in this file; expected one of "), std::string::npos)
+        << inFile.err;
     EXPECT_EQ(runTool({"portrait", "absent.treewind:oak"}).exitCode, 2);
     EXPECT_EQ(runTool({"portrait", "oak", "-o", "oak.jpg"}, folder.path()).exitCode, 2);
     const Outcome season = runTool({"portrait", "oak", "--season", "monsoon"});

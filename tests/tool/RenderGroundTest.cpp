@@ -74,5 +74,5 @@ TEST(RenderGround, ATreeOutsideTheGroundIsAnError) {
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(outcome.err,
               "a.treewind:8:8: ground.file: no ground below 1 of 2 trees, first tree[1] at (900, 0): "
-              "the ground has a hole there or does not extend that far\n");
+              "the ground extends over x -200 to 200, y -200 to 200\n");
 }

@@ -52,6 +52,31 @@ TEST(Validate, AGoodFileIsCalledGood) {
     EXPECT_EQ(outcome.err, "");
 }
 
+TEST(Validate, ChecksACatalogueOfSpecies) {
+    const TemporaryFolder folder;
+    folder.write("species.treewind", "version = 1\n[[species]]\nname = \"hornbeam\"\nlike = \"beech\"\n");
+    const Outcome good = runTool({"validate", "species.treewind"}, folder.path());
+    EXPECT_EQ(good.exitCode, 0) << good.err;
+    EXPECT_EQ(good.out, "species.treewind: good, 31 species with the built-in ones\n");
+    folder.write("species.treewind", "version = 1\n[[species]]\nname = \"hornbeam\"\nlike = \"bench\"\n"
+                                     "[[species]]\nname = 3\n");
+    const Outcome bad = runTool({"validate", "species.treewind"}, folder.path());
+    EXPECT_EQ(bad.exitCode, 2);
+    EXPECT_NE(bad.err.find("species.treewind:4:8: species.like: "), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("species.treewind:6:8: species.name: "), std::string::npos) << bad.err;
+}
+
+TEST(Validate, ListsAtMost100Problems) {
+    const TemporaryFolder folder;
+    std::string text = "version = 1\n[[tree]]\nposition = [0, 0]\n";
+    for (int i = 0; i < 150; ++i)
+        text += "key" + std::to_string(i) + " = 1\n";
+    folder.write("bad.treewind", text);
+    const Outcome outcome = runTool({"validate", "bad.treewind"}, folder.path());
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 100) << outcome.err;
+}
+
 TEST(Validate, CampusIsGood) {
     REQUIRE_REAL_DATA(inventory, "utah_campus/utah_campus_trees.csv");
     const Outcome outcome = runTool({"validate", example("campus.treewind")});

@@ -11,6 +11,7 @@
 #include <examples/osgtreewind/portraits/TreeLooks.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
+#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeDetail.h>
@@ -108,8 +109,19 @@ void print(const Species& species, const char* growingPlace, const TreeLooks& lo
     line("greenShare", looks.greenShare);
 }
 
+/// Writes a forest of one tree with all keys of its species.
+void writeSpecies(const Species& species, const std::string& path) {
+    ForestDescription forest;
+    forest.species = {species};
+    forest.trees.emplace_back();
+    if (const Diagnostics problems = writeForestFile(forest, path); !problems.empty())
+        throw CommandError{Failed, toString(problems)};
+}
+
 void portrait(const PortraitOptions& options) {
     Species species = speciesByName(options.species);
+    if (osgDB::getLowerCaseFileExtension(options.output) == "treewind")
+        return writeSpecies(species, options.output);
     species.tree = growthOf(species, !options.forest);
     if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
@@ -150,11 +162,14 @@ void addPortraitCommand(CLI::App& app) {
     command->add_flag(
         "--motion", options->motion,
         "Print JSON that includes flicker in a breeze and changes between levels of detail (takes a minute)");
-    command->add_option("-o,--output", options->output, "PNG file for the sheet (default: no picture)")
+    command
+        ->add_option("-o,--output", options->output,
+                     "PNG file for the sheet, or .treewind file for all keys of the species (default: none)")
         ->check([](const std::string& name) {
-            return osgDB::getLowerCaseFileExtension(name) == "png"
+            const std::string extension = osgDB::getLowerCaseFileExtension(name);
+            return extension == "png" || extension == "treewind"
                        ? std::string()
-                       : expectedFound("a name that ends in .png", name);
+                       : expectedFound("a name that ends in .png or .treewind", name);
         });
     command->add_option("--panel", options->panel, "Width and height of each picture on the sheet, pixels")
         ->check(CLI::Range(16, 2048))

@@ -11,28 +11,49 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 using namespace osgTreeWind;
 
+namespace {
+
+/// The species of a forest, or of a catalogue (docs/species.md).
+std::vector<Species> loadSpecies(const std::string& file) {
+    if (!SpeciesCatalogue::isCatalogue(file))
+        return loadForest(file).species;
+    const Result<SpeciesCatalogue> catalogue = SpeciesCatalogue::read(file);
+    if (!catalogue)
+        throw CommandError{BadInput, toString(catalogue.problems())};
+    return catalogue.value().species();
+}
+
+} // namespace
+
 Species speciesByName(const std::string& name) {
-    const std::size_t colon = name.rfind(".treewind:");
-    if (colon == std::string::npos) {
-        if (const std::optional<Species> species = findSpecies(name))
-            return *species;
-        throw CommandError{BadInput,
-                           "no built-in species \"" + name +
-                               "\"; osgtreewind sway --list prints their names, FILE.treewind:NAME takes "
-                               "a species from a file"};
-    }
     static std::map<std::string, Species> cache; // rows of a table often name the same species
     if (const auto known = cache.find(name); known != cache.end())
         return known->second;
+    const std::size_t colon = name.rfind(".treewind:");
+    if (colon == std::string::npos) {
+        const std::optional<Species> species = findSpecies(name);
+        if (!species)
+            throw CommandError{BadInput,
+                               "no built-in species \"" + name +
+                                   "\"; osgtreewind sway --list prints their names, FILE.treewind:NAME takes "
+                                   "a species from a file"};
+        if (const std::string note = genericSpeciesNote(name, *species); !note.empty())
+            printNotes(name, {note});
+        return cache[name] = *species;
+    }
     const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
-    const ForestDescription forest = loadForest(file);
-    for (const Species& species : forest.species)
+    std::string names;
+    for (const Species& species : loadSpecies(file)) {
         if (species.name == own)
             return cache[name] = species;
-    throw CommandError{BadInput, file + ": no species \"" + own + "\" in this file"};
+        names += (names.empty() ? "" : ", ") + species.name;
+    }
+    throw CommandError{BadInput, file + ": no species \"" + own + "\" in this file" +
+                                     (names.empty() ? std::string() : "; expected one of " + names)};
 }
 
 TreePlacement OneTree::makePlacement(const Species& kind) {
