@@ -35,11 +35,13 @@ struct TreePlacement {
     float heading = 0.0f;
     TreeSize size;       ///< A missing crown width follows the trunk; other missing sizes follow the model.
     float leaves = 1.0f; ///< Share of its leaves that the tree bears in summer, 0 (bare) to 1.
-    std::uint32_t seed = 0;     ///< Selects one of the species' shapes and the noise streams.
-    bool openGrown = false;     ///< Stands free; the crown is wider and deeper than in a forest.
+    std::uint32_t seed = 0; ///< Selects one of the species' shapes and the noise streams.
+    /// Stands free; the crown is wider and deeper, and the trunk thicker, than in a forest. Only readers of
+    /// files decide this from the neighbours.
+    bool openGrown = false;
     bool atEdge = false;        ///< Stands at the edge of a forest that is open toward `heading`.
     std::string name{};         ///< Id in an inventory; may be empty. Of equal names, only the first counts.
-    EstimatedSizes estimated{}; ///< Which members of `size` are estimates.
+    EstimatedSizes estimated{}; ///< Which members of `size` an inventory's reader has estimated.
     bool tiled = false;         ///< Belongs to a loaded tile. Not part of any file.
 };
 

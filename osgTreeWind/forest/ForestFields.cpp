@@ -22,8 +22,8 @@ const Fields& fieldsOf<DrawingOptions>() {
         {"blend", at<&P::blend>, within(0, 0.9),
          "Width of the cross-fade between two levels, as a share of the threshold"},
         {"budget", at<&P::budget>, within(0, 10000),
-         "Target duration of a frame; 0: none. Slower frames give trees the detail of smaller ones, down to "
-         "a quarter of their height",
+         "Target duration of a frame; 0: none. If frames take longer, trees get the detail of smaller ones, "
+         "down to a quarter of their height",
          "ms"},
     };
     return fields;

@@ -18,22 +18,26 @@ std::string countText(std::string key, std::size_t count) {
     return key + " of " + std::to_string(count);
 }
 
+constexpr double maxRecordShare = 1.5; // related species and new records
+
+bool isPossible(double metres, float record) {
+    return !(record > 0.0f) || metres <= maxRecordShare * static_cast<double>(record);
+}
+
+std::string recordText(const MeasureColumn& measure, float record) {
+    return "expected at most " + numberText(maxRecordShare * static_cast<double>(record)) +
+           " metres, 1.5 times species." + (std::string(measure.key) == "height" ? "height" : "crown") +
+           ".largest";
+}
+
 } // namespace
 
 bool InventorySizes::isMissingMark(double number) const {
     return number == 0.0 || isMissing(number) || std::count(missing.begin(), missing.end(), number) > 0;
 }
 
-float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure) {
-    if (!measure.column || !row.has(*measure.column))
-        return 0.0f;
+float InventorySizes::checked(const MeasureColumn& measure, const Result<double>& metres) {
     Column& column = _columns[measure.key];
-    const Result<double> number = row.number(*measure.column);
-    if (number ? isMissingMark(number.value()) : isMissing(row.text(*measure.column))) {
-        ++column.marked;
-        return 0.0f;
-    }
-    const Result<double> metres = readMetres(row, measure, number);
     if (metres) {
         ++column.used;
         return static_cast<float>(metres.value());
@@ -43,14 +47,31 @@ float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure) {
     return 0.0f;
 }
 
-float InventorySizes::readOutline(const TreeRows& row, const MeasureColumn& measure, double width) {
-    if (measure.range.contains(width))
-        return static_cast<float>(width);
-    if (_columns[measure.key].impossible++ == 0)
-        _columns[measure.key].first =
-            row.problem("", "expected the outline of a crown, " + measure.range.text() +
-                                " metres wide, found " + numberText(width));
-    return 0.0f;
+float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure, float record) {
+    if (!measure.column || !row.has(*measure.column))
+        return 0.0f;
+    const Result<double> number = row.number(*measure.column);
+    if (number ? isMissingMark(number.value()) : isMissing(row.text(*measure.column))) {
+        ++_columns[measure.key].marked;
+        return 0.0f;
+    }
+    Result<double> metres = readMetres(row, measure, number);
+    if (metres && !isPossible(metres.value(), record))
+        metres = row.problem(row.columns()[*measure.column],
+                             recordText(measure, record) + ", found " + inQuotes(row.text(*measure.column)));
+    return checked(measure, metres);
+}
+
+float InventorySizes::readOutline(const TreeRows& row, const MeasureColumn& measure, double width,
+                                  float record) {
+    Result<double> metres = width;
+    if (!measure.range.contains(width))
+        metres = row.problem("", "expected the outline of a crown, " + measure.range.text() +
+                                     " metres wide, found " + numberText(width));
+    else if (!isPossible(width, record))
+        metres = row.problem("", recordText(measure, record) + ", found an outline " + numberText(width) +
+                                     " m wide");
+    return checked(measure, metres);
 }
 
 Diagnostics InventorySizes::problems() const {

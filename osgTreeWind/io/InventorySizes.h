@@ -17,10 +17,11 @@ public:
     std::vector<double> missing; ///< Further numbers that mean "not measured", in the unit of the column.
 
     /// A size in metres; 0 if the row does not give it.
-    float read(const TreeRows& row, const MeasureColumn& measure);
+    /// @param record largest size of the species, of which at most 1.5 times is possible; 0 if unknown.
+    float read(const TreeRows& row, const MeasureColumn& measure, float record = 0.0f);
 
     /// Checks the width of an outline in metres. @return 0 if no tree has such a width.
-    float readOutline(const TreeRows& row, const MeasureColumn& measure, double width);
+    float readOutline(const TreeRows& row, const MeasureColumn& measure, double width, float record);
 
     /// A problem for each column in which most sizes are impossible, for example because of a wrong unit.
     Diagnostics problems() const;
@@ -33,6 +34,8 @@ private:
         Diagnostic first; ///< The first impossible size.
     };
     bool isMissingMark(double number) const;
+    /// The size, or 0 and a count if it is impossible.
+    float checked(const MeasureColumn& measure, const Result<double>& metres);
 
     std::map<std::string, Column> _columns; ///< By key.
 };

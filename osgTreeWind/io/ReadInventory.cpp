@@ -128,14 +128,16 @@ private:
         tree.position = place.position;
         if (!isRowValid())
             return;
-        tree.size.height = _sizes.read(*_rows, _columns.height);
+        tree.species = rowSpecies();
+        const Species& species = _reading.forest.species[tree.species];
+        tree.size.height = _sizes.read(*_rows, _columns.height, species.height.largest);
         tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
         if (tree.size.trunkDiameter == 0.0f)
             tree.size.trunkDiameter = _sizes.read(*_rows, _columns.circumference) / glm::pi<float>();
-        tree.size.crownWidth = _sizes.read(*_rows, _columns.crownWidth);
+        tree.size.crownWidth = _sizes.read(*_rows, _columns.crownWidth, species.crown.largest);
         if (tree.size.crownWidth == 0.0f && place.width)
-            tree.size.crownWidth = _sizes.readOutline(*_rows, _columns.crownWidth, *place.width);
-        tree.species = rowSpecies();
+            tree.size.crownWidth =
+                _sizes.readOutline(*_rows, _columns.crownWidth, *place.width, species.crown.largest);
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();

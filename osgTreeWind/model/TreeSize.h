@@ -7,7 +7,8 @@
 
 namespace osgTreeWind {
 
-/// Forest inventory measures of a tree, metres. 0 or less: not given.
+/// Forest inventory measures of a tree, metres. 0 or less: not given, and then as usual for the species in a
+/// forest or in the open. In a forest, a height alone gives a slender trunk.
 struct TreeSize {
     float height = 0.0f;        ///< Ground to the highest point of wood or leaves, at most 150.
     float trunkDiameter = 0.0f; ///< At breastHeight(), at most 20.

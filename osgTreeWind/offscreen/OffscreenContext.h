@@ -19,7 +19,8 @@ constexpr int maxOffscreenSize = 16384;
 /// another, even in different threads.
 ///
 /// The program selects the backend when it is linked, with exactly one of osgTreeWind::OSMesa (Mesa's
-/// software renderer) and osgTreeWind::EGL (a GPU if there is one, else Mesa's software renderer).
+/// software renderer) and osgTreeWind::EGL (a GPU if there is one, else Mesa's software renderer). It may
+/// also open windows.
 /// @param width, height in pixels, 1 to maxOffscreenSize.
 /// @return a context that is valid() and not yet realized, or one problem. Any thread; leaves no context
 /// current.

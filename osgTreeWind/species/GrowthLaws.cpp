@@ -81,22 +81,35 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
     return size;
 }
 
+double lawDiameter(double diameter) {
+    return diameter <= 1.0 ? diameter : 2.0 - std::exp(1.0 - diameter);
+}
+
+float limitToRecord(float size, float largest) {
+    return largest > 0.0f ? std::min(size, largest) : size;
+}
+
 TreeSize completeSize(TreeSize size, const Species& species, bool openGrown) {
-    size = withCrown(size, species.crown, openGrown);
-    const bool hasHeight = size.height > 0.0f, hasTrunk = size.trunkDiameter > 0.0f;
+    const bool hasHeight = size.height > 0.0f, hasTrunk = size.trunkDiameter > 0.0f,
+               hasCrown = size.crownWidth > 0.0f;
+    const auto diameter = static_cast<float>(lawDiameter(size.trunkDiameter));
+    if (!hasCrown)
+        size.crownWidth = limitToRecord(
+            withCrown({0.0f, diameter, 0.0f}, species.crown, openGrown).crownWidth, species.crown.largest);
     const bool isComplete = hasHeight && hasTrunk && size.crownWidth > 0.0f;
     if (isComplete || !growsByLight(species) || !(hasHeight || hasTrunk))
         return size;
     const GrowthGoal known = openGrown ? species.tree.growth->size : forestGrownSize(species);
     const float power = openGrown ? species.height.openPower : species.height.power;
     if (!hasHeight)
-        size.height =
-            known.height * std::pow(size.trunkDiameter / known.trunkDiameter, power > 0.0f ? power : 1.0f);
+        size.height = limitToRecord(known.height *
+                                        std::pow(diameter / known.trunkDiameter, power > 0.0f ? power : 1.0f),
+                                    species.height.largest);
     const GrowthGoal usual = scaleToHeight(size.height, known, species, openGrown);
     if (!hasTrunk)
         size.trunkDiameter = usual.trunkDiameter;
     if (!(size.crownWidth > 0.0f))
-        size.crownWidth = usual.crownWidth;
+        size.crownWidth = limitToRecord(usual.crownWidth, species.crown.largest);
     return size;
 }
 

@@ -11,6 +11,13 @@ namespace osgTreeWind {
 /// Adds a missing crown width, computed from the trunk diameter if that is given.
 TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 
+/// Diameter to use in a law, metres. Laws are fitted to trees up to 1 m, and thicker trees are hardly higher
+/// or wider: beyond 1 m it approaches 2 m.
+double lawDiameter(double diameter);
+
+/// The size of a tree, but at most the record of its species. @param largest 0 if unknown.
+float limitToRecord(float size, float largest);
+
 /// Adds all missing sizes for a species that grows by light: trunk and crown from the height, and the height
 /// from the trunk, by the laws of the species if it has them, otherwise in proportion. For other species, and
 /// without height and trunk diameter, the same as withCrown().

@@ -13,13 +13,8 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double proportionalDiameter = 0.05; // the crown is proportional to diameters below it, metres
-constexpr double minSize = 0.001, heightLimit = 116.0, diameterLimit = 20.0, crownWidthLimit = 50.0; // metres
-
-/// Diameter to use in a law, metres. Laws are fitted to trees up to 1 m, and thicker trees are hardly higher
-/// or wider: beyond 1 m it approaches 2 m.
-double lawDiameter(double diameter) {
-    return diameter <= 1.0 ? diameter : 2.0 - std::exp(1.0 - diameter);
-}
+constexpr double minSize = 0.001, diameterLimit = 20.0;        // metres
+constexpr float heightLimit = 116.0f, crownWidthLimit = 50.0f; // metres
 
 float clampSize(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));
@@ -59,10 +54,12 @@ private:
         return factor(_openGrown ? _species.crown.openSpread : _species.crown.spread, "crown_width");
     }
 
+    double maxHeight() const { return limitToRecord(heightLimit, _species.height.largest); }
+
     void setHeight() {
         const double diameter = _tree.size.trunkDiameter;
         const double height = _scale * std::pow(lawDiameter(diameter), _power) * factor(_spread, "height");
-        const double limit = std::min(maxSlenderness * diameter, heightLimit);
+        const double limit = std::min<double>(maxSlenderness * diameter, maxHeight());
         _tree.size.height = clampSize(height, std::min(minSlenderness * lawDiameter(diameter), limit), limit);
         _tree.estimated.height = true;
     }
@@ -91,7 +88,7 @@ private:
         if (!(usual > 0.0))
             return;
         const double height = usual * factor(_spread, "height");
-        _tree.size.height = clampSize(height, minSize, heightLimit);
+        _tree.size.height = clampSize(height, minSize, maxHeight());
         _tree.estimated.height = true;
     }
     void setCrown() {
@@ -100,7 +97,8 @@ private:
         const double width = withCrown(size, _species.crown, _openGrown).crownWidth;
         if (!(width > 0.0))
             return;
-        _tree.size.crownWidth = clampSize(width * crownFactor(), minSize, crownWidthLimit);
+        _tree.size.crownWidth =
+            clampSize(width * crownFactor(), minSize, limitToRecord(crownWidthLimit, _species.crown.largest));
         _tree.estimated.crownWidth = true;
     }
 

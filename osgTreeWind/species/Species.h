@@ -55,6 +55,7 @@ struct HeightAllometry {
     float openScale = 0.0f;  ///< In the open.
     float openPower = 0.6f;  ///< In the open.
     float openSpread = 0.0f; ///< In the open.
+    float largest = 0.0f;    ///< Tallest measured tree, metres, which limits estimates; 0 if unknown.
     std::string source;      ///< Source of these numbers; informational.
 };
 
@@ -69,6 +70,7 @@ struct CrownAllometry {
     float openSpread = 0.0f;      ///< In the open.
     float depth = 0.0f; ///< In a forest, from the lowest green bough to the top; not used in the open.
     float depthPerHeight = 0.0f; ///< In a forest.
+    float largest = 0.0f;        ///< Widest measured crown, metres, which limits estimates; 0 if unknown.
 };
 
 /// Motion of branches under the laws of the thesis (§3.1, appendix B); `modal` uses only maxAngle. Angles are

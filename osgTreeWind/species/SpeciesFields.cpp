@@ -13,6 +13,10 @@ const Fields& fieldsOf<HeightAllometry>() {
         {"open_scale", at<&P::openScale>, within(0, 500), "`scale` of open-grown trees", "m"},
         {"open_power", at<&P::openPower>, within(0.1, 3), "`power` of open-grown trees"},
         {"open_spread", at<&P::openSpread>, within(0, 2), "`spread` of open-grown trees"},
+        {"largest", at<&P::largest>, within(0, 150),
+         "Height of the tallest tree on record, at which estimates end; inventories may have heights up to "
+         "1.5 times as large. 0: unknown",
+         "m"},
         {"source", at<&P::source>, {}, "Source of these numbers"},
     };
     return fields;
@@ -30,6 +34,8 @@ const Fields& fieldsOf<CrownAllometry>() {
         {"open_spread", at<&P::openSpread>, within(0, 2), "`spread` of open-grown trees"},
         {"depth", at<&P::depth>, within(-50, 50), "Constant of the depth law", "m"},
         {"depth_per_height", at<&P::depthPerHeight>, within(0, 1), "Slope of the depth law"},
+        {"largest", at<&P::largest>, within(0, 100),
+         "The same as `species.height.largest` for the crown's width", "m"},
     };
     return fields;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compiles the code in the comments of the public headers, and expects some above each exported class.
+"""Compiles the code in the comments of the public headers and in docs/viewer.md (c++). Expects some above each exported class.
 
 Usage: snippets.py SOURCE_FOLDER COMPILER [FLAGS]
 """
@@ -27,6 +27,7 @@ extern WindSource helicopter;
 extern GridWind::Grid grid;
 extern std::vector<float> velocities;
 void report(const Diagnostics& problems);
+int fail(const Diagnostics& problems);
 template <typename... Values> void use(Values&&...);
 """
 
@@ -51,8 +52,11 @@ for header in headers:
         if not any(re.search(rf"\bclass (OSGTREEWIND_EXPORT|\[\[nodiscard\]\]) {name}\b", below) for _, below in shown):
             bare.append(f"{header}: expected lines of code that use it in the comment above {name}")
 
+for code in re.findall(r"```c\+\+\n(.*?)```", (source / "docs/viewer.md").read_text(), re.S):
+    functions.append(f"int snippet{len(functions)}() {{ // docs/viewer.md\n{code}\nreturn 0;\n}}")
+
 program = "\n".join([f"#include <{header}>" for header in headers]
-                    + [f"#include <{header}>" for header in ("cmath", "osgUtil/LineSegmentIntersector", "osgViewer/Viewer")]
+                    + [f"#include <{header}>" for header in ("cmath", "osgDB/WriteFile", "osgUtil/LineSegmentIntersector", "osgViewer/Viewer")]
                     + ["using namespace osgTreeWind;", given] + functions)
 compiled = subprocess.run(compiler + ["-std=c++17", f"-I{source}", "-fsyntax-only", "-x", "c++", "-"], input=program, text=True)
 print("\n".join(bare + [f"{len(functions)} pieces of code in {len(headers)} headers"]))

@@ -121,6 +121,28 @@ TEST(InventorySizes, FollowTheShapeWithoutLaws) {
     EXPECT_FALSE(tree.estimated.height);
 }
 
+TEST(InventorySizes, SizesFarAboveTheRecordOfASpeciesAreUnknown) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "nr,x,y,h,s\na,1,2,60,Tilia cordata\nb,1,3,75,Tilia cordata\nc,1,9,75,Sequoia\n");
+    const ForestDescription forest =
+        inventoryOf(folder.path(),
+                    "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", "
+                    "species = \"s\" }\n",
+                    "");
+    ASSERT_EQ(forest.trees.size(), 3u);
+    EXPECT_EQ(forest.trees[0].size.height, 60.0f);
+    EXPECT_NE(forest.trees[1].size.height, 75.0f);
+    EXPECT_LE(forest.trees[1].size.height, 46.5f);
+    EXPECT_EQ(forest.trees[2].size.height, 75.0f) << "conifers have no common record";
+    EXPECT_NE(forest.notes[0].find("impossible sizes count as not measured: height of 1 rows, the first: "),
+              std::string::npos)
+        << forest.notes[0];
+    EXPECT_NE(forest.notes[0].find("h: expected at most 69.75 metres, 1.5 times species.height.largest, "
+                                   "found \"75\""),
+              std::string::npos)
+        << forest.notes[0];
+}
+
 TEST(InventorySizes, InvalidLawsAreOneErrorWithTheirKey) {
     for (const auto& [line, expected] : {std::pair("scale = -1.0", "species.height.scale"),
                                          {"power = 0.0", "species.height.power"},
