@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 namespace osgTreeWind {
@@ -77,7 +78,7 @@ std::optional<double> parseIsoTime(std::string_view text) {
 }
 
 std::string isoTimeText(double seconds) {
-    const auto whole = static_cast<std::time_t>(seconds);
+    const auto whole = static_cast<std::time_t>(std::floor(seconds));
     std::tm date{};
     char text[80];
     if (!gmtime_r(&whole, &date) || std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &date) == 0)

@@ -212,7 +212,7 @@ void ForestHandler::State::updateWindOverlay(Forest& forest, osg::View& view) {
     view.getCamera()->getViewMatrixAsLookAt(eye, centre, up);
     const osg::BoundingSphere& bound = forest.getBound();
     const bool isAll = bound.radius() < most;
-    const osg::Vec3d middle = isAll ? osg::Vec3d(bound.center()) * toForest(forest) : eye * toForest(forest);
+    const osg::Vec3d middle = isAll ? osg::Vec3d(bound.center()) : eye * toForest(forest);
     const auto show = [&](auto& picture, bool isShown, const osg::Vec3d& about, float reach) {
         if (!isShown) {
             forest.removeChild(picture);

@@ -115,8 +115,9 @@ void FormDiskCache::evictOldest() const {
         if (file.path.extension() != extension)
             continue;
         file.size = i->file_size(ignored);
-        if (!ignored)
-            sum += file.size;
+        if (ignored)
+            continue;
+        sum += file.size;
         all.push_back(std::move(file));
     }
     if (sum <= _maxBytes)
@@ -126,7 +127,8 @@ void FormDiskCache::evictOldest() const {
         if (sum <= _maxBytes)
             return;
         files::remove(file.path, ignored);
-        sum -= file.size;
+        if (!ignored)
+            sum -= file.size;
     }
 }
 

@@ -246,8 +246,11 @@ std::string ForestSimulation::nameOf(TreeId tree) const {
     return holds(tree) ? _forest->names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
 }
 
-void ForestSimulation::setWind(Wind wind) {
-    _wind->set(std::move(wind));
+Diagnostics ForestSimulation::setWind(Wind wind) {
+    Diagnostics problems = check(wind);
+    if (problems.empty())
+        _wind->set(std::move(wind));
+    return problems;
 }
 
 Wind ForestSimulation::wind() const {

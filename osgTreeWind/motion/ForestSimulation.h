@@ -89,7 +89,8 @@ public:
     float season() const; ///< Time of year (Season.h).
 
     /// Sets the wind from the next advance() on. Under `modal`, it changes linearly within that step.
-    void setWind(Wind wind);
+    /// @return what check() finds; then nothing has changed.
+    Diagnostics setWind(Wind wind);
     Wind wind() const; ///< As set.
 
     void setExecutor(Executor executor); ///< See SimulationOptions::executor; from the next step on.

@@ -74,6 +74,13 @@ Diagnostics convertVelocities(WindContent& content, double unit, const std::stri
     return {};
 }
 
+void noteMissing(const WindContent& content, std::vector<std::string>& notes) {
+    if (content.missingCount > 0)
+        notes.push_back(std::to_string(content.missingCount) + " of " +
+                        std::to_string(velocityCount(content)) +
+                        " velocities have no data and are taken as calm");
+}
+
 void summarize(const GridWind::Grid& grid, WindSummary& summary) {
     summary.points = grid.points;
     summary.aboveGround = grid.aboveGround;
@@ -245,10 +252,7 @@ Result<WindFile> makeWindFile(Result<WindContent>&& read, const std::string& pat
     WindContent& content = read.value();
     std::vector<std::string>& notes = content.summary.notes;
     notes.insert(notes.end(), content.assumptions.begin(), content.assumptions.end());
-    if (content.missingCount > 0)
-        notes.push_back(std::to_string(content.missingCount) + " of " +
-                        std::to_string(velocityCount(content)) +
-                        " velocities have no data and are taken as calm");
+    noteMissing(content, notes);
     if (content.summary.unit.empty())
         notes.push_back("the file gives no unit of speed; " + options.speedUnit + " is assumed");
     if (std::holds_alternative<WindSeries>(content.data))
@@ -313,18 +317,19 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     Result<WindContent> read = readWindContent(path, {columns, false, {}, {}});
     if (!read)
         return read.problems();
-    auto* series = std::get_if<WindSeries>(&read.value().data);
+    WindContent& content = read.value();
+    auto* series = std::get_if<WindSeries>(&content.data);
     if (!series)
-        return fileProblem(path,
-                           "expected a record at one point, found a grid: " + read.value().summary.format);
-    const std::string& inFile = read.value().summary.unit;
+        return fileProblem(path, "expected a record at one point, found a grid: " + content.summary.format);
+    const std::string& inFile = content.summary.unit;
     const Result<double> unit = speedUnit(inFile.empty() ? "m/s" : inFile);
     if (!unit)
         return fileProblem(path, unit.problems().front().message);
-    for (glm::vec3& velocity : series->velocities)
-        velocity *= static_cast<float>(unit.value());
+    if (Diagnostics problems = convertVelocities(content, unit.value(), path); !problems.empty())
+        return problems;
+    noteMissing(content, content.assumptions);
     if (notes)
-        *notes = read.value().assumptions;
+        *notes = std::move(content.assumptions);
     return std::move(*series);
 }
 

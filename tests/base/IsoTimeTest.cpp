@@ -26,6 +26,12 @@ TEST(IsoTime, KeepsFractions) {
     EXPECT_NEAR(*parseIsoTime("1970-01-01T00:00:01.999Z"), 1.999, 1e-12);
 }
 
+TEST(IsoTime, WritesWholeSeconds) {
+    EXPECT_EQ(isoTimeText(1435579200.9), "2015-06-29T12:00:00Z");
+    EXPECT_EQ(isoTimeText(-0.5), "1969-12-31T23:59:59Z");
+    EXPECT_EQ(isoTimeText(-2203891200.0), "1900-03-01T00:00:00Z");
+}
+
 TEST(IsoTime, RejectsInvalidTimes) {
     for (const char* text : {"",
                              "2015",

@@ -9,6 +9,7 @@
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <osg/ApplicationUsage>
+#include <osg/MatrixTransform>
 #include <osgGA/GUIActionAdapter>
 #include <osgText/Text>
 #include <osgUtil/UpdateVisitor>
@@ -265,6 +266,17 @@ TEST_F(ForestHandlerTest, TogglesTheArrows) {
     press('a');
     overlayText();
     EXPECT_EQ(forest->getNumChildren(), before);
+}
+
+TEST_F(ForestHandlerTest, ArrowsStandOverASmallForestBelowATransform) {
+    osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(osg::Matrix::translate(5000, 300, 0));
+    place->addChild(forest);
+    view->setSceneData(place);
+    const osg::Vec3 middle = forest->getBound().center();
+    press('a');
+    overlayText();
+    const osg::Vec3 shown = forest->getChild(forest->getNumChildren() - 1)->getBound().center();
+    EXPECT_LT((osg::Vec2(shown.x(), shown.y()) - osg::Vec2(middle.x(), middle.y())).length(), 5.0f);
 }
 
 TEST_F(ForestHandlerTest, StreaksTravelWithTheWind) {

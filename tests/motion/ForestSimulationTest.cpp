@@ -288,6 +288,16 @@ TEST(ForestSimulation, AnEmptyForestAdvances) {
     }
 }
 
+TEST(ForestSimulation, RefusesAWindThatCheckRefuses) {
+    ForestSimulation simulation(oneTree());
+    Wind wind = uniform({3, 0, 0});
+    EXPECT_TRUE(simulation.setWind(wind).empty());
+    Wind bad = uniform({7, 0, 0});
+    bad.frame = static_cast<WindFrame>(9);
+    EXPECT_EQ(simulation.setWind(bad).size(), 1u);
+    EXPECT_EQ(simulation.wind().field, wind.field);
+}
+
 TEST(ForestSimulation, RecoversFromAnInvalidWind) {
     ForestDescription forest = oneTree();
     forest.wind = uniform({0.5f, 0, 0});

@@ -35,7 +35,7 @@ export LD_LIBRARY_PATH=$root/usr/$library
 # OSG opens the display twice; without -noreset, Xvfb would reset in between and break the second connection.
 OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-noreset -screen 0 320x240x24" \
     osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/output" 2>&1 || { cat "$work/output"; exit 1; }
-! grep -iE "warning|error" "$work/output"
+! grep -iE "warning|error" "$work/output" || { echo "deb: osgviewer printed the lines above"; exit 1; }
 for command in "" $("$root/usr/bin/osgtreewind" --help | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) .*/-\1/p'); do
     zcat "$root/usr/share/man/man1/osgtreewind$command.1.gz" | grep -q "^osgtreewind$command .- [a-z]" ||
         { echo "deb: no manual page of osgtreewind$command"; exit 1; }
