@@ -97,7 +97,7 @@ OSGTREEWIND_EXPORT Result<WindFile> readWindFile(const std::string& path,
 /// `times` are errors with that key.
 /// @param files at least one, in order of time.
 /// @param times seconds, increasing, one for each file; empty if the files contain their times: dates,
-/// counted from the first, or VTK's TimeValue.
+/// counted from the first, or VTK's TimeValue. One steady file or pair needs none.
 OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>& files,
                                                   const std::vector<double>& times,
                                                   const WindFileOptions& options = {});

@@ -146,6 +146,8 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
             return fileProblem(file, what);
         if (times.empty()) {
             const FileTimes own = timesOf(step);
+            if (files.size() == 1 && own.seconds.empty())
+                return one; // a steady wind
             isDated = fileTimes.empty() ? own.isDated : isDated;
             if (Diagnostics problems = appendTimes(file, own, isDated, fileTimes); !problems.empty())
                 return problems;

@@ -398,7 +398,7 @@ const BadInput badInputs[] = {
      "<timeSeries>\n<timeEpoch> 1 </time@Epoch"},
     {"FileAndFiles", wind("kind = \"file\"\nfile = \"a.csv\"\nfiles = @[\"a.csv\"]\ntimes = [0]\n"),
      "wind.files", "give either this or file", "a.csv", "1"},
-    {"FilesWithoutTimes", head + tree + "@[wind]\nkind = \"file\"\nfiles = [\"a.csv\"]\n", "wind",
+    {"FilesWithoutTimes", head + tree + "@[wind]\nkind = \"file\"\nfiles = [\"a.csv\", \"a.csv\"]\n", "wind",
      "expected one time for each file", "a.csv",
      "# vtk DataFile Version 3.0\none point\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
      "POINT_DATA 1\nVECTORS wind float\n1 2 0\n"},

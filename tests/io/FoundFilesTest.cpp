@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Files of cities, weather services and other programs: synthetic ones and those
-// of shared/data/cases.
+// SPDX-License-Identifier: MIT
+
+// Files of cities, weather services and other programs: synthetic ones and those of shared/data/cases.
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/InventoryReading.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 #include <tests/io/InventoryReading.h>
 #include <tests/places/GeoJson.h>
 #include <tests/places/RasterFile.h>
@@ -54,6 +55,29 @@ TEST(GroundSection, PlacesOnlyTreesWithoutAHeight) {
     EXPECT_NEAR(forest.trees[8].position.z, 1025.0, 0.5);
     EXPECT_NEAR(forest.trees[9].position.z, 1025.0, 0.5);
     EXPECT_EQ(forest.origin, glm::dvec3(0.0)) << "the trees are near it";
+}
+
+/// As in the landscape files of LANDFIRE: elevation, slope, aspect, ...
+TEST(GroundSection, ReadsOneBandOfSeveral) {
+    const TemporaryFolder folder;
+    RasterFile file = slope();
+    file.bands = 3;
+    file.bandStep = 100.0;
+    file.names = {"US Slope", "US Elevation (m)", "US Aspect"};
+    file.write(folder.path() + "/a.tif");
+    const std::string tree = "[[tree]]\nposition = [20, 50]\n" + thin;
+    const auto height = [&](const std::string& key) {
+        return forestIn(folder.path(), tree + ground + key).trees.at(0).position.z;
+    };
+    EXPECT_NEAR(height(""), 1110.0, 0.01) << "the only one whose name contains elevation";
+    EXPECT_NEAR(height("band = \"US Aspect\"\n"), 1210.0, 0.01);
+    EXPECT_NEAR(height("band = 1\n"), 1010.0, 0.01);
+    for (const char* band : {"4", "\"Height\""}) {
+        std::istringstream input("version = 1\n" + tree + ground + "band = " + band + "\n");
+        const auto forest = readForest(input, {"test.treewind", folder.path()});
+        EXPECT_NE(firstProblem(forest).find("among its 3; gdalinfo lists them"), std::string::npos)
+            << firstProblem(forest);
+    }
 }
 
 TEST(GroundSection, FootIsAtTheLowestPointOfTheTrunk) {

@@ -3,6 +3,7 @@
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/places/RasterFile.h>
+#include <tests/windfiles/NetCdfWriting.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 
@@ -154,6 +155,35 @@ TEST(WindSection, NotesOfAFileAreNotesOfTheForest) {
     EXPECT_NE(forest.value().notes.back().find("pair_vel.asc: the file gives no unit of speed"),
               std::string::npos)
         << forest.value().notes.back();
+}
+
+/// A forest in Sydney in the wind of Germany, as ERA5 writes it.
+TEST(WindSection, RefusesAWindOfAnotherCountry) {
+    const TemporaryFolder folder;
+    const Numbers longitudes = numbersFrom(5.0, 0.25, 41), latitudes = numbersFrom(55.0, -0.25, 33);
+    const auto five = valuesOver(latitudes, longitudes, [](double, double) { return 5.0; });
+    {
+        NetCdfWriter(folder.path() + "/era5.nc")
+            .axis("longitude", longitudes, "degrees_east")
+            .axis("latitude", latitudes, "degrees_north")
+            .array("u10", {"latitude", "longitude"}, metresPerSecond, five)
+            .array("v10", {"latitude", "longitude"}, metresPerSecond, five);
+    }
+    const auto readIn = [&](const std::string& keys) {
+        std::istringstream input("version = 1\ncrs = \"EPSG:32756\"\n[[tree]]\nposition = [334000, 6252000]\n"
+                                 "[wind]\nfile = \"era5.nc\"\n" +
+                                 keys);
+        return readForest(input, {"test.treewind", folder.path()});
+    };
+    const std::string problem = firstProblem(readIn(""));
+    EXPECT_NE(problem.find("era5.nc, x 5 to 15, y 47 to 55 of WGS 84; the trees stand at x 334000 to 334000, "
+                           "y 6252000 to 6252000 of EPSG:32756; "),
+              std::string::npos)
+        << problem;
+    const auto held = readIn("beyond = \"hold\"\n");
+    ASSERT_TRUE(held) << firstProblem(held);
+    EXPECT_NE(held.value().notes.back().find("1 of 1 trees stand outside the grid of"), std::string::npos)
+        << held.value().notes.back();
 }
 
 TEST(WindSection, NotesTreesOutsideTheGrid) {

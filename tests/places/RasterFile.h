@@ -24,6 +24,8 @@ struct RasterFile {
     double scale = 1.0, offset = 0.0;
     std::string unit{};
     int bands = 1;
+    double bandStep = 0.0;            ///< Added to the value for each further band.
+    std::vector<std::string> names{}; ///< Of the bands; may be fewer.
     bool isPalette = false;
 
     /// @param tiles write a GeoTIFF in compressed tiles of 256 x 256. @return the path.
@@ -41,13 +43,15 @@ struct RasterFile {
             OSRRelease(reference);
         }
         for (int i = 1; i <= bands; ++i)
-            writeBand(GDALGetRasterBand(data, i));
+            writeBand(GDALGetRasterBand(data, i), static_cast<std::size_t>(i - 1));
         GDALClose(data);
         return path;
     }
 
 private:
-    void writeBand(GDALRasterBandH band) const {
+    void writeBand(GDALRasterBandH band, std::size_t index) const {
+        if (index < names.size())
+            GDALSetDescription(band, names[index].c_str());
         if (nodata)
             GDALSetRasterNoDataValue(band, *nodata);
         GDALSetRasterScale(band, scale);
@@ -64,7 +68,8 @@ private:
         std::vector<double> line(static_cast<std::size_t>(columns));
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column)
-                line[static_cast<std::size_t>(column)] = value(column, row);
+                line[static_cast<std::size_t>(column)] =
+                    value(column, row) + static_cast<double>(index) * bandStep;
             EXPECT_EQ(
                 GDALRasterIO(band, GF_Write, 0, row, columns, 1, line.data(), columns, 1, GDT_Float64, 0, 0),
                 CE_None);

@@ -34,6 +34,16 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
     }
 }
 
+/// One component in a file, as from the servers of DWD and ERA5; see writePacked().
+void writeComponent(const std::string& path, const std::string& name, double speed) {
+    const Numbers longitudes = numbersFrom(9.0, 0.25, 4), latitudes = numbersFrom(50.5, -0.25, 3);
+    NetCdfWriter(path)
+        .axis("longitude", longitudes, "degrees_east")
+        .axis("latitude", latitudes, "degrees_north")
+        .array(name, {"latitude", "longitude"}, metresPerSecond,
+               valuesOver(latitudes, longitudes, [&](double, double) { return speed; }));
+}
+
 /// u is the longitude and v the latitude, in m/s, -180 to 180.
 double within180(double longitude) {
     return longitude - 360.0 * std::round(longitude / 360.0);
@@ -331,6 +341,24 @@ TEST(NetCdfDegrees, ReadsTheFirstMemberOrMonthWithANote) {
     EXPECT_EQ(gridOf(path).values.size(), 12u);
     EXPECT_EQ(velocityAt(gridOf(path), 0, 0, 1, 1), glm::vec3(4, 4, 0));
     EXPECT_TRUE(hasNote(summaryOf(path), "only the first of 2 along month"));
+}
+
+TEST(NetCdfDegrees, TakesOneComponentOfEachFile) {
+    const TemporaryFolder folder;
+    const std::string u = folder.path() + "/u.nc", v = folder.path() + "/v.nc";
+    writeComponent(u, "u10", 3.0);
+    writeComponent(v, "v10", -1.5);
+    WindFileOptions options;
+    options.asStored = true;
+    for (const auto& files : {std::vector{u, v}, {v, u}}) {
+        const auto wind = readWindFiles(files, {}, options);
+        ASSERT_TRUE(wind) << firstProblem(wind);
+        const glm::vec3 velocity = asField(wind.value().wind)->velocity({9.3f, 50.2f, 10.0f}, 0.0);
+        EXPECT_NEAR(velocity.x, 3.0f, 1e-5f);
+        EXPECT_NEAR(velocity.y, -1.5f, 1e-5f);
+        EXPECT_EQ(wind.value().summary.notes.back(), "components are read from pairs of files");
+    }
+    EXPECT_FALSE(readWindFiles({u, u}, {}, options)) << "the same component twice";
 }
 
 } // namespace osgTreeWind
