@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 
+#include <osgTreeWind/base/Number.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 
@@ -27,6 +30,11 @@ std::string joined(const std::vector<std::string>& words) {
     for (const std::string& word : words)
         result += (result.empty() ? "" : ", ") + printable(word);
     return result;
+}
+
+std::string rangeText(double low, double high) {
+    const auto rounded = [](double number) { return numberText(std::round(100.0 * number) / 100.0); };
+    return rounded(low) + " to " + rounded(high);
 }
 
 std::string alternatives(const std::vector<std::string>& words) {

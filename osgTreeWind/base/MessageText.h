@@ -13,6 +13,8 @@ std::string printable(std::string text);
 std::string inQuotes(const std::string& text);
 /// "a, b, c".
 std::string joined(const std::vector<std::string>& words);
+/// "1 to 2.5", rounded to 0.01.
+std::string rangeText(double low, double high);
 /// "\"a\", \"b\" or \"c\"".
 std::string alternatives(const std::vector<std::string>& words);
 

@@ -55,7 +55,7 @@ public:
     virtual void seasonChanged(); ///< Called after the season of the simulation changed.
 
     /// @return the transform that moves with a unit of a tree, the same one at each call; null if there is no
-    /// such unit or the technique has no transforms. The base class has none.
+    /// such unit or the technique has no transforms. The base class returns null.
     virtual BranchTransform* followBranch(TreeId tree, unsigned unit);
     /// Removes the transform that followBranch() made, and its children. @return false if there was none.
     virtual bool releaseBranch(TreeId tree, unsigned unit);

@@ -7,9 +7,8 @@
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -52,11 +51,8 @@ std::string GroundPlacer::reasonAt(const glm::dvec2& place) const {
     const GroundArea area = _ground.area();
     if (glm::all(glm::lessThanEqual(area.low, place)) && glm::all(glm::lessThanEqual(place, area.high)))
         return "the ground has a hole there";
-    const auto range = [](double low, double high) {
-        return numberText(std::round(low)) + " to " + numberText(std::round(high));
-    };
-    return "the ground extends over x " + range(area.low.x, area.high.x) + ", y " +
-           range(area.low.y, area.high.y);
+    const glm::dvec2 low = glm::round(area.low), high = glm::round(area.high); // a metre is enough here
+    return "the ground extends over x " + rangeText(low.x, high.x) + ", y " + rangeText(low.y, high.y);
 }
 
 Diagnostics GroundPlacer::problems() const {

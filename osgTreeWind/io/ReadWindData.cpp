@@ -2,7 +2,7 @@
 #include <osgTreeWind/io/ReadWindData.h>
 
 #include <osgTreeWind/base/IsoTime.h>
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/wind/WindInternals.h>
 #include <osgTreeWind/windfiles/WindFile.h>
@@ -11,7 +11,6 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -66,13 +65,11 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
 
 /// "x 385000 to 385700, y 5818000 to 5818500".
 std::string extentText(const WindExtent& extent, const glm::dvec2& offset) {
-    const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
     std::string text;
     for (int axis = 0; axis < 2; ++axis)
         if (!extent.isUnbounded(axis))
             text += std::string(text.empty() ? "" : ", ") + (axis == 0 ? "x " : "y ") +
-                    rounded(extent.low[axis] + offset[axis]) + " to " +
-                    rounded(extent.high[axis] + offset[axis]);
+                    rangeText(extent.low[axis] + offset[axis], extent.high[axis] + offset[axis]);
     return text;
 }
 

@@ -247,10 +247,7 @@ std::string ForestSimulation::nameOf(TreeId tree) const {
 }
 
 Diagnostics ForestSimulation::setWind(Wind wind) {
-    Diagnostics problems = check(wind);
-    if (problems.empty())
-        _wind->set(std::move(wind));
-    return problems;
+    return _wind->set(std::move(wind));
 }
 
 Wind ForestSimulation::wind() const {

@@ -98,10 +98,7 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 Forest::~Forest() = default;
 
 Diagnostics Forest::setWind(Wind wind) {
-    Diagnostics problems = check(wind);
-    if (problems.empty())
-        _wind->set(std::move(wind));
-    return problems;
+    return _wind->set(std::move(wind));
 }
 
 Wind Forest::getWind() const {

@@ -9,13 +9,16 @@ namespace osgTreeWind {
 
 HostWind::HostWind(Wind given) : _wind(std::make_shared<const Wind>(std::move(given))) {}
 
-void HostWind::set(Wind given) {
+Diagnostics HostWind::set(Wind given) {
+    if (Diagnostics problems = check(given); !problems.empty())
+        return problems;
     const auto next = std::make_shared<Wind>(std::move(given));
     std::shared_ptr<const Wind> before = next; // destroys the old wind after the lock is released
     const std::lock_guard<std::mutex> lock(_mutex);
     if (!next->canopy)
         next->canopy = _wind->canopy;
     std::swap(_wind, before);
+    return {};
 }
 
 std::shared_ptr<const Wind> HostWind::get() const {

@@ -17,7 +17,8 @@ public:
     explicit HostWind(Wind given = {});
 
     /// Replaces the wind. A wind without a canopy keeps the canopy of the previous wind.
-    void set(Wind given);
+    /// @return what check() finds; then nothing has changed.
+    Diagnostics set(Wind given);
     std::shared_ptr<const Wind> get() const; ///< Never null.
 
     /// The transform from the forest's coordinates to the scene. One thread only.

@@ -55,7 +55,12 @@ std::size_t velocityCount(const WindContent& content) {
 }
 
 /// Converts all velocities to m/s; sets the range of speeds and the number of missing velocities.
-Diagnostics convertVelocities(WindContent& content, double unit, const std::string& path) {
+/// @param defaultUnit for files that give no unit.
+Diagnostics convertVelocities(WindContent& content, const std::string& defaultUnit, const std::string& path) {
+    const std::string& inFile = content.summary.unit;
+    const Result<double> unit = speedUnit(inFile.empty() ? defaultUnit : inFile);
+    if (!unit)
+        return {fileProblem(path, unit.problems().front().message)};
     auto* series = std::get_if<WindSeries>(&content.data);
     auto* grid = std::get_if<GridWind::Grid>(&content.data);
     const std::size_t count = velocityCount(content);
@@ -64,7 +69,7 @@ Diagnostics convertVelocities(WindContent& content, double unit, const std::stri
     for (std::size_t i = 0; i < count; ++i) {
         float* values = series ? &series->velocities[i].x : &grid->values[3 * i];
         glm::vec3 velocity(values[0], values[1], values[2]);
-        if (!convertVelocity(velocity, static_cast<float>(unit), content))
+        if (!convertVelocity(velocity, static_cast<float>(unit.value()), content))
             return {fileProblem(path, "expected winds of at most 200 m/s; number " + std::to_string(i + 1) +
                                           ofAll + " is faster")};
         std::copy(&velocity.x, &velocity.x + 3, values);
@@ -231,11 +236,7 @@ Result<WindContent> readConverted(const std::string& path, const WindFileOptions
     Result<WindContent> read = readWindContent(path, request);
     if (!read)
         return read;
-    const std::string& inFile = read.value().summary.unit;
-    const Result<double> unit = speedUnit(inFile.empty() ? options.speedUnit : inFile);
-    if (!unit)
-        return fileProblem(path, unit.problems().front().message);
-    if (Diagnostics problems = convertVelocities(read.value(), unit.value(), path); !problems.empty())
+    if (Diagnostics problems = convertVelocities(read.value(), options.speedUnit, path); !problems.empty())
         return problems;
     const std::string& crs = read.value().summary.crs;
     if (options.crs.empty() && !options.asStored && !crs.empty() && Crs::parse(crs).value().isDegrees())
@@ -321,11 +322,7 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     auto* series = std::get_if<WindSeries>(&content.data);
     if (!series)
         return fileProblem(path, "expected a record at one point, found a grid: " + content.summary.format);
-    const std::string& inFile = content.summary.unit;
-    const Result<double> unit = speedUnit(inFile.empty() ? "m/s" : inFile);
-    if (!unit)
-        return fileProblem(path, unit.problems().front().message);
-    if (Diagnostics problems = convertVelocities(content, unit.value(), path); !problems.empty())
+    if (Diagnostics problems = convertVelocities(content, "m/s", path); !problems.empty())
         return problems;
     noteMissing(content, content.assumptions);
     if (notes)

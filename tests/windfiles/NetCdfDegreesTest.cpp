@@ -34,7 +34,7 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
     }
 }
 
-/// One component in a file, as from the servers of DWD and ERA5; see writePacked().
+/// A file of one component, as DWD and ERA5 serve them.
 void writeComponent(const std::string& path, const std::string& name, double speed) {
     const Numbers longitudes = numbersFrom(9.0, 0.25, 4), latitudes = numbersFrom(50.5, -0.25, 3);
     NetCdfWriter(path)

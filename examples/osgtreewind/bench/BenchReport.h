@@ -49,7 +49,7 @@ std::string machineName();
 /// second.)
 double framesPerSecond(const BenchTimes& times);
 
-/// Frames per second in the thesis for this stage and number of trees; 0 if it has none.
+/// Frames per second in the thesis for this stage and number of trees; 0 if the thesis did not measure them.
 int thesisFps(const BenchStage& stage, int trees);
 
 /// The JSON document described in docs/results.md.

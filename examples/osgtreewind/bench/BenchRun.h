@@ -26,6 +26,6 @@ struct BenchSettings {
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.
 };
 
-/// Measures a stage in a new OpenGL context. Throws CommandError if there is none.
+/// Measures a stage in a new OpenGL context. Throws CommandError if no context can be created.
 /// @param driver receives the names of the driver.
 BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver);

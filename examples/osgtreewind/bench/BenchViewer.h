@@ -35,7 +35,7 @@ public:
     BenchViewer(const PictureSize& size, osg::GraphicsContext& context, BenchDriver& driver,
                 std::vector<BenchVariant> variants, int frames);
 
-    /// Draws a variant while the others are hidden.
+    /// Draws one variant and hides the other variants.
     void draw(std::size_t variant, double time);
     /// Draws a variant and records its times.
     void measure(std::size_t variant, double time);

@@ -9,7 +9,7 @@
 /// Metadata of a canopy file.
 struct CanopyHead {
     osgTreeWind::CanopyGrid grid;
-    std::string crs;     ///< Map projection as in ForestDescription; empty if there is none.
+    std::string crs;     ///< Map projection as in ForestDescription; empty if unknown.
     float season = 0.0f; ///< As in species/Season.h.
 };
 

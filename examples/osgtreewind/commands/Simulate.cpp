@@ -81,7 +81,7 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t
 void simulate(const SimulateOptions& options) {
     auto [description, requested] = loadPart(options.file, options.tiles);
     if (description.wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
-        description.trees.resize(requested); // the others are only needed for shelter
+        description.trees.resize(requested); // further trees only give shelter
     description.season = options.season.value_or(description.season);
     if (options.damage && description.law != MotionLaw::Modal)
         throw CommandError{BadInput, options.file + ": --damage expects the law \"modal\" in [motion]"};

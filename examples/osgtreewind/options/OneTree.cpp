@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/CommandError.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
@@ -46,14 +47,14 @@ Species speciesByName(const std::string& name) {
         return cache[name] = *species;
     }
     const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
-    std::string names;
+    std::vector<std::string> names;
     for (const Species& species : loadSpecies(file)) {
         if (species.name == own)
             return cache[name] = species;
-        names += (names.empty() ? "" : ", ") + species.name;
+        names.push_back(species.name);
     }
     throw CommandError{BadInput, file + ": no species \"" + own + "\" in this file" +
-                                     (names.empty() ? std::string() : "; expected one of " + names)};
+                                     (names.empty() ? std::string() : "; expected one of " + joined(names))};
 }
 
 TreePlacement OneTree::makePlacement(const Species& kind) {

@@ -18,7 +18,7 @@ enum class Shadows {
 struct SettingOptions {
     Shadows shadows = Shadows::Soft;
     Daylight day = Daylight();
-    std::optional<osg::Vec3d> eye; ///< Tufts of grass stand around this point; without it there are none.
+    std::optional<osg::Vec3d> eye; ///< Grass is drawn around this point; if unset, there is no grass.
 };
 
 /// Surrounds a forest with sky, sun, haze and grassland.

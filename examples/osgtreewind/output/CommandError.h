@@ -16,7 +16,7 @@ struct CommandError {
     std::string message;
 };
 
-/// The value of a result. Throws CommandError with the first problem if there is none.
+/// The value of a result. Throws CommandError with the first problem if it has no value.
 /// @param file prefix of the message; may be empty.
 template <typename T>
 T valueOrThrow(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, const std::string& file = {}) {

@@ -32,7 +32,7 @@ using namespace osgTreeWind;
 
 constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 
-/// Size of a tree of usual height in a forest, by the laws of the species; empty if it has none.
+/// Size of a tree of usual height in a forest, by the laws of the species; empty for a species without laws.
 TreeSize forestSize(Species species) {
     species.height.spread = species.crown.spread = 0.0f;
     return usualHeight(species) > 0.0f && species.height.scale > 0.0f

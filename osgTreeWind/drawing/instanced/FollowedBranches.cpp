@@ -31,10 +31,13 @@ BranchTransform* FollowedBranches::followBranch(const ForestSimulation& simulati
 
 bool FollowedBranches::releaseBranch(TreeId tree, unsigned unit) {
     const auto branches = _branches.find(tree);
-    if (branches == _branches.end() || branches->second.count(unit) == 0)
+    if (branches == _branches.end())
         return false;
-    removeChild(branches->second[unit]);
-    branches->second.erase(unit);
+    const auto branch = branches->second.find(unit);
+    if (branch == branches->second.end())
+        return false;
+    removeChild(branch->second);
+    branches->second.erase(branch);
     if (branches->second.empty())
         _branches.erase(branches);
     return true;

@@ -41,7 +41,7 @@ public:
         return static_cast<const osg::Fog*>(result);
     }
 
-    /// The value of an integer uniform or sampler as text; empty if there is none.
+    /// The value of an integer uniform or sampler as text; empty if no state set has it.
     std::string number(const char* name) const {
         int value = 0;
         for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
