@@ -27,6 +27,7 @@ set(OSGTREEWIND_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. addr
 if(OSGTREEWIND_SANITIZE)
     add_compile_options(-fsanitize=${OSGTREEWIND_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${OSGTREEWIND_SANITIZE})
+    add_compile_definitions(_GLIBCXX_ASSERTIONS) # e.g. an empty std::optional has no value
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         add_compile_options(-Wno-maybe-uninitialized) # false positives of GCC 12 in std::function
     endif()

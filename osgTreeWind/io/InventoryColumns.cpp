@@ -102,7 +102,11 @@ void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
                                                   const TreeRows* rows) {
     std::string name;
-    if (!columns.read(key, name) || !rows)
+    if (!columns.read(key, name)) {
+        _complete = _complete && !columns.has(key); // the value may be of another type
+        return std::nullopt;
+    }
+    if (!rows)
         return std::nullopt;
     const auto column = rows->column(name);
     if (!column) {

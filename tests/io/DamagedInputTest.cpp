@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
+#include <tests/FullTests.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/Toml.h>
 
 #include <gtest/gtest.h>
 
@@ -21,9 +24,10 @@ std::string readAll(const std::string& name) {
 }
 
 /// Expects a valid forest or problems with messages.
-void expectForestOrProblems(const std::string& text) {
+void expectForestOrProblems(const std::string& text,
+                            const std::string& folder = OSGTREEWIND_SOURCE_DIR "/examples") {
     std::istringstream input(text);
-    const auto result = readForest(input, {"damaged", OSGTREEWIND_SOURCE_DIR "/examples"});
+    const auto result = readForest(input, {"damaged", folder});
     if (!result.ok()) {
         ASSERT_FALSE(result.problems().empty());
         for (const Diagnostic& problem : result.problems()) {
@@ -39,6 +43,28 @@ void expectForestOrProblems(const std::string& text) {
         EXPECT_TRUE(std::isfinite(tree.position.x + tree.position.y + tree.position.z + tree.size.height +
                                   tree.size.trunkDiameter + tree.size.crownWidth + tree.heading));
     }
+}
+
+/// Calls a function with the first byte and the end of each value of an ASCII document.
+template <typename Function>
+void forEachValue(const std::string& text, const toml::node& node, const Function& function) {
+    const auto offsetOf = [&](const toml::source_position& place) {
+        std::size_t start = 0;
+        for (toml::source_index line = 1; line < place.line; ++line)
+            start = text.find('\n', start) + 1;
+        return start + place.column - 1;
+    };
+    const toml::table* const table = node.as_table();
+    const toml::array* const array = node.as_array();
+    if (table)
+        for (const auto& [key, value] : *table)
+            forEachValue(text, value, function);
+    if (array)
+        for (const toml::node& element : *array)
+            forEachValue(text, element, function);
+    const bool hasHeader = table ? !table->is_inline() : array && array->is_array_of_tables();
+    if (!hasHeader)
+        function(offsetOf(node.source().begin), offsetOf(node.source().end));
 }
 
 class DamagedInputTest : public testing::TestWithParam<const char*> {};
@@ -84,6 +110,77 @@ TEST(DamagedInput, RejectsDeepNesting) {
         for (int i = 0; i < 100000; ++i)
             text += open;
         expectForestOrProblems(text);
+    }
+}
+
+TEST(DamagedInput, SurvivesValuesOfOtherTypes) {
+    const TemporaryFolder folder;
+    folder.write("trees.csv", "id,x,y,z,name,h,d,c,w\n1,2,3,4,oak,12,30,95,5\n2,9,8,1,elm,9,20,60,4\n");
+    folder.write("wind.csv", "t,s,d\n0,4,270\n60,6,280\n");
+    folder.write("ground.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 20\n1 2\n3 4\n");
+    const char* const documents[] = {R"(
+version = 1
+[[inventory]]
+file = "trees.csv"
+default_species = "beech"
+filter = "h > 1"
+skip = true
+columns = { id = "id", x = "x", y = "y", z = "z", species = "name", height = "h", trunk_diameter = "d", crown_width = "w" }
+units = { trunk_diameter = "cm" }
+)",
+                                     R"(
+version = 1
+crs = "EPSG:25832"
+[[inventory]]
+file = "trees.csv"
+crs = "EPSG:25833"
+columns = { x = "x", y = "y", circumference = "c" }
+units = { circumference = "cm" }
+)",
+                                     R"(
+version = 1
+[[tree]]
+position = [0, 0]
+species = "oak"
+[wind]
+kind = "series"
+file = "wind.csv"
+height = 10
+roughness = 0.1
+repeat = true
+columns = { time = "t", speed = "s", direction_from = "d" }
+)",
+                                     R"(
+version = 1
+[ground]
+file = "ground.asc"
+[[scatter]]
+species = ["oak"]
+count = 5
+area = [0, 0, 30, 30]
+height = [5, 9]
+)"};
+    std::vector<std::string> texts(std::begin(documents), std::end(documents));
+    const char* const examples[] = {"thesis", "lorry", "helicopter", "explosion"};
+    for (int i = 0; i < casesToRun(4, 1); ++i)
+        texts.push_back(readAll(examples[i]));
+    const char* const others[] = {"true", "3",     "-1",    "1e300", "nan",       "\"t\"",
+                                  "[]",   "[1.5]", "[[3]]", "{}",    "{ t = 1 }", "2024-11-05"};
+    for (const std::string& text : texts) {
+        std::istringstream input(text);
+        const auto forest = readForest(input, {"whole", folder.path()});
+        for (const Diagnostic& problem : forest.problems())
+            ADD_FAILURE() << problem.text();
+        const toml::parse_result document = toml::parse(text);
+        ASSERT_TRUE(document);
+        int count = 0;
+        forEachValue(text, document.table(), [&](std::size_t begin, std::size_t end) {
+            SCOPED_TRACE(text.substr(begin, end - begin));
+            for (const char* const other : others)
+                expectForestOrProblems(text.substr(0, begin) + other + text.substr(end), folder.path());
+            ++count;
+        });
+        EXPECT_GE(count, 7);
     }
 }
 
