@@ -13,8 +13,9 @@
 #include <bitset>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace osgTreeWind {
@@ -67,22 +68,30 @@ public:
     /// The sectors in which a tree has neighbours.
     Sectors shadedSectors(std::size_t tree) const {
         Sectors shaded;
-        eachNeighbour(tree,
-                      [&](std::size_t other) { shaded |= sectorsBehind(_crowns[tree], _crowns[other]); });
+        eachNeighbour(
+            tree, [&](std::size_t other) { shaded |= sectorsBehind(_crowns[tree], _crowns[other]); },
+            [&](double) { return shaded.all(); });
         return shaded;
     }
 
-    template <typename Use>
-    void eachNeighbour(std::size_t tree, const Use& use) const {
+    /// Visits the neighbours of a tree, in rings of cells around it. @param isDone whether the remaining
+    /// neighbours, which are at least a distance away, do not matter.
+    template <typename Use, typename IsDone>
+    void eachNeighbour(std::size_t tree, const Use& use, const IsDone& isDone) const {
         const Crown& own = _crowns[tree];
-        const double reach = own.radius + _reach;
-        const Cell low = cellOf(own.position - reach), high = cellOf(own.position + reach);
-        for (std::int64_t x = low.first; x <= high.first; ++x)
-            for (auto cell = _cells.lower_bound({x, low.second});
-                 cell != _cells.end() && cell->first <= Cell(x, high.second); ++cell)
-                for (const std::size_t other : cell->second)
-                    if (other != tree && isNeighbour(own, _crowns[other]))
-                        use(other);
+        const Cell centre = cellOf(own.position);
+        const auto rings = static_cast<std::int64_t>(std::ceil((own.radius + _reach) / cellSize));
+        for (std::int64_t ring = 0; ring <= rings; ++ring) {
+            if (isDone(cellSize * static_cast<double>(ring - 1)))
+                return;
+            for (std::int64_t x = -ring; x <= ring; ++x)
+                for (std::int64_t y = -ring; y <= ring; y += std::abs(x) == ring ? 1 : 2 * ring)
+                    if (const auto cell = _cells.find({centre.first + x, centre.second + y});
+                        cell != _cells.end())
+                        for (const std::size_t other : cell->second)
+                            if (other != tree && isNeighbour(own, _crowns[other]))
+                                use(other);
+        }
     }
     double distance(std::size_t a, std::size_t b) const {
         return glm::distance(_crowns[a].position, _crowns[b].position);
@@ -90,6 +99,12 @@ public:
 
 private:
     using Cell = std::pair<std::int64_t, std::int64_t>;
+    struct CellHash {
+        std::size_t operator()(const Cell& cell) const {
+            return static_cast<std::uint64_t>(cell.first) * 0x9e3779b97f4a7c15u +
+                   static_cast<std::uint64_t>(cell.second);
+        }
+    };
 
     static Cell cellOf(const glm::dvec2& position) {
         const glm::dvec2 cell = glm::floor(position / cellSize);
@@ -115,7 +130,7 @@ private:
     }
 
     std::vector<Crown> _crowns;
-    std::map<Cell, std::vector<std::size_t>> _cells;
+    std::unordered_map<Cell, std::vector<std::size_t>, CellHash> _cells;
     double _reach = 0.0;
 };
 
@@ -176,12 +191,15 @@ void varyNeighbourSeeds(ForestDescription& forest, const std::vector<DerivedTree
             continue;
         // Distance of the nearest neighbour with each shape.
         std::vector<double> nearest(shapes, std::numeric_limits<double>::max());
-        crowns.eachNeighbour(i, [&](std::size_t other) {
-            if (familyOf[other] == familyOf[i] && (other < i || !derived[other].seed)) {
-                double& distance = nearest[forest.trees[other].seed % shapes];
-                distance = std::min(distance, crowns.distance(i, other));
-            }
-        });
+        crowns.eachNeighbour(
+            i,
+            [&](std::size_t other) {
+                if (familyOf[other] == familyOf[i] && (other < i || !derived[other].seed)) {
+                    double& distance = nearest[forest.trees[other].seed % shapes];
+                    distance = std::min(distance, crowns.distance(i, other));
+                }
+            },
+            [&](double distance) { return *std::max_element(nearest.begin(), nearest.end()) <= distance; });
         tree.seed = std::min(tree.seed, std::numeric_limits<std::uint32_t>::max() - shapes);
         std::uint32_t best = 0;
         for (std::uint32_t increase = 1; increase < shapes; ++increase)
