@@ -54,16 +54,12 @@ namespace {
 constexpr double defaultShelterReach = 200.0;
 
 ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool withNeighbours) {
-    osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
-    if (!forest)
-        throw CommandError{BadInput, toString(forest.problems())};
-    const auto canopy = forest.value().wind.canopy.value_or(osgTreeWind::WindCanopy());
+    osgTreeWind::ForestDescription forest = valueOrThrow(osgTreeWind::readForestFile(file));
+    const auto canopy = forest.wind.canopy.value_or(osgTreeWind::WindCanopy());
     const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : defaultShelterReach;
-    const auto requested = loadTiles(forest.value(), tiles, withNeighbours ? shelter : 0.0);
-    if (!requested)
-        throw CommandError{BadInput, toString(requested.problems())};
-    printNotes(file, forest.value().notes);
-    return {std::move(forest.value()), requested.value()};
+    const auto requested = valueOrThrow(loadTiles(forest, tiles, withNeighbours ? shelter : 0.0));
+    printNotes(file, forest.notes);
+    return {std::move(forest), requested};
 }
 
 } // namespace

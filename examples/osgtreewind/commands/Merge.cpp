@@ -129,7 +129,7 @@ void run(const MergeOptions& options) {
     MergedTable table(output);
     for (const std::string& part : options.parts)
         if (const Diagnostics problems = table.add(part); !problems.empty())
-            throw CommandError{BadInput, problems.front().text()};
+            throwProblems(problems);
     const std::size_t rows = table.finish();
     if (!options.world.empty() && (!table.hasOneRowPerTree() || rows != trees))
         throw CommandError{

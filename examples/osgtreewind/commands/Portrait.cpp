@@ -115,7 +115,7 @@ void writeSpecies(const Species& species, const std::string& path) {
     forest.species = {species};
     forest.trees.emplace_back();
     if (const Diagnostics problems = writeForestFile(forest, path); !problems.empty())
-        throw CommandError{Failed, toString(problems)};
+        throwProblems(problems, Failed);
 }
 
 void portrait(const PortraitOptions& options) {

@@ -39,8 +39,8 @@ void print(const ForestTiles& tiles, bool json) {
 void cut(const TileOptions& options) {
     const auto forest = ForestStream::read(options.file, {options.output});
     if (!forest)
-        throw CommandError{forest.problems().front().file == options.output ? Failed : BadInput,
-                           toString(forest.problems())};
+        throwProblems(forest.problems(),
+                      forest.problems().front().file == options.output ? Failed : BadInput);
     printNotes(options.file, forest.value().description().notes);
     if (forest.value().description().tiles)
         throw CommandError{BadInput, options.file + ": the forest is already in tiles"};

@@ -168,15 +168,13 @@ osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> createManipulators(const ForestV
 void show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
         runOtherBackend("egl"); // a window needs the OpenGL of the system
-    auto description = readForestFile(options.file);
-    if (!description)
-        throw CommandError{BadInput, toString(description.problems())};
-    printNotes(options.file, description.value().notes);
-    description.value().season = options.season.value_or(description.value().season);
-    if (!description.value().ground && !description.value().tiles)
-        description.value().ground = groundThroughFeet(description.value());
+    ForestDescription description = valueOrThrow(readForestFile(options.file));
+    printNotes(options.file, description.notes);
+    description.season = options.season.value_or(description.season);
+    if (!description.ground && !description.tiles)
+        description.ground = groundThroughFeet(description);
     const osg::ref_ptr<Forest> forest =
-        valueOrThrow(Forest::create(std::move(description.value())), BadInput, options.file);
+        valueOrThrow(Forest::create(std::move(description)), BadInput, options.file);
     const Lens lens{40.0, static_cast<double>(options.width) / options.height};
     const ForestView view = initialView(*forest, lens, options.light.toSun);
     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);

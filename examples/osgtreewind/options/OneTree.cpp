@@ -22,10 +22,7 @@ namespace {
 std::vector<Species> loadSpecies(const std::string& file) {
     if (!SpeciesCatalogue::isCatalogue(file))
         return loadForest(file).species;
-    const Result<SpeciesCatalogue> catalogue = SpeciesCatalogue::read(file);
-    if (!catalogue)
-        throw CommandError{BadInput, toString(catalogue.problems())};
-    return catalogue.value().species();
+    return valueOrThrow(SpeciesCatalogue::read(file)).species();
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/Result.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -16,12 +17,24 @@ struct CommandError {
     std::string message;
 };
 
-/// The value of a result. Throws CommandError with the first problem if it has no value.
+/// Throws CommandError with up to 100 of the problems, one per line, and the number of the others: a world
+/// may lack a million tiles.
 /// @param file prefix of the message; may be empty.
+[[noreturn]] inline void throwProblems(osgTreeWind::Diagnostics problems, ExitCode exitCode = BadInput,
+                                       const std::string& file = {}) {
+    const std::size_t count = problems.size(), printed = std::min<std::size_t>(count, 100);
+    problems.resize(printed);
+    throw CommandError{exitCode,
+                       (file.empty() ? "" : file + ": ") + toString(problems) +
+                           (count > printed ? "\nand " + std::to_string(count - printed) + " more problems"
+                                            : std::string())};
+}
+
+/// The value of a result, or else throwProblems().
 template <typename T>
 T valueOrThrow(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, const std::string& file = {}) {
     if (!result)
-        throw CommandError{exitCode, (file.empty() ? "" : file + ": ") + result.problems().front().text()};
+        throwProblems(result.problems(), exitCode, file);
     return std::move(result.value());
 }
 
@@ -35,5 +48,5 @@ T valueOrThrow(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, cons
 inline void writeOrThrow(const std::string& path, const std::string& bytes) {
     if (const osgTreeWind::Diagnostics problems = osgTreeWind::writeFileAtomically(path, bytes);
         !problems.empty())
-        throw CommandError{Failed, problems.front().text()};
+        throwProblems(problems, Failed);
 }
