@@ -97,11 +97,11 @@ protected:
         description.damage = description.law == MotionLaw::Modal && randomBelow(3) == 0;
         description.gain = static_cast<float>(uniform(0.0, 4.0));
         description.season = static_cast<float>(uniform(0.0, 4.0));
+        description.wind = randomWind();
         description.wind.canopy.emplace().source =
             randomBelow(3) == 0 ? CanopySource::Forest : CanopySource::None;
         description.drawing.tiers = randomBelow(4) > 0;
         description.drawing.budget = randomBelow(4) == 0 ? 5.0f : 0.0f;
-        description.wind = randomWind();
         return description;
     }
 

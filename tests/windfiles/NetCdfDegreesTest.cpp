@@ -35,13 +35,15 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
 }
 
 /// A file of one component, as DWD and ERA5 serve them.
-void writeComponent(const std::string& path, const std::string& name, double speed) {
+/// Writes a component of the wind, or its speed or direction, with the same value everywhere.
+void writeComponent(const std::string& path, const std::string& name, double value,
+                    const std::string& unit = "m s**-1") {
     const Numbers longitudes = numbersFrom(9.0, 0.25, 4), latitudes = numbersFrom(50.5, -0.25, 3);
     NetCdfWriter(path)
         .axis("longitude", longitudes, "degrees_east")
         .axis("latitude", latitudes, "degrees_north")
-        .array(name, {"latitude", "longitude"}, metresPerSecond,
-               valuesOver(latitudes, longitudes, [&](double, double) { return speed; }));
+        .array(name, {"latitude", "longitude"}, {{"units", unit}},
+               valuesOver(latitudes, longitudes, [&](double, double) { return value; }));
 }
 
 /// u is the longitude and v the latitude, in m/s, -180 to 180.
@@ -345,12 +347,15 @@ TEST(NetCdfDegrees, ReadsTheFirstMemberOrMonthWithANote) {
 
 TEST(NetCdfDegrees, TakesOneComponentOfEachFile) {
     const TemporaryFolder folder;
-    const std::string u = folder.path() + "/u.nc", v = folder.path() + "/v.nc";
+    const std::string u = folder.path() + "/u.nc", v = folder.path() + "/v.nc",
+                      speed = folder.path() + "/speed.nc", direction = folder.path() + "/direction.nc";
     writeComponent(u, "u10", 3.0);
     writeComponent(v, "v10", -1.5);
+    writeComponent(speed, "wind_speed", std::hypot(3.0, 1.5));
+    writeComponent(direction, "wind_from_direction", glm::degrees(std::atan2(-3.0, 1.5)), "degree");
     WindFileOptions options;
     options.asStored = true;
-    for (const auto& files : {std::vector{u, v}, {v, u}}) {
+    for (const auto& files : {std::vector{u, v}, {v, u}, {speed, direction}, {direction, speed}}) {
         const auto wind = readWindFiles(files, {}, options);
         ASSERT_TRUE(wind) << firstProblem(wind);
         const glm::vec3 velocity = asField(wind.value().wind)->velocity({9.3f, 50.2f, 10.0f}, 0.0);
