@@ -69,7 +69,7 @@ TEST(ModalLean, MatchesTheCrownsOfBuiltInSpecies) {
                 const WindFieldPtr wind =
                     gusty ? gustsOf(8) : std::make_shared<UniformWind>(glm::vec3(5, 3, 0));
                 for (const auto level : {ModalMotion::Level::Near, ModalMotion::Level::Far})
-                    EXPECT_LT(leanErrors(tree, *wind, level).relative(), 0.1f)
+                    EXPECT_LT(leanErrors(tree, *wind, level).relative(), 0.07f)
                         << species.name << ", " << size.height << " m, "
                         << (gusty ? "gusts" : "a steady wind");
             }
