@@ -23,7 +23,7 @@ inline TreePlacement treeAt(const glm::dvec3& position, std::size_t species = 0,
 /// An oak, a birch, a spruce and a palm of different sizes, far from the world's zero.
 inline ForestDescription smallWood() {
     ForestDescription forest;
-    for (const char* name : {"oak", "silver birch", "Norway spruce", "date palm"})
+    for (const char* name : {"oak", "silver birch", "Norway spruce", "palm"})
         forest.species.push_back(*findSpecies(name));
     forest.origin = {567890.0, 5934560.0, 20.0};
     for (std::size_t i = 0; i < forest.species.size(); ++i) {
