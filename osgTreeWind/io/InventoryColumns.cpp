@@ -102,17 +102,11 @@ void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
                                                   const TreeRows* rows) {
     std::string name;
-    if (!columns.read(key, name)) {
-        _complete = _complete && !columns.has(key); // the value may be of another type
-        return std::nullopt;
-    }
-    if (!rows)
-        return std::nullopt;
-    const auto column = rows->column(name);
-    if (!column) {
+    const bool isNamed = columns.read(key, name) && rows;
+    const auto column = isNamed ? rows->column(name) : std::nullopt;
+    if (isNamed && !column)
         columns.problem(key, rows->problemOfColumn(name));
-        _complete = false;
-    }
+    _complete = _complete && (column || !columns.has(key));
     return column;
 }
 

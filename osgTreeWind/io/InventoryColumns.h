@@ -27,7 +27,7 @@ class InventoryColumns {
 public:
     /// @param rows null: only validate the keys.
     void read(TableReader& table, const TreeRows* rows);
-    /// Whether all required columns were found.
+    /// Whether all required columns and all named ones were found. Only valid with rows.
     bool isComplete() const { return _complete; }
     /// Whether places are in columns (`x` and `y`, or `point`) instead of the rows' geometry.
     bool hasPlaceColumns() const { return x.column || point; }

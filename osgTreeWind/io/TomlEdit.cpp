@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlEdit.h>
 
-#include <osgTreeWind/io/Toml.h>
+#include <osgTreeWind/io/TomlPosition.h>
 
 #include <algorithm>
 #include <optional>
@@ -10,24 +10,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-/// @param line 1-based.
-std::size_t lineBegin(const std::string& text, std::size_t line) {
-    std::size_t at = 0;
-    for (; line > 1 && at < text.size(); --line)
-        at = std::min(text.find('\n', at), text.size() - 1) + 1;
-    return at;
-}
-
-/// The byte offset of a position, whose columns count UTF-8 characters.
-std::size_t offsetOf(const std::string& text, const toml::source_position& position) {
-    std::size_t at = lineBegin(text, position.line);
-    for (std::size_t column = 1; column < position.column && at < text.size(); ++column)
-        do
-            ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
-    return at;
-}
 
 /// The table of that name, or the root table for an empty name. May be null.
 toml::table* findTable(toml::parse_result& document, const std::string& name) {

@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/io/Toml.h>
+#include <osgTreeWind/io/TomlPosition.h>
 
 #include <gtest/gtest.h>
 
@@ -45,15 +45,9 @@ void expectForestOrProblems(const std::string& text,
     }
 }
 
-/// Calls a function with the first byte and the end of each value of an ASCII document.
+/// Calls a function with the first byte and the end of each value of a document.
 template <typename Function>
 void forEachValue(const std::string& text, const toml::node& node, const Function& function) {
-    const auto offsetOf = [&](const toml::source_position& place) {
-        std::size_t start = 0;
-        for (toml::source_index line = 1; line < place.line; ++line)
-            start = text.find('\n', start) + 1;
-        return start + place.column - 1;
-    };
     const toml::table* const table = node.as_table();
     const toml::array* const array = node.as_array();
     if (table)
@@ -64,7 +58,7 @@ void forEachValue(const std::string& text, const toml::node& node, const Functio
             forEachValue(text, element, function);
     const bool hasHeader = table ? !table->is_inline() : array && array->is_array_of_tables();
     if (!hasHeader)
-        function(offsetOf(node.source().begin), offsetOf(node.source().end));
+        function(offsetOf(text, node.source().begin), offsetOf(text, node.source().end));
 }
 
 class DamagedInputTest : public testing::TestWithParam<const char*> {};

@@ -34,8 +34,7 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
     }
 }
 
-/// A file of one component, as DWD and ERA5 serve them.
-/// Writes a component of the wind, or its speed or direction, with the same value everywhere.
+/// Writes a component of the wind, as DWD and ERA5 serve it, or its speed or direction; everywhere the same.
 void writeComponent(const std::string& path, const std::string& name, double value,
                     const std::string& unit = "m s**-1") {
     const Numbers longitudes = numbersFrom(9.0, 0.25, 4), latitudes = numbersFrom(50.5, -0.25, 3);
