@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlEdit.h>
 
-#include <osgTreeWind/io/TomlPosition.h>
+#include <osgTreeWind/io/Toml.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,10 +12,10 @@ namespace osgTreeWind {
 namespace {
 
 /// The table of that name, or the root table for an empty name. May be null.
-toml::table* findTable(toml::parse_result& document, const std::string& name) {
+const toml::table* findTable(const Result<toml::table>& document, const std::string& name) {
     if (!document)
         return nullptr;
-    return name.empty() ? &document.table() : document.table()[name].as_table();
+    return name.empty() ? &document.value() : document.value()[name].as_table();
 }
 
 /// The line after which a new key of a table can be inserted; empty for an inline table.
@@ -41,8 +41,8 @@ void TomlEdit::append(const std::string& lines) {
 }
 
 void TomlEdit::set(const std::string& table, const std::string& key, const std::string& value) {
-    toml::parse_result document = toml::parse(_text);
-    toml::table* const found = findTable(document, table);
+    const Result<toml::table> document = parseToml(_text);
+    const toml::table* const found = findTable(document, table);
     const std::string line = key + " = " + value + '\n';
     if (!found)
         return append("\n[" + table + "]\n" + line);
@@ -59,7 +59,7 @@ void TomlEdit::set(const std::string& table, const std::string& key, const std::
 }
 
 void TomlEdit::remove(const std::string& table, const std::string& key) {
-    toml::parse_result document = toml::parse(_text);
+    const Result<toml::table> document = parseToml(_text);
     const toml::table* const found = findTable(document, table);
     const toml::node* const node = found && !found->is_inline() ? found->get(key) : nullptr;
     if (!node)

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/TomlPosition.h>
+#include <osgTreeWind/io/Toml.h>
+
+#include <osgTreeWind/base/MessageText.h>
 
 #include <algorithm>
 
 namespace osgTreeWind {
+
+Result<toml::table> parseToml(const std::string& text, const std::string& source) {
+    try {
+        return toml::parse(text, source);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position& at = error.source().begin;
+        return Diagnostic{source, static_cast<int>(at.line), static_cast<int>(at.column), "",
+                          "not valid TOML: " + printable(std::string(error.description()))};
+    }
+}
 
 std::size_t lineBegin(const std::string& text, std::size_t line) {
     std::size_t at = 0;
