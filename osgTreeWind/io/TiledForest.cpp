@@ -140,7 +140,8 @@ public:
     /// Keeps the new tiles and removes the old ones.
     void commit() {
         _new->keep();
-        if (const fs::path parent = fs::path(_tiles).parent_path(); _old.parent_path() == parent)
+        std::error_code error;
+        if (fs::equivalent(_old.parent_path(), _folder, error))
             remove(_old.string());
     }
 

@@ -213,6 +213,21 @@ TEST(TiledForestTest, rewritingRemovesTheOldTiles) {
     EXPECT_EQ(filesOf(folder.path() + "/a"), filesOf(folder.path() + "/b"));
 }
 
+TEST(TiledForestTest, rewritingRemovesTheOldTilesHoweverTheFolderIsNamed) {
+    const TemporaryFolder folder;
+    const std::string world = folder.path() + "/world", link = folder.path() + "/link";
+    ASSERT_TRUE(writeTiledForest(variedForest(20), world, ofSize(300.0)));
+    fs::create_directory_symlink(world, link);
+    for (const std::string& name :
+         {world, fs::relative(world).string(), link, world + '/', fs::relative(link).string() + '/'}) {
+        SCOPED_TRACE(name);
+        ASSERT_TRUE(writeTiledForest(variedForest(20), name, ofSize(300.0)));
+        const std::string used = readForestFile(world + "/world.treewind").value().tiles->folder;
+        EXPECT_TRUE(fs::is_directory(used));
+        EXPECT_NE(fs::exists(world + "/tiles"), fs::exists(world + "/tiles-2")) << "only one of them is left";
+    }
+}
+
 TEST(TiledForestTest, keepsForeignFolders) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() + "/tiles");
