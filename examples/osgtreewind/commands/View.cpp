@@ -165,6 +165,43 @@ osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> createManipulators(const ForestV
     return manipulators;
 }
 
+const CommandError noWindow = {
+    Failed, "view: cannot open a window; osgtreewind render draws pictures without a display"};
+
+/// Opens a window with 4 samples per pixel, or OSG_MULTI_SAMPLES, and with alpha. Where the display has no
+/// such windows, opens one with less, and says so.
+void openWindow(osgViewer::Viewer& viewer, int width, int height) {
+    osg::DisplaySettings& settings = *osg::DisplaySettings::instance();
+    settings.setMinimumNumStencilBits(8); // soft shadows use stencil and alpha
+    int samples = 4;
+    osg::getEnvVar("OSG_MULTI_SAMPLES", samples);
+    const int wanted = samples = std::max(samples, 0);
+    const auto open = [&](unsigned alpha) {
+        settings.setMinimumNumAlphaBits(alpha);
+        settings.setNumMultiSamples(samples);
+        viewer.setUpViewInWindow(60, 60, width, height);
+        return viewer.getCamera()->getGraphicsContext() != nullptr;
+    };
+    const osg::NotifySeverity severity = osg::getNotifyLevel();
+    osg::setNotifyLevel(osg::ALWAYS); // OSG reports each window that cannot be opened
+    bool isOpen = open(8);
+    while (!isOpen && samples > 0) {
+        samples /= 2;
+        isOpen = open(8);
+    }
+    osg::setNotifyLevel(severity);
+    const bool hasAlpha = isOpen;
+    if (!isOpen && !open(0))
+        throw noWindow;
+    if (samples < wanted)
+        std::cerr << "view: this display has no windows with " << wanted
+                  << " samples per pixel; the window has " << (samples > 0 ? std::to_string(samples) : "one")
+                  << std::endl;
+    if (!hasAlpha)
+        std::cerr << "view: this display has no windows with alpha; --shadows soft draws no shadows"
+                  << std::endl;
+}
+
 void show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
         runOtherBackend("egl"); // a window needs the OpenGL of the system
@@ -182,12 +219,8 @@ void show(const ViewOptions& options) {
     const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> manipulators = createManipulators(view);
 
     const osg::ref_ptr<ClipRecorder> recorder = new ClipRecorder;
-    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8);   // soft shadows use alpha
-    osg::DisplaySettings::instance()->setMinimumNumStencilBits(8); // and stencil
-    if (std::string samples; !osg::getEnvVar("OSG_MULTI_SAMPLES", samples))
-        osg::DisplaySettings::instance()->setNumMultiSamples(4);
     osgViewer::Viewer viewer;
-    viewer.setUpViewInWindow(60, 60, options.width, options.height);
+    openWindow(viewer, options.width, options.height);
     viewer.setLightingMode(osg::View::NO_LIGHT);
     viewer.getCamera()->setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
     viewer.getCamera()->setNearFarRatio(1e-5); // near plane 6 cm away with the edge of the ground at 6 km
@@ -206,8 +239,7 @@ void show(const ViewOptions& options) {
     viewer.setSceneData(scene.root());
     viewer.realize();
     if (!viewer.isRealized())
-        throw CommandError{Failed,
-                           "view: cannot open a window; osgtreewind render draws pictures without a display"};
+        throw noWindow;
     for (int frame = 0; !viewer.done() && (options.frames == 0 || frame < options.frames); ++frame)
         viewer.frame(handler->simulationTime(recorder->referenceTime(viewer.elapsedTime())));
 }
