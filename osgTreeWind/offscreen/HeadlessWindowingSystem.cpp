@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lets OSG programs such as osgviewer run without a display:
-//   LD_PRELOAD=libosgTreeWindHeadless.so:libOSMesa.so.8 OSG_RUN_FRAME_COUNT=10 osgviewer scene.osgt
+//   LD_PRELOAD=libosgTreeWindHeadless.so OSG_RUN_FRAME_COUNT=10 osgviewer scene.osgt
 // Their windows become offscreen contexts. The only event is the request to quit after OSG_RUN_FRAME_COUNT
 // frames, for programs with their own frame loop, which does not use this variable.
 #include <osgTreeWind/gpu/ExceptionGuard.h>
@@ -70,8 +70,7 @@ private:
     static osg::GraphicsContext* make(osg::GraphicsContext::Traits* traits) {
         auto made = createOffscreenContext(traits->width, traits->height);
         if (!made) {
-            OSG_WARN << "osgTreeWindHeadless: " << made.problems().front().message
-                     << " (preload libosgTreeWindHeadless.so:libOSMesa.so.8, in this order)" << std::endl;
+            OSG_WARN << "osgTreeWindHeadless: " << made.problems().front().message << std::endl;
             return nullptr;
         }
         if (!made.value()->realize())

@@ -24,7 +24,7 @@ END { print runs > "runs" }' "$page"
 for run in *.run; do
     while IFS= read -r command; do
         case $command in # they open windows
-        build/simulator | ./globe) command="LD_LIBRARY_PATH=$library LD_PRELOAD=$HEADLESS:libOSMesa.so.8 $command" ;;
+        build/simulator | ./globe) command="LD_LIBRARY_PATH=$library LD_PRELOAD=$HEADLESS $command" ;;
         esac
         bash -c "$command" >said 2>&1 || { echo "tutorial: exit status $?: $command"; cat said; exit 1; }
         [[ $command != *./globe ]] || leans=$(<said)

@@ -20,7 +20,7 @@ block cmake >CMakeLists.txt
 [[ -s main.cpp && -s CMakeLists.txt ]] || { echo "viewer: docs/viewer.md has no program"; exit 1; }
 { cmake -S . -B build -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" && cmake --build build; } >log 2>&1 || { cat log; exit 1; }
 
-preload=$library/osgTreeWind/libosgTreeWindHeadless.so:libOSMesa.so.8
+preload=$library/osgTreeWind/libosgTreeWindHeadless.so
 # The notice that growing the trees takes more than a second is no fault.
 OSG_NOTIFY_LEVEL=WARN LD_PRELOAD=$preload build/viewer "$forest" 5 >said 2>&1 || { echo "viewer: exit status $?"; cat said; exit 1; }
 [[ ! -s said ]] || { echo "viewer: it does not run silently:"; cat said; exit 1; }

@@ -16,7 +16,7 @@ build() {
 }
 
 build -S "$here/../../examples/embed" -B "$work/build"
-LD_PRELOAD=$prefix/$library/osgTreeWind/libosgTreeWindHeadless.so:libOSMesa.so.8 \
+LD_PRELOAD=$prefix/$library/osgTreeWind/libosgTreeWindHeadless.so \
     "$work/build/osgtreewind-embed" --frames 5
 
 rm -rf "$work/build"
