@@ -56,9 +56,11 @@ const std::string& scientificName(const std::string& commonName) {
 const std::string& scientificNameOfSuffix(const std::string& name) {
     constexpr std::size_t minSuffix = 5, minPrefix = 3; // bytes
     const std::string comparable = comparableName(name);
-    for (std::size_t begin = minPrefix; begin + minSuffix <= comparable.size(); ++begin)
-        if (const std::string& found = find(comparable.substr(begin)); !found.empty())
+    for (std::size_t begin = minPrefix; begin + minSuffix <= comparable.size(); ++begin) {
+        const std::string suffix = comparable.substr(begin);
+        if (const std::string& found = find(suffix); !found.empty())
             return found;
+    }
     return none;
 }
 

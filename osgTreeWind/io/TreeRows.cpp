@@ -147,8 +147,9 @@ public:
     bool hasPlaces() const override { return _all->hasPlaces(); }
     void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) override {
         std::vector<std::size_t> all = columns;
-        if (!all.empty())
-            all.insert(all.end(), _filter.columns().begin(), _filter.columns().end());
+        if (!columns.empty())
+            for (const std::size_t column : _filter.columns())
+                all.push_back(column);
         _all->rewind(transform, all);
     }
     Result<bool> next() override {

@@ -85,10 +85,9 @@ private:
     std::vector<std::size_t> parentsFirst() const {
         std::vector<std::size_t> order = {_root};
         order.reserve(_cylinders.size());
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            const std::vector<std::size_t>& next = _children[order[i]];
-            order.insert(order.end(), next.begin(), next.end());
-        }
+        for (std::size_t i = 0; i < order.size(); ++i)
+            for (const std::size_t child : _children[order[i]])
+                order.push_back(child);
         return order;
     }
 

@@ -24,7 +24,7 @@ std::string unitOf(GDALDatasetH data, GDALRasterBandH band) {
     if (std::string unit = GDALGetRasterUnitType(band); !unit.empty())
         return unit;
     for (const GDALMajorObjectH owner : {band, data})
-        for (char** item = GDALGetMetadata(owner, nullptr); item && *item; ++item) {
+        for (auto item = GDALGetMetadata(owner, nullptr); item && *item; ++item) {
             char* name = nullptr;
             std::string value = CPLParseNameValue(*item, &name);
             const bool isUnit = name && lower(name).find("unit") != std::string::npos;

@@ -10,7 +10,9 @@ namespace {
 
 void (*failHandler)(const std::string& reason) = nullptr;
 
-void handleLogMessage(int level, char* message) {
+/// @param message a char*, or a const char* as in libmatio 1.5.28.
+template <typename Text>
+void handleLogMessage(int level, Text message) {
     if (level == MATIO_LOG_LEVEL_ERROR || level == (MATIO_LOG_LEVEL_CRITICAL))
         failHandler(message ? message : "out of memory");
 }

@@ -341,8 +341,9 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) 
         return file.problem();
     const std::string map = projText(file);
     const Result<Crs> crs = map.empty() ? Result<Crs>(Crs()) : Crs::parse(map);
-    const std::optional<GridPosition> position =
-        map.empty() || !crs ? std::nullopt : findPosition(crs.value(), file, n, cell);
+    std::optional<GridPosition> position;
+    if (!map.empty() && crs)
+        position = findPosition(crs.value(), file, n, cell);
     const std::vector<glm::ivec2> moved =
         position && !request.asStored ? position->moved : std::vector<glm::ivec2>(n.t, glm::ivec2(0));
     if (position)

@@ -84,7 +84,8 @@ void updateBranchwise(benchmark::State& state) {
         stamp->setSimulationTime(stamp->getSimulationTime() + frame);
         visitor.setTraversalNumber(stamp->getFrameNumber());
         forest->accept(visitor);
-        benchmark::DoNotOptimize(forest->getBound());
+        osg::BoundingSphere bound = forest->getBound();
+        benchmark::DoNotOptimize(bound);
     }
 }
 

@@ -99,7 +99,7 @@ void expectEverything(const ForestDescription& forest) {
     EXPECT_NEAR(glm::length(gusts->parameters().mean), 9.0f, 1e-5f);
 }
 
-const TreePlacement& treeNamed(const ForestDescription& forest, const std::string& name) {
+const TreePlacement& treeNamed(const ForestDescription& forest, std::string_view name) {
     return *std::find_if(forest.trees.begin(), forest.trees.end(),
                          [&](const TreePlacement& tree) { return tree.name == name; });
 }

@@ -77,9 +77,13 @@ inline matvar_t* matStruct(const std::string& name, const std::vector<std::strin
     std::vector<const char*> names;
     for (const std::string& field : fields)
         names.push_back(field.c_str());
-    names.push_back(nullptr);
     std::size_t sizes[] = {1, values.size() / fields.size()};
-    matvar_t* made = Mat_VarCreateStruct2(name.c_str(), 2, sizes, names.data());
+    // Deprecated in libmatio 1.6 for Mat_VarCreateStruct2(), which 1.5.28 lacks.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+    matvar_t* made =
+        Mat_VarCreateStruct(name.c_str(), 2, sizes, names.data(), static_cast<unsigned>(fields.size()));
+#pragma GCC diagnostic pop
     for (std::size_t i = 0; i < values.size(); ++i)
         Mat_VarSetStructFieldByIndex(made, i % fields.size(), i / fields.size(), values[i]);
     return made;

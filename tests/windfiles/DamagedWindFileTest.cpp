@@ -95,7 +95,7 @@ void PrintTo(const Damage& damage, std::ostream* out) {
     *out << damage.name;
 }
 
-const FormatCase& caseOf(const std::string& file) {
+const FormatCase& caseOf(std::string_view file) {
     for (const FormatCase& format : formatCases())
         if (format.file == file)
             return format;

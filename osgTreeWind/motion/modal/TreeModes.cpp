@@ -92,7 +92,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
             else
                 next = images.col(filled - static_cast<Eigen::Index>(startVectors));
             double norm = next.norm();
-            for (int attempt = 0;; ++attempt) {
+            for (;;) {
                 const auto known = basis.leftCols(filled);
                 next -= known * (known.transpose() * next);
                 double left = next.norm();

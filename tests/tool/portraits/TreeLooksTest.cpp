@@ -25,7 +25,7 @@ const TreeLooks& looksOf(const std::string& species) {
 
 TEST(TreeLooks, AsMuchSkyShowsThroughACrownAsInPhotographs) {
     struct Photographs { // Wilkinson 1992
-        const char* species;
+        std::string species;
         double summer;
         std::optional<double> winter;
     };
