@@ -33,6 +33,11 @@ if(OSGTREEWIND_SANITIZE)
     endif()
 endif()
 
-# The presets turn warnings into errors.
+# Other compilers than those of Debian 12 may have new warnings; these never stop a build.
+option(OSGTREEWIND_WARNINGS_AS_ERRORS "Treat warnings of GCC 12 and clang 14 as errors" OFF)
+string(REGEX MATCH "^[0-9]+" compiler_major ${CMAKE_CXX_COMPILER_VERSION})
+if(OSGTREEWIND_WARNINGS_AS_ERRORS AND "${CMAKE_CXX_COMPILER_ID} ${compiler_major}" MATCHES "^(GNU 12|Clang 14)$")
+    set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
+endif()
 add_library(osgTreeWind_warnings INTERFACE)
 target_compile_options(osgTreeWind_warnings INTERFACE -Wall -Wextra -Wpedantic)

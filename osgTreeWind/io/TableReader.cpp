@@ -46,11 +46,6 @@ Diagnostic problemAt(const toml::source_region& source, const ReadLog& log, cons
             static_cast<int>(source.begin.column), key, message};
 }
 
-Diagnostic problemOf(const toml::parse_error& error, const ReadLog& log) {
-    return problemAt(error.source(), log, "",
-                     "not valid TOML: " + printable(std::string(error.description())));
-}
-
 /// A problem for keys with so many parts (a.b.c.d) that the recursion of toml++ could overflow the stack.
 std::optional<Diagnostic> problemOfDepth(const std::string& text, const ReadLog& log) {
     constexpr int maxDots = 200;
@@ -69,13 +64,13 @@ std::optional<Diagnostic> problemOfDepth(const std::string& text, const ReadLog&
 }
 
 /// Parses "KEY=VALUE" as a document. A value that is not TOML is a text.
-toml::parse_result parseSetting(const std::string& setting) {
+Result<toml::table> parseSetting(const std::string& setting) {
     const std::string name = "setting " + inQuotes(setting);
-    toml::parse_result parsed = toml::parse(setting, name);
+    Result<toml::table> parsed = parseToml(setting, name);
     const std::size_t equals = setting.find('=');
     if (parsed || equals == std::string::npos)
         return parsed;
-    return toml::parse(setting.substr(0, equals + 1) + tomlText(setting.substr(equals + 1)), name);
+    return parseToml(setting.substr(0, equals + 1) + tomlText(setting.substr(equals + 1)), name);
 }
 
 void merge(toml::table& document, toml::table& settings) {
@@ -93,17 +88,16 @@ void merge(toml::table& document, toml::table& settings) {
 void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
     if (auto problem = problemOfDepth(text, log))
         return log.add(std::move(*problem));
-    // Without a path: toml++ 3.3 would allocate it in a noexcept function.
-    toml::parse_result parsed = toml::parse(text);
-    if (!parsed)
-        return log.add(problemOf(parsed.error(), log));
+    Result<toml::table> document = parseToml(text);
+    if (!document)
+        return log.add(document.problems().front());
     for (const std::string& setting : log.settings) {
-        toml::parse_result set = parseSetting(setting);
+        Result<toml::table> set = parseSetting(setting);
         if (!set)
-            return log.add(problemOf(set.error(), log));
-        merge(parsed.table(), set.table());
+            return log.add(set.problems().front());
+        merge(document.value(), set.value());
     }
-    TableReader reader(parsed.table(), "", log);
+    TableReader reader(document.value(), "", log);
     root(reader);
     reader.reportUnknown();
 }

@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/io/TomlPosition.h>
+#include <osgTreeWind/io/Toml.h>
 
 #include <gtest/gtest.h>
 
@@ -165,10 +165,10 @@ height = [5, 9]
         const auto forest = readForest(input, {"whole", folder.path()});
         for (const Diagnostic& problem : forest.problems())
             ADD_FAILURE() << problem.text();
-        const toml::parse_result document = toml::parse(text);
-        ASSERT_TRUE(document);
+        const Result<toml::table> document = parseToml(text);
+        ASSERT_TRUE(document.ok());
         int count = 0;
-        forEachValue(text, document.table(), [&](std::size_t begin, std::size_t end) {
+        forEachValue(text, document.value(), [&](std::size_t begin, std::size_t end) {
             SCOPED_TRACE(text.substr(begin, end - begin));
             for (const char* const other : others)
                 expectForestOrProblems(text.substr(0, begin) + other + text.substr(end), folder.path());
