@@ -69,6 +69,10 @@ Diagnostics StreamedWind::update(const Update& update) {
     return {};
 }
 
+std::shared_ptr<const StreamedWind::Updates> StreamedWind::current() const {
+    return std::atomic_load(&_updates);
+}
+
 glm::vec3 StreamedWind::velocity(const WindPlace& place, double time) const {
     glm::vec3 velocity(0.0f);
     sample(&place, 1, time, &velocity);

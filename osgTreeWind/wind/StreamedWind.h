@@ -57,7 +57,7 @@ private:
     };
 
     StreamedWind(GridWind::Grid shape, Updates&& first);
-    std::shared_ptr<const Updates> current() const { return std::atomic_load(&_updates); }
+    std::shared_ptr<const Updates> current() const;
 
     const GridWind::Grid _shape; ///< As given to create(), without values.
     std::mutex _updating;
