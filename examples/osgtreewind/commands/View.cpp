@@ -198,8 +198,7 @@ void openWindow(osgViewer::Viewer& viewer, int width, int height) {
                   << " samples per pixel; the window has " << (samples > 0 ? std::to_string(samples) : "one")
                   << std::endl;
     if (!hasAlpha)
-        std::cerr << "view: this display has no windows with alpha; --shadows soft draws no shadows"
-                  << std::endl;
+        std::cerr << "view: this display has no windows with alpha, which --shadows soft needs" << std::endl;
 }
 
 void show(const ViewOptions& options) {
