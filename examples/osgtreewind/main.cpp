@@ -7,6 +7,8 @@
 #include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 
 CLI::Validator between(double low, double high) {
@@ -50,6 +52,30 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
 
 namespace {
 
+/// The help of CLI11 2.1, also from later versions: these write headings in capitals, leave out "Usage:", and
+/// join the lines of examples.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        const auto stripped = [](const std::string& text) {
+            const std::size_t begin = text.find_first_not_of('\n');
+            return begin == std::string::npos ? ""
+                                              : text.substr(begin, text.find_last_not_of('\n') + 1 - begin);
+        };
+        std::string usage = stripped(make_usage(app, std::move(name)));
+        if (usage.rfind("Usage: ", 0) != 0)
+            usage.insert(0, "Usage: ");
+        std::string lists = make_positionals(app) + make_groups(app, mode) + make_subcommands(app, mode);
+        for (const std::string heading : {"Positionals", "Options", "Subcommands"}) {
+            std::string capitals = heading;
+            std::transform(heading.begin(), heading.end(), capitals.begin(), ::toupper);
+            lists = CLI::detail::find_and_replace(lists, '\n' + capitals + ":\n", '\n' + heading + ":\n");
+        }
+        return stripped(make_description(app)) + '\n' + usage + '\n' + lists + '\n' +
+               stripped(make_footer(app)) + '\n';
+    }
+};
+
 /// Shelter distance in a world that does not give the reach of its stands, metres.
 constexpr double defaultShelterReach = 200.0;
 
@@ -92,6 +118,7 @@ int main(int argc, char** argv) {
     exitOnSignals();
     CLI::App app{"Inspect, check, draw and simulate forests in a wind field (.treewind files)."};
     app.name("osgtreewind");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
 
