@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 CLI::Validator between(double low, double high) {
     const std::string range = "from " + osgTreeWind::numberText(low) + " to " + osgTreeWind::numberText(high);
@@ -52,8 +54,8 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
 
 namespace {
 
-/// The help of CLI11 2.1, also from later versions: these write headings in capitals, leave out "Usage:", and
-/// join the lines of examples.
+/// The help of CLI11 2.1, also from later versions: these write headings in capitals, leave out "Usage:",
+/// join the lines of examples, and break those of commands.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
@@ -73,6 +75,12 @@ public:
         }
         return stripped(make_description(app)) + '\n' + usage + '\n' + lists + '\n' +
                stripped(make_footer(app)) + '\n';
+    }
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::ostringstream line;
+        line << std::left << std::setw(static_cast<int>(column_width_)) << "  " + command->get_name()
+             << command->get_description() << '\n';
+        return line.str();
     }
 };
 

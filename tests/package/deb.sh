@@ -27,7 +27,9 @@ needs() { # PACKAGE DEPENDENCY
 needs libosgtreewind2.0 libopenscenegraph161
 needs libosgtreewind-dev "libosgtreewind2.0 (= "
 needs osgtreewind-plugin libosgtreewind2.0
-needs osgtreewind libosmesa6
+opengl=libosmesa6
+! grep -q "^OSMesa_LIBRARY:.*NOTFOUND" "$build/CMakeCache.txt" || opengl=libegl1
+needs osgtreewind $opengl
 find "$root/usr/bin" "$root/usr/$library" -type f -exec sh -c 'readelf -d "$1" 2>/dev/null | grep -E "R(UN)?PATH" && echo "$1"' _ {} \; >"$work/paths"
 [[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: expected no RPATH or RUNPATH, found the lines above"; exit 1; }
 unset OSG_FILE_PATH
