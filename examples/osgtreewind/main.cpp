@@ -3,6 +3,7 @@
 #include <examples/osgtreewind/output/Signals.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>

@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/MessageText.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,18 @@ std::string alternatives(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i)
         result += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + inQuotes(words[i]);
     return result;
+}
+
+std::string expectedFound(std::string_view what, std::string_view text) {
+    constexpr std::size_t longestQuote = 40;
+    text = trimmed(text);
+    std::string message = "expected " + std::string(what) + ", found ";
+    if (text.empty())
+        return message + "nothing";
+    std::string quote(text.substr(0, longestQuote));
+    std::replace_if(
+        quote.begin(), quote.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    return message + "'" + quote + (text.size() > longestQuote ? "...'" : "'");
 }
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Formats texts for messages.
@@ -17,5 +18,7 @@ std::string joined(const std::vector<std::string>& words);
 std::string rangeText(double low, double high);
 /// "\"a\", \"b\" or \"c\"".
 std::string alternatives(const std::vector<std::string>& words);
+/// "expected WHAT, found 'TEXT'" on one line. Truncates a long text and calls an empty one "nothing".
+std::string expectedFound(std::string_view what, std::string_view text);
 
 } // namespace osgTreeWind

@@ -3,17 +3,10 @@
 
 #include <osgTreeWind/base/Text.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace osgTreeWind {
-
-namespace {
-
-constexpr std::size_t longestQuote = 40;
-
-} // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
     text = trimmed(text);
@@ -32,17 +25,6 @@ std::string numberText(double number) {
         return std::to_string(static_cast<long long>(number));
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
-}
-
-std::string expectedFound(std::string_view what, std::string_view text) {
-    text = trimmed(text);
-    std::string message = "expected " + std::string(what) + ", found ";
-    if (text.empty())
-        return message + "nothing";
-    std::string quote(text.substr(0, longestQuote));
-    std::replace_if(
-        quote.begin(), quote.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-    return message + "'" + quote + (text.size() > longestQuote ? "...'" : "'");
 }
 
 } // namespace osgTreeWind

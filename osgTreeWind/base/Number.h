@@ -14,7 +14,4 @@ std::optional<double> parseNumber(std::string_view text);
 /// The shortest text that parses to exactly `number`, in any locale. Integers below 1e15 have no exponent.
 std::string numberText(double number);
 
-/// "expected WHAT, found 'TEXT'" on one line. Truncates a long text and calls an empty one "nothing".
-std::string expectedFound(std::string_view what, std::string_view text);
-
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/TextTokens.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>

@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/base/Text.h>

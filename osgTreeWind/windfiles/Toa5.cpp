@@ -2,7 +2,7 @@
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSeriesRows.h>
 
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 

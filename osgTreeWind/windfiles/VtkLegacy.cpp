@@ -3,6 +3,7 @@
 #include <osgTreeWind/windfiles/VtkImage.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/WindLimits.h>
 

@@ -2,7 +2,7 @@
 #include <osgTreeWind/windfiles/WindSeriesRows.h>
 
 #include <osgTreeWind/base/IsoTime.h>
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 

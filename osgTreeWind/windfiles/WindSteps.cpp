@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/MemoryLimit.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/Interpolation.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/matlab/MatCylinders.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 #include <osgTreeWind/scanfiles/ScanLinks.h>

@@ -3,6 +3,7 @@
 
 #include <plugins/weather/Words.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/places/LongitudeWrap.h>

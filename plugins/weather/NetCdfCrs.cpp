@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/NetCdfCrs.h>
 
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Text.h>
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>

@@ -3,6 +3,7 @@
 
 #include <plugins/map/GdalCrs.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/WindUnits.h>

@@ -4,6 +4,7 @@
 #include <plugins/weather/NetCdfAxes.h>
 #include <plugins/weather/Words.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/WindUnits.h>

@@ -9,7 +9,7 @@
 
 #include <examples/osgtreewind/portraits/LeafEdges.h>
 #include <examples/osgtreewind/portraits/TreeLooks.h>
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>

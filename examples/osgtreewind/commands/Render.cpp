@@ -2,13 +2,13 @@
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/LightOptions.h>
 #include <examples/osgtreewind/options/Offscreen.h>
-#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/output/Progress.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 #include <examples/osgtreewind/pictures/VideoWriter.h>
 #include <examples/osgtreewind/pictures/WritePicture.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/FeetGround.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/motion/ForestSimulation.h>

@@ -2,10 +2,10 @@
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/LightOptions.h>
 #include <examples/osgtreewind/options/Offscreen.h>
-#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/ClipRecorder.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/FeetGround.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 #include <osgTreeWind/controls/ForestHandler.h>
 #include <osgTreeWind/controls/StatisticsLines.h>

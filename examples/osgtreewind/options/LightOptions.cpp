@@ -3,6 +3,7 @@
 
 #include <examples/osgtreewind/scene/SolarPosition.h>
 #include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/options/Setting.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 namespace CLI {
 class App;

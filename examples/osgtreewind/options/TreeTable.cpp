@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 
 using namespace osgTreeWind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 #include <examples/osgtreewind/portraits/PortraitMotion.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 #include <examples/osgtreewind/portraits/LeafEdges.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>

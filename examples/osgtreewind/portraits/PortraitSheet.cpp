@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 #include <examples/osgtreewind/pictures/PanelLabel.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationAccess.h>

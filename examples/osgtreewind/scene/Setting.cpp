@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/options/Setting.h>
+#include <examples/osgtreewind/scene/Setting.h>
 
 #include <examples/osgtreewind/scene/Ground.h>
 #include <examples/osgtreewind/scene/GroundShadows.h>
