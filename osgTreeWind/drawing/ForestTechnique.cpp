@@ -24,10 +24,11 @@ void ForestTechnique::setSimulation(std::shared_ptr<ForestSimulation> simulation
     _simulation = std::move(simulation);
 }
 
-void ForestTechnique::update(const osg::FrameStamp& stamp) {
-    if (_simulation)
-        _simulation->advance(stamp.getSimulationTime());
+bool ForestTechnique::stepsItself() const {
+    return false;
 }
+
+void ForestTechnique::update(const osg::FrameStamp&, bool) {}
 
 void ForestTechnique::treeChanged(std::size_t) {}
 

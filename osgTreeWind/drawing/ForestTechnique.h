@@ -17,7 +17,8 @@ class ForestSimulation;
 class InstancedForest;
 
 /// Base class of the ways to draw a Forest: the child of the Forest that holds the drawables. A host derives
-/// its own technique and passes it to Forest::setTechnique(). This class moves the trees and draws nothing.
+/// its own technique and passes it to Forest::setTechnique(). The Forest moves the trees. This class draws
+/// nothing.
 ///
 ///     class Lines : public osgTreeWind::ForestTechnique {
 ///     public:
@@ -26,9 +27,8 @@ class InstancedForest;
 ///             if (simulation)
 ///                 addChild(drawingOf(*simulation));
 ///         }
-///         void update(const osg::FrameStamp& stamp) override {
-///             ForestTechnique::update(stamp); // moves the trees
-///             if (getSimulation())
+///         void update(const osg::FrameStamp&, bool moved) override {
+///             if (moved)
 ///                 moveDrawing(*getSimulation());
 ///         }
 ///     };
@@ -43,12 +43,17 @@ public:
 
     /// Replaces the trees to draw. The Forest calls it when it receives the technique or a new
     /// description. The base class removes all children. If it throws, the Forest keeps its former trees.
-    /// @param simulation advanced by update(); null for no trees.
+    /// @param simulation advanced by the Forest; null for no trees.
     virtual void setSimulation(std::shared_ptr<ForestSimulation> simulation);
     ForestSimulation* getSimulation() const { return _simulation.get(); } ///< May be null.
 
-    /// Advances the simulation to the simulation time of the frame and updates the drawables.
-    virtual void update(const osg::FrameStamp& stamp);
+    /// Whether this technique takes the steps of the trees itself, as shaders do for the laws of the thesis.
+    /// Then the Forest only samples the wind before update(). The base class returns false.
+    virtual bool stepsItself() const;
+    /// Updates the drawables, after the Forest has advanced the trees. The base class does nothing.
+    /// @param stamp with the simulation time to which the trees were advanced. @param moved whether they took
+    /// a step, or with stepsItself(), whether one is due.
+    virtual void update(const osg::FrameStamp& stamp, bool moved);
     /// Called after a tree was added, moved, changed or removed. @param slot of the ForestSimulation.
     virtual void treeChanged(std::size_t slot);
     virtual void speciesAdded();  ///< Called after a species was added, before its first tree.

@@ -380,7 +380,10 @@ void Forest::update(osg::NodeVisitor& visitor) {
     const osg::ref_ptr<osg::FrameStamp> forestStamp = new osg::FrameStamp(stamp);
     if (_frameStep > 0.0)
         forestStamp->setSimulationTime(_frameStep * stamp.getFrameNumber());
-    _technique->update(*forestStamp);
+    const double time = forestStamp->getSimulationTime();
+    const bool moved = _technique->stepsItself() ? SimulationAccess::beginStep(*_simulation, time)
+                                                 : _simulation->advance(time);
+    _technique->update(*forestStamp, moved);
     const std::vector<TreeDamage> damageEvents = _simulation->damage(); // a copy: callbacks may change trees
     for (const TreeDamage& damage : damageEvents)
         _technique->treeChanged(_simulation->slotOf(damage.tree));

@@ -48,9 +48,9 @@ public:
         addChild(_lines);
         placeLines();
     }
-    void update(const osg::FrameStamp& stamp) override {
-        ForestTechnique::update(stamp);
-        placeLines();
+    void update(const osg::FrameStamp&, bool moved) override {
+        if (moved)
+            placeLines();
     }
     void treeChanged(std::size_t) override { placeLines(); }
     void releaseGLObjects(osg::State* state = nullptr) const override {
@@ -209,7 +209,31 @@ TEST(ForestTechniqueTest, ReceivesReleaseGLObjects) {
     EXPECT_EQ(lineTechnique(*forest)->released, 1);
 }
 
-TEST(ForestTechniqueTest, BaseClassMovesTreesAndHasNoBranches) {
+/// Calls no function of its base class.
+class ForgetfulTechnique : public ForestTechnique {
+public:
+    void setSimulation(std::shared_ptr<ForestSimulation>) override {}
+    bool stepsItself() const override { return false; }
+    void update(const osg::FrameStamp&, bool moved) override { steps += moved; }
+    int steps = 0;
+};
+
+TEST(ForestTechniqueTest, TreesMoveWithATechniqueThatForgetsItsBaseClass) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    const osg::ref_ptr<ForgetfulTechnique> technique = new ForgetfulTechnique;
+    EXPECT_TRUE(forest->setTechnique(technique).empty());
+    const std::vector<glm::vec4> rest = statesOf(*forest);
+    updateFrames(*forest, 1, 10);
+    EXPECT_NE(statesOf(*forest), rest);
+    EXPECT_EQ(technique->steps, 9) << "the first frame sets the time";
+    EXPECT_TRUE(forest->removeTree(TreeId(0)).empty());
+    EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
+    EXPECT_EQ(forest->getNumTrees(), 3u);
+    updateFrames(*forest, 11, 20);
+    EXPECT_EQ(technique->steps, 18);
+}
+
+TEST(ForestTechniqueTest, BaseClassDrawsNothingAndHasNoBranches) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     EXPECT_TRUE(forest->setTechnique(new ForestTechnique).empty());
     const std::vector<glm::vec4> rest = statesOf(*forest);
@@ -228,6 +252,8 @@ TEST(ForestTechniqueTest, TechniqueForAnotherLawDrawsNothing) {
     EXPECT_TRUE(forest->setTechnique(new BranchwiseForest).empty());
     ASSERT_NE(forest->getBranchwise(), nullptr);
     EXPECT_EQ(forest->getBranchwise()->getNumTrees(), 0u);
+    const std::vector<glm::vec4> rest = statesOf(*forest);
     updateFrames(*forest, 1, 3);
     EXPECT_EQ(forest->getNumTrees(), 2u);
+    EXPECT_NE(statesOf(*forest), rest) << "the forest moves them all the same";
 }

@@ -164,10 +164,13 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
         _prePass->node()->releaseGLObjects(state);
 }
 
-void BranchwiseForest::update(const osg::FrameStamp& stamp) {
-    chooseAngleSource();
-    const double time = stamp.getSimulationTime();
-    _trees->updatePoses(_prePass ? stepOnGpu(time) : stepOnCpu(time));
+void BranchwiseForest::update(const osg::FrameStamp& stamp, bool moved) {
+    if (_prePass)
+        moved = stepOnGpu(stamp.getSimulationTime(), moved);
+    else if (moved)
+        _trees->uploadLeafAngles();
+    _trees->updatePoses(moved);
+    chooseAngleSource(); // for the next frame
 }
 
 BranchTransform* BranchwiseForest::followBranch(TreeId tree, unsigned unit) {
@@ -180,16 +183,10 @@ bool BranchwiseForest::releaseBranch(TreeId tree, unsigned unit) {
     return simulation.holds(tree) && _trees->nodes()[simulation.slotOf(tree)]->releaseBranch(unit);
 }
 
-bool BranchwiseForest::stepOnCpu(double time) {
-    if (!getSimulation()->advance(time))
-        return false;
-    _trees->uploadLeafAngles();
-    return true;
-}
-
-bool BranchwiseForest::stepOnGpu(double time) {
+/// @return whether the states of an earlier step were read back.
+bool BranchwiseForest::stepOnGpu(double time, bool isDue) {
     const bool moved = _prePass->readBack(*SimulationAccess::branches(*getSimulation()));
-    if (SimulationAccess::beginStep(*getSimulation(), time))
+    if (isDue)
         _prePass->step(*SimulationAccess::branches(*getSimulation()), time);
     else
         _prePass->hold();

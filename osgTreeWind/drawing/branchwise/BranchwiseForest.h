@@ -53,7 +53,8 @@ public:
 
     /// Draws no trees, with a warning, for null and for a simulation under the law `modal`.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
-    void update(const osg::FrameStamp& stamp) override;
+    bool stepsItself() const override { return _prePass != nullptr; }
+    void update(const osg::FrameStamp& stamp, bool moved) override;
     void seasonChanged() override;
     BranchTransform* followBranch(TreeId tree, unsigned unit) override;
     bool releaseBranch(TreeId tree, unsigned unit) override;
@@ -72,8 +73,7 @@ private:
 
     void startPasses();
     void chooseAngleSource();
-    bool stepOnCpu(double time);
-    bool stepOnGpu(double time);
+    bool stepOnGpu(double time, bool isDue);
     void useCpuAngles();
 
     osg::ref_ptr<BranchwiseTrees> _trees;

@@ -77,8 +77,7 @@ void InstancedForest::setTrees(const osg::ref_ptr<InstancedTrees>& trees,
     addChild(_followed);
 }
 
-void InstancedForest::update(const osg::FrameStamp& stamp) {
-    ForestTechnique::update(stamp);
+void InstancedForest::update(const osg::FrameStamp& stamp, bool) {
     _trees->update(stamp.getFrameNumber(), stamp.getSimulationTime());
     _followed->update(*getSimulation());
 }

@@ -43,7 +43,7 @@ public:
     /// Draws no trees, with a warning, for null and for a simulation under a branchwise law. Removes state
     /// and geometry that a host has set.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
-    void update(const osg::FrameStamp& stamp) override;
+    void update(const osg::FrameStamp& stamp, bool moved) override;
     void treeChanged(std::size_t slot) override;
     void speciesAdded() override;
     void seasonChanged() override;
