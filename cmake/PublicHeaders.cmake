@@ -38,6 +38,7 @@ set(public_headers
     osgTreeWind/motion/ForestSimulation.h
     osgTreeWind/motion/SimulationOptions.h
     osgTreeWind/motion/damage/TreeDamage.h
+    osgTreeWind/motion/damage/TreeSway.h
     osgTreeWind/motion/laws/TreeMotion.h
     osgTreeWind/nodes/Forest.h
     osgTreeWind/nodes/TreeUnit.h

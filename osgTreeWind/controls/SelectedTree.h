@@ -3,10 +3,7 @@
 
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/damage/BreakableJoint.h>
-#include <osgTreeWind/motion/damage/TreeStrength.h>
 
-#include <optional>
 #include <string>
 
 namespace osgTreeWind {
@@ -22,13 +19,8 @@ public:
     std::string text(const ForestSimulation& simulation) const;
 
 private:
-    std::string swayText(const ForestSimulation& simulation) const;
-
     TreeId _tree;
     std::string _description;
-    double _frequency = 0.0; ///< Natural frequency, Hz. This and the members below: only under `modal`.
-    std::optional<BreakableJoint> _foot;
-    TreeStrength _strength;
 };
 
 } // namespace osgTreeWind

@@ -9,6 +9,7 @@
 #include <osgTreeWind/motion/CanopyWind.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/damage/FootLoad.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
 #include <osgTreeWind/wind/HostWind.h>
@@ -281,12 +282,12 @@ std::optional<float> ForestSimulation::advanceTime(double time) {
 }
 
 WindFieldPtr ForestSimulation::updateWind() {
-    WindFieldPtr wind = _canopyWind->update(*_wind, *_forest, *_time);
+    _lastField = _canopyWind->update(*_wind, *_forest, *_time);
     if (_canopyWind->flow() && _canopyWind->flow() != _canopyFlow) {
         _canopyFlow = _canopyWind->flow();
         _motion->setCanopyFlow(*_canopyFlow);
     }
-    return wind;
+    return _lastField;
 }
 
 bool ForestSimulation::beginStep(double time) {
@@ -331,6 +332,18 @@ TreeMotion ForestSimulation::motion(std::size_t slot) const {
 
 TreeMotion ForestSimulation::motion(std::size_t slot, UnitValues& values) const {
     return _motion->motion(slot, values);
+}
+
+std::optional<TreeSway> ForestSimulation::sway(TreeId tree) const {
+    const ModalMotion* modal = _motion->modal();
+    if (!modal || !isStanding(tree))
+        return {};
+    const PlacedTree& placed = _forest->trees[slotOf(tree)];
+    TreeSway sway = swayOf(*_forest, slotOf(tree), *modal);
+    const glm::vec3 top = placed.position + glm::vec3(0.0f, 0.0f, _forest->sizeOf(placed).height);
+    if (_lastField && _time)
+        sway.windAtTop = _lastField->velocity(WindPlace(top, placed.position.z), *_time);
+    return sway;
 }
 
 UnitMotion ForestSimulation::unitMotion(std::size_t slot, std::size_t unit) const {

@@ -6,6 +6,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
+#include <osgTreeWind/motion/damage/TreeSway.h>
 #include <osgTreeWind/motion/laws/TreeMotion.h>
 
 #include <memory>
@@ -120,6 +121,11 @@ public:
     /// As above, but `modal` computes into `values`, which the result refers to.
     TreeMotion motion(std::size_t slot, UnitValues& values) const;
 
+    /// The present sway of a tree, its moment at the foot and its limit, under `modal`; empty for an unknown
+    /// or fallen tree and under a branchwise law. Takes some tenths of a millisecond, as makeUnitLoads()
+    /// does; different threads may call it between two calls of advance().
+    std::optional<TreeSway> sway(TreeId tree) const;
+
     /// One unit of motion(), for the cost of its ancestor units. @param slot must hold a tree.
     /// @param unit index into skeleton().units.
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
@@ -142,6 +148,7 @@ private:
     std::optional<double> _time;
     std::shared_ptr<HostWind> _wind;
     std::unique_ptr<CanopyWind> _canopyWind;
+    WindFieldPtr _lastField;             ///< The wind of the last step, with the canopy; null: calm.
     std::unique_ptr<WindDamage> _damage; ///< Null: damage is off.
     /// The flow that _motion knows; null: each tree stands alone.
     std::shared_ptr<const CanopyFlow> _canopyFlow;

@@ -276,6 +276,10 @@ std::vector<TreeUnit> Forest::getUnits(TreeId tree) const {
     return unitsOf(*_simulation, _simulation->slotOf(tree));
 }
 
+std::optional<TreeSway> Forest::sway(TreeId tree) const {
+    return _simulation->sway(tree);
+}
+
 void Forest::setDamageCallback(DamageCallback callback) {
     _damageCallback = std::move(callback);
 }

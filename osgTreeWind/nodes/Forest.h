@@ -29,6 +29,7 @@ class TilePager;
 struct ForestDescription;
 struct Species;
 struct TreePlacement;
+struct TreeSway;
 struct TreeUnit;
 
 /// A scene graph node that holds a forest, moves its trees in a given wind, and draws them.
@@ -98,6 +99,7 @@ public:
     std::optional<TreePlacement> getPlacement(TreeId tree) const;
     /// The branch units of a tree now, by the index that branch() takes. Empty if there is no such tree.
     std::vector<TreeUnit> getUnits(TreeId tree) const;
+    std::optional<TreeSway> sway(TreeId tree) const; ///< See ForestSimulation::sway().
     /// Sets a function that the update traversal calls for each tree or bough that the wind breaks, if the
     /// description enables `damage`. It may add, change and remove trees. Null: no callback.
     void setDamageCallback(DamageCallback callback);

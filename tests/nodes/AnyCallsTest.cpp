@@ -76,6 +76,7 @@ public:
               &C::changeTree, &C::changeTree, &C::removeTree, &C::findTree, &C::queryTrees, &C::follow,
               &C::setExecutor, &C::setDamageCallback, &C::update, &C::update}},
             {"nodes/TreeUnit.h", {&C::findUnit}},
+            {"motion/damage/TreeSway.h", {&C::readSway}},
             {"motion/ForestSimulation.h", {&C::simulate, &C::advance}},
             {"motion/SimulationOptions.h", {&C::simulate}},
             {"forest/StandOnGround.h", {&C::standOnItsGround}},
@@ -344,6 +345,13 @@ private:
         for (TreeUnit& each : units)
             each.tip.x() = any.number<float>();
         EXPECT_EQ(nearestUnit(units, osg::Vec3(any.number<float>(), 0.0f, 0.0f)).has_value(), !units.empty());
+    }
+
+    void readSway() {
+        if (const auto sway = _forest->sway(tree())) {
+            EXPECT_TRUE(std::isfinite(sway->moment() + sway->frequency + sway->limit)) << _header;
+            EXPECT_TRUE(std::isfinite(glm::length(sway->displacement) + glm::length(sway->velocity)));
+        }
     }
 
     // Simulation and ground

@@ -3,9 +3,7 @@
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/motion/MakeCanopy.h>
-#include <osgTreeWind/motion/laws/PhysicalConstants.h>
-#include <osgTreeWind/motion/laws/UnitLoads.h>
-#include <osgTreeWind/motion/laws/UnitPose.h>
+#include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -44,22 +42,16 @@ WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
 
 StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
     : _forest(makeSingleTreeForest(species, given)),
-      _motion({makeModalTree(_forest, _forest.trees.front())}, 1.0f, {}, true),
-      _wind(windOf(_forest, storm)) {
+      _motion({makeModalTree(_forest, _forest.trees.front())}, 1.0f, {}, true), _wind(windOf(_forest, storm)),
+      _load(makeModalTree(_forest, _forest.trees.front()).form) {
     const PlacedTree& tree = _forest.trees.front();
     const TreeModel& model = _forest.modelOf(tree);
-    const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
     const std::vector<BranchUnit>& units = model.skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i)
-        if (units[i].level == 0) {
-            _top = i;
-            if (units[i].base.z <= 0.5f * model.skeleton.height())
-                _middle = i;
-        }
-    _weights = makeJointTree(model, tree.scale, species, tree.leaves).points;
-    _foot.stiffness = loads.front().stiffness;
+        if (units[i].level == 0 && units[i].base.z <= 0.5f * model.skeleton.height())
+            _middle = i;
     const double diameter = breastDiameter(model, tree.scale);
-    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
+    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(_load.foot().modulus) * diameter * diameter *
                       diameter);
     if (_wind.canopy())
         _motion.setNeighbourEffect(0, _wind.canopy()->neighbourEffectAt(glm::vec2(0.0f)));
@@ -78,14 +70,10 @@ void StormTree::advance(double time, const std::function<void()>& stepped) {
 }
 
 double StormTree::largestMoment(double time) {
+    const BreakableJoint foot{0, _load.foot().stiffness, 0.0f};
     double largest = 0.0;
-    advance(time, [&] { largest = std::max(largest, _foot.moment(_motion, 0)); });
+    advance(time, [&] { largest = std::max(largest, foot.moment(_motion, 0)); });
     return largest;
-}
-
-TreeStrength StormTree::strength() const {
-    const PlacedTree& tree = _forest.trees.front();
-    return {_forest.modelOf(tree), tree.scale, _forest.speciesOf(tree)};
 }
 
 StormState StormTree::advance(double time) {
@@ -98,23 +86,13 @@ StormState StormTree::advance(double time) {
     std::vector<UnitPose> poses(count);
     _motion.angles(0, angles.data());
     composeModalPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
-    const auto turned = [&](std::size_t unit) {
-        const glm::vec3 up(0.0f, 0.0f, 1.0f);
-        return glm::vec2(poses[unit].rotation * up - up);
-    };
     StormState now;
-    const glm::dvec2 foot(turned(0));
-    const double sine = std::min(glm::length(foot), 1.0);
-    now.moment = foot * (static_cast<double>(_foot.stiffness) * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
-    now.push = now.moment;
-    for (const JointTree::Point& point : _weights) {
-        const glm::vec3 place(point.place);
-        now.push -= gravity * point.mass * glm::dvec2(poses[point.link].apply(place) - place);
-    }
+    now.moment = _load.moment(poses);
+    now.push = now.moment - _load.weightMoment(poses);
     now.strain = now.moment * _strain;
-    now.tilt = turned(_middle);
-    const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;
-    now.tip = glm::vec2(poses[_top].apply(top) - top);
+    const glm::vec3 up(0.0f, 0.0f, 1.0f), top = tree.scale.axes * skeleton.units[_load.topUnit()].tip;
+    now.tilt = glm::vec2(poses[_middle].rotation * up - up);
+    now.tip = glm::vec2(poses[_load.topUnit()].apply(top) - top);
     now.wind = glm::vec2(_wind.velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
     return now;
 }

@@ -3,8 +3,7 @@
 
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/damage/BreakableJoint.h>
-#include <osgTreeWind/motion/modal/JointTree.h>
+#include <osgTreeWind/motion/damage/FootLoad.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/WindSampler.h>
 
@@ -45,7 +44,7 @@ public:
 
     /// Simulates up to `time`. @return the largest moment at the foot on the way, N m.
     double largestMoment(double time);
-    TreeStrength strength() const;
+    const TreeStrength& strength() const { return _load.strength(); }
 
 private:
     void advance(double time, const std::function<void()>& stepped);
@@ -53,10 +52,9 @@ private:
     PlacedForest _forest;
     ModalMotion _motion;
     WindSampler _wind;
-    std::vector<JointTree::Point> _weights;
-    BreakableJoint _foot;
+    FootLoad _load;
     double _time = 0.0, _strain = 0.0;
-    std::size_t _middle = 0, _top = 0; ///< Units of the trunk.
+    std::size_t _middle = 0; ///< Unit at half the height of the trunk.
 };
 
 /// Critical speeds of a tree. The speed of `storm` is ignored. The largest moment expected in an hour is the

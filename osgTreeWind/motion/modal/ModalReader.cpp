@@ -59,6 +59,18 @@ float ModalReader::staticAmplitude(std::size_t tree, std::size_t mode, const flo
     return force / (m.omega * m.omega * left);
 }
 
+float ModalReader::omega(std::size_t tree, std::size_t mode) const {
+    const ModalGroup& group = _state.groupOf(tree);
+    const std::size_t place = _state.slots[tree].place;
+    const LaneFactors<OneLane> factors(
+        {group.block(place / ModalGroup::lanes) + group.firstFactor(), place % ModalGroup::lanes},
+        _state.gain);
+    const ModalModel::Mode& m = group.model().modes[mode];
+    const float stiffness = factors.sizeFactor(m.stiffness), mass = factors.sizeFactor(m.mass);
+    return m.omega *
+           std::sqrt(factors.omegaSquare * stiffness * factors.stiffnessLeft(m, stiffness, mass) / mass);
+}
+
 void ModalReader::patchWinds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
     const float share = _state.swayShare(tree);
@@ -69,9 +81,12 @@ void ModalReader::patchWinds(std::size_t tree, glm::vec3* winds) const {
     }
 }
 
-void ModalReader::angles(std::size_t tree, glm::vec2* angles) const {
+void ModalReader::angles(std::size_t tree, glm::vec2* angles, float ahead) const {
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     poseVector(tree, vector);
+    const std::size_t modes = model(tree).modes.size();
+    for (std::size_t k = 0; k < modes; ++k)
+        vector[k] += ahead * _state.swayShare(tree) * _state.number(tree, modes + k);
     for (std::size_t unit = 0; unit < model(tree).joints / 2; ++unit)
         angles[unit] = unitAngles(tree, unit, vector);
 }

@@ -27,8 +27,8 @@ public:
     /// @param vector model(tree).columns() elements.
     void poseVector(std::size_t tree, float* vector) const;
     /// Angles of each unit about its two axes, bounded by the species' maximum, radians.
-    /// @param angles one per unit.
-    void angles(std::size_t tree, glm::vec2* angles) const;
+    /// @param angles one per unit. @param ahead seconds for which the modes move on at their present speeds.
+    void angles(std::size_t tree, glm::vec2* angles, float ahead = 0.0f) const;
     /// angles() of one unit. @param vector poseVector() of the tree.
     glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
     /// Last wind at each patch times TreeFall::sway, m/s, in the tree's own axes.
@@ -40,6 +40,8 @@ public:
     /// of it (ModalLean.h).
     glm::vec2 lean(std::size_t tree) const { return _state.leans[tree]; }
     std::vector<float> amplitudes(std::size_t tree) const;
+    /// Natural angular frequency of a mode, with the effect of weight, rad/s.
+    float omega(std::size_t tree, std::size_t mode) const;
     /// Static amplitude of a mode under the present wind. @param vector poseVector() of the tree.
     float staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const;
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/motion/damage/TreeStrength.h>
+#include <osgTreeWind/motion/damage/TreeSway.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
+#include <osgTreeWind/motion/modal/JointTree.h>
+#include <osgTreeWind/motion/modal/ModalReader.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The moments at the foot of a tree, from the poses of its units.
+class FootLoad {
+public:
+    explicit FootLoad(const TreeForm& tree);
+
+    /// Moment of weight, air and inertia, K theta, N m, in the tree's own axes; it points to where the tree
+    /// turns.
+    glm::dvec2 moment(const std::vector<UnitPose>& poses) const;
+    /// The part of moment() that is of the overhanging weight.
+    glm::dvec2 weightMoment(const std::vector<UnitPose>& poses) const;
+
+    const UnitLoad& foot() const { return _foot; }             ///< Of the lowest unit.
+    const TreeStrength& strength() const { return _strength; } ///< Resistance at the foot.
+    std::size_t topUnit() const { return _top; }               ///< The last unit of the trunk.
+
+private:
+    UnitLoad _foot;
+    TreeStrength _strength;
+    std::vector<JointTree::Point> _weights;
+    std::size_t _top = 0;
+};
+
+/// The present sway of a tree, without `windAtTop`. Takes some tenths of a millisecond.
+TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalReader& motion);
+
+} // namespace osgTreeWind
