@@ -14,6 +14,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <string>
 #include <thread>
 
@@ -71,6 +72,11 @@ static WindSource lorryFlow(double time) {
     return flow;
 }
 
+/// Prints why a wind was refused; here, none is.
+static void report(const Diagnostics& problems) {
+    std::cerr << toString(problems);
+}
+
 static void add(osg::Group& group, osg::Shape* shape, const osg::Vec4& colour) {
     osg::ref_ptr<osg::ShapeDrawable> drawable = new osg::ShapeDrawable(shape);
     drawable->setColor(colour);
@@ -103,7 +109,7 @@ int main(int argc, char** argv) {
     std::atomic<bool> done{false};
     std::thread simulator([&] {
         for (double time = 0.0; !done; time += 1.0 / 60.0) { // 60 updates per second
-            wind->update({simulateWind(time).values});       // returns the problems, here none
+            report(wind->update({simulateWind(time).values}));
             std::this_thread::sleep_for(std::chrono::microseconds(16667));
         }
     });
@@ -112,7 +118,7 @@ int main(int argc, char** argv) {
         lorry->setMatrix(lorryPose(time));
         Wind now(wind);
         now.sources = {lorryFlow(time)};
-        forest->setWind(now);
+        report(forest->setWind(now));
         const osg::Vec3d behind = osg::Vec3d(0, 0, 6) * lorryPose(time - 1.6),
                          front = lorry->getBound().center();
         viewer.getCamera()->setViewMatrixAsLookAt(behind, front, {0, 0, 1});

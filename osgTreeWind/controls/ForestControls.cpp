@@ -81,10 +81,13 @@ std::vector<WindSource> placeableSources(const glm::dvec3& foot, double height, 
 
 ForestControls::ForestControls(Forest* forest) : _forest(forest) {}
 
+void ForestControls::keepError(const Diagnostics& problems) {
+    _error = problems.empty() ? "" : problems.front().text();
+}
+
 void ForestControls::steerWind(const std::function<void(WindSteering&)>& change) {
     if (!_forest.valid())
         return;
-    _error.clear();
     Wind now = _forest->getWind();
     if (!_isSteering || !hasSameField(now, _modifiedWind)) {
         _hostWind = now;
@@ -94,7 +97,7 @@ void ForestControls::steerWind(const std::function<void(WindSteering&)>& change)
     change(_steering);
     _modifiedWind = steered(_hostWind, _steering);
     copyField(_modifiedWind, now);
-    _forest->setWind(std::move(now));
+    keepError(_forest->setWind(std::move(now)));
 }
 
 void ForestControls::changeSpeed(double metresPerSecond) {
@@ -110,13 +113,13 @@ void ForestControls::changeGustiness(double by) {
 }
 
 void ForestControls::restoreWind() {
+    _error.clear();
     if (_forest.valid() && _isSteering) {
         Wind now = _forest->getWind();
         copyField(_hostWind, now);
-        _forest->setWind(std::move(now));
+        keepError(_forest->setWind(std::move(now)));
     }
     _isSteering = false;
-    _error.clear();
 }
 
 void ForestControls::changeSources(const std::function<void(std::vector<WindSource>&)>& change) {
@@ -124,7 +127,7 @@ void ForestControls::changeSources(const std::function<void(std::vector<WindSour
         return;
     Wind wind = _forest->getWind();
     change(wind.sources);
-    _forest->setWind(std::move(wind));
+    keepError(_forest->setWind(std::move(wind)));
 }
 
 void ForestControls::nextSource(const glm::dvec3& foot, double height, double time) {
@@ -164,7 +167,8 @@ void ForestControls::toggleTierColors() {
 
 void ForestControls::changeSeason(float seasons) {
     if (_forest.valid())
-        _forest->setSeason(wrapSeason(0.01f * std::round(100.0f * (_forest->getSeason() + seasons))));
+        keepError(
+            _forest->setSeason(wrapSeason(0.01f * std::round(100.0f * (_forest->getSeason() + seasons)))));
 }
 
 void ForestControls::rebuildForest(const std::function<void(ForestDescription&)>& change) {
@@ -172,8 +176,7 @@ void ForestControls::rebuildForest(const std::function<void(ForestDescription&)>
         return;
     ForestDescription description = _forest->getSimulation().describe();
     change(description);
-    const Diagnostics problems = _forest->setDescription(std::move(description));
-    _error = problems.empty() ? "" : problems.front().text();
+    keepError(_forest->setDescription(std::move(description)));
 }
 
 void ForestControls::nextLaw() {

@@ -56,6 +56,7 @@ public:
     std::string text() const;
 
 private:
+    void keepError(const Diagnostics& problems);
     void steerWind(const std::function<void(WindSteering&)>& change);
     void rebuildForest(const std::function<void(ForestDescription&)>& change);
     void changeSources(const std::function<void(std::vector<WindSource>&)>& change);

@@ -11,13 +11,14 @@ namespace osgTreeWind {
 /// without a species or too far from the origin. Keys are those of a file, with 0-based indices:
 /// "species[1].wood.density". A Forest rejects a description that has problems.
 /// @return the first 100 problems; empty if the description is valid.
-OSGTREEWIND_EXPORT Diagnostics check(const ForestDescription& description);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const ForestDescription& description);
 
 /// Validates one tree for `addTree()` and `changeTree()`.
 /// @param forest provides the species and the origin; its trees are ignored.
-OSGTREEWIND_EXPORT Diagnostics check(const TreePlacement& tree, const ForestDescription& forest);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const TreePlacement& tree,
+                                                   const ForestDescription& forest);
 
 /// Validates one species for `addSpecies()`.
-OSGTREEWIND_EXPORT Diagnostics check(const Species& species);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const Species& species);
 
 } // namespace osgTreeWind

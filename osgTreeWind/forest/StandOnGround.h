@@ -11,7 +11,7 @@ namespace osgTreeWind {
 /// @param trees indices of the trees.
 /// @return the problems. If check() fails or an index is invalid, nothing changes. If some trees have no
 /// ground below them, one problem reports their number and the first of them, and they keep their height.
-OSGTREEWIND_EXPORT Diagnostics standOnGround(ForestDescription& forest,
-                                             const std::vector<std::size_t>& trees);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics standOnGround(ForestDescription& forest,
+                                                           const std::vector<std::size_t>& trees);
 
 } // namespace osgTreeWind

@@ -40,15 +40,17 @@ OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& p
 /// absolute, and sizes of 0 or less read back as 0 (not given). Thread-safe.
 /// @return the problems, in which case nothing is written: those of check(), duplicate names of species or
 /// trees, a wind that is a callable, streamed or moved, and scans or pictures without a file.
-OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description, std::ostream& output);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description,
+                                                         std::ostream& output);
 
 /// Writes a forest to a file, as writeForest() does.
-OSGTREEWIND_EXPORT Diagnostics writeForestFile(const ForestDescription& description, const std::string& path);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics writeForestFile(const ForestDescription& description,
+                                                             const std::string& path);
 
 /// Writes a forest as an edit of the file that it was read from. If only season, wind, motion and drawing
 /// have changed, it changes those keys in the text of `from` and keeps comments and order; otherwise it is
 /// the same as writeForestFile(). @param path may equal `from`.
-OSGTREEWIND_EXPORT Diagnostics editForestFile(const ForestDescription& forest, const std::string& from,
-                                              const std::string& path);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics editForestFile(const ForestDescription& forest,
+                                                            const std::string& from, const std::string& path);
 
 } // namespace osgTreeWind

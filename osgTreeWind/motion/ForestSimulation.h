@@ -62,10 +62,10 @@ public:
     /// description() returned. @return its index; also an error for a duplicate name or too little memory.
     Result<std::size_t> addSpecies(Species species);
     Result<TreeId> addTree(const TreePlacement& placement); ///< Adds a tree at rest.
-    Diagnostics removeTree(TreeId tree);                    ///< @return empty on success.
+    [[nodiscard]] Diagnostics removeTree(TreeId tree);      ///< @return empty on success.
     /// Moves or replaces a tree, and keeps its motion; a tree of a tile becomes permanent. @return see
     /// removeTree().
-    Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
+    [[nodiscard]] Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
 
     /// Under `modal`, after the first advance(): gives trees the motion that they would have after spinUpTime
     /// in the wind, in up to a millisecond per tree. From rest, their sway is then within 0.2 % of the steady
@@ -86,12 +86,12 @@ public:
     /// and damping follow. Under `modal`, each step updates up to 256 trees and two new archetypes and takes
     /// up to 10 ms longer: 100,000 trees of five species take about 700 steps. @return an error, with nothing
     /// changed, for a value that is not finite.
-    Diagnostics setSeason(float season);
+    [[nodiscard]] Diagnostics setSeason(float season);
     float season() const; ///< Time of year (Season.h).
 
     /// Sets the wind from the next advance() on. Under `modal`, it changes linearly within that step.
     /// @return what check() finds; then nothing has changed.
-    Diagnostics setWind(Wind wind);
+    [[nodiscard]] Diagnostics setWind(Wind wind);
     Wind wind() const; ///< As set.
 
     void setExecutor(Executor executor); ///< See SimulationOptions::executor; from the next step on.
@@ -135,7 +135,7 @@ private:
     ForestSimulation(ForestDescription description, const SimulationOptions& options,
                      std::shared_ptr<HostWind> wind);
     ForestSimulation(const ForestSimulation& other);
-    Diagnostics unloadTiledTree(TreeId tree);
+    [[nodiscard]] Diagnostics unloadTiledTree(TreeId tree);
     bool beginStep(double time);
     std::optional<float> advanceTime(double time);
     WindFieldPtr updateWind();

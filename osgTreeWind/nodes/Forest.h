@@ -36,7 +36,7 @@ struct TreeUnit;
 ///
 ///     osg::ref_ptr<Forest> forest = new Forest(description); // from code, or readForestFile()
 ///     scene->addChild(forest);
-///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f))); // m/s, toward +x
+///     report(forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)))); // m/s, toward +x
 ///     if (const auto branch = forest->branch(forest->findTree("oak 7"), 2))
 ///         branch.value()->addChild(nest); // moves with the branch
 ///
@@ -69,12 +69,12 @@ public:
 
     /// Sets the wind from the next frame on. A WindField converts to a Wind; null is a calm. A wind without a
     /// canopy keeps the canopy of the previous wind. Any thread. @return what check() finds.
-    Diagnostics setWind(Wind wind);
+    [[nodiscard]] Diagnostics setWind(Wind wind);
     Wind getWind() const; ///< As set, with its canopy. Any thread.
     /// Runs the work of the forest on threads of the host; null: on the threads of the process.
     void setExecutor(Executor executor);
     /// Sets the season (Season.h): the leaves, and how the trees sway. @return a problem if it is not finite.
-    Diagnostics setSeason(float season);
+    [[nodiscard]] Diagnostics setSeason(float season);
     float getSeason() const;      ///< The season, as in Season.h.
     osg::Vec3d getOrigin() const; ///< World position of the node's own origin, metres.
     /// The surface of the ground, for the host to add to its scene; null: no ground. New in each description.
@@ -88,9 +88,9 @@ public:
     Result<std::size_t> addSpecies(Species species);
     /// @param placement in world coordinates. @return an id that is never used again, or what check() finds.
     Result<TreeId> addTree(const TreePlacement& placement);
-    Diagnostics removeTree(TreeId tree); ///< @return a problem if there is no such tree.
+    [[nodiscard]] Diagnostics removeTree(TreeId tree); ///< @return a problem if there is no such tree.
     /// Moves a tree, or gives it another size or species, while it goes on swaying. @return as addTree().
-    Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
+    [[nodiscard]] Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// The tree with a name, or noTree. If its tile is not loaded, this loads it, in milliseconds.
     TreeId findTree(const std::string& name);
     std::size_t getNumTrees() const { return _treeCount; } ///< Includes the trees of loaded tiles.
@@ -113,7 +113,7 @@ public:
     bool isOwnChild(const osg::Node* child) const; ///< Whether the forest, not the host, added this child.
 
     /// @param technique draws this forest only; null: instances under `modal`, else branch by branch.
-    Diagnostics setTechnique(ForestTechnique* technique);
+    [[nodiscard]] Diagnostics setTechnique(ForestTechnique* technique);
     ForestTechnique* getTechnique() const { return _technique.get(); } ///< Never null.
     InstancedForest* getInstanced() const;   ///< The technique if it draws instances; else null.
     BranchwiseForest* getBranchwise() const; ///< The technique if it draws branch by branch; else null.

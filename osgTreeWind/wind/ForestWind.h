@@ -15,7 +15,7 @@ namespace osgTreeWind {
 /// all heights and times. Create it with GridWind::fromForestWind(), which checks the array.
 ///
 ///     if (const auto wind = GridWind::fromForestWind(1, 1, {4.0f, 0.0f, 0.0f}))
-///         forest->setWind(wind.value());
+///         report(forest->setWind(wind.value()));
 class OSGTREEWIND_EXPORT ForestWind final : public WindField {
 public:
     /// The array with its size and position.

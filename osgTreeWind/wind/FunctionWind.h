@@ -10,9 +10,9 @@ namespace osgTreeWind {
 
 /// A wind computed by a callable: a formula, or the coupling to a running simulation.
 ///
-///     forest->setWind(std::make_shared<FunctionWind>([](const glm::vec3& place, double time) {
+///     report(forest->setWind(std::make_shared<FunctionWind>([](const glm::vec3& place, double time) {
 ///         return glm::vec3(5.0 + std::sin(time - 0.1 * place.x), 0.0, 0.0);
-///     }));
+///     })));
 class OSGTREEWIND_EXPORT FunctionWind final : public WindField {
 public:
     /// Velocity (m/s, the direction the air moves toward) at a scene position (metres; z is not the height

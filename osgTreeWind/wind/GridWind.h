@@ -21,7 +21,7 @@ namespace osgTreeWind {
 ///     grid.cell = {100.0, 1.0, 1.0};
 ///     grid.values = {4.0f, 0.0f, 0.0f, 8.0f, 0.0f, 0.0f}; // u, v, w of each point
 ///     if (const auto wind = GridWind::create(grid))
-///         forest->setWind(wind.value());
+///         report(forest->setWind(wind.value()));
 class OSGTREEWIND_EXPORT GridWind final : public WindField {
 public:
     /// The grid and its velocities.
@@ -56,7 +56,7 @@ public:
                                                const glm::dvec3& origin = glm::dvec3(0.0));
 
     /// The problems of a grid; empty if create() accepts it.
-    static Diagnostics check(const Grid& grid);
+    [[nodiscard]] static Diagnostics check(const Grid& grid);
 
     const Grid& grid() const { return _grid; } ///< The grid as given.
 

@@ -27,7 +27,7 @@ class GustNoise;
 ///     gusts.mean = windVelocity({8.0, 240.0}, DirectionSense::From);
 ///     gusts.profile = LogProfile{10.0, 0.05};
 ///     if (const auto wind = GustWind::create(gusts))
-///         forest->setWind(wind.value());
+///         report(forest->setWind(wind.value()));
 class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
     /// Mean wind and turbulence.

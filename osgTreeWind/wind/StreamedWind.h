@@ -19,7 +19,7 @@ namespace osgTreeWind {
 /// either all or nothing of an update.
 ///
 ///     auto wind = StreamedWind::create(grid).value();
-///     forest->setWind(wind);
+///     report(forest->setWind(wind));
 ///     report(wind->update({velocities})); // in every frame, from any thread
 class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
@@ -43,7 +43,7 @@ public:
     /// Replaces the wind. A wrong number of velocities, a value that is not finite, or a time that is not
     /// after that of the previous update is a problem, and the wind does not change.
     /// @return the problems; empty on success.
-    Diagnostics update(const Update& update);
+    [[nodiscard]] Diagnostics update(const Update& update);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

@@ -33,7 +33,7 @@ OSGTREEWIND_EXPORT glm::dvec3 meanVelocity(const WindSeries& series);
 ///     record.times = {0.0, 600.0};
 ///     record.velocities = {{4.0f, 0.0f, 0.0f}, {0.0f, 7.0f, 0.0f}};
 ///     if (const auto wind = TimeSeriesWind::create(record))
-///         forest->setWind(wind.value());
+///         report(forest->setWind(wind.value()));
 class OSGTREEWIND_EXPORT TimeSeriesWind final : public WindField {
 public:
     /// Checks the record and returns the wind, or diagnostics with the member's name as key.

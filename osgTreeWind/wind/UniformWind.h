@@ -8,7 +8,7 @@ namespace osgTreeWind {
 
 /// A wind that is constant in space and time.
 ///
-///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f))); // from the west
+///     report(forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)))); // from the west
 class OSGTREEWIND_EXPORT UniformWind final : public WindField {
 public:
     /// @param velocity m/s toward; 0 is used if a component is not finite.

@@ -34,7 +34,7 @@ enum class WindFrame {
 ///     Wind wind(std::make_shared<UniformWind>(glm::vec3(6, 0, 0)));
 ///     wind.adjustment.turn = 20.0;
 ///     wind.sources.push_back(helicopter);
-///     forest->setWind(wind);
+///     report(forest->setWind(wind));
 struct OSGTREEWIND_EXPORT Wind {
     WindFieldPtr field;                 ///< Null: calm.
     WindClock clock;                    ///< Maps scene time to the field's time.
@@ -65,6 +65,6 @@ private:
 OSGTREEWIND_EXPORT WindFieldPtr asField(const Wind& wind);
 
 /// The problems of a wind's frame and canopy; empty if valid. Adjustments and sources are only clamped.
-OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
+[[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
 
 } // namespace osgTreeWind

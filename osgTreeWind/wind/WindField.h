@@ -36,7 +36,7 @@ using KindOfWind = std::variant<const WindField*, const UniformWind*, const Gust
 ///             return {-0.1f * place.position.y, 0.1f * place.position.x, 0.0f};
 ///         }
 ///     };
-///     forest->setWind(std::make_shared<Whirl>());
+///     report(forest->setWind(std::make_shared<Whirl>()));
 class OSGTREEWIND_EXPORT WindField {
 public:
     virtual ~WindField() = default;

@@ -26,6 +26,11 @@ bool guarded(const Entry& entry) {
     return guard.run("a Forest cannot be written or read", entry);
 }
 
+void report(const osgTreeWind::Diagnostics& problems) {
+    if (!problems.empty())
+        OSG_WARN << "osgTreeWind: " << toString(problems) << std::endl;
+}
+
 /// The .treewind document of a forest. Omits a wind or a ground that has no file form, with a warning.
 /// Returns a problem if the forest cannot be written at all.
 osgTreeWind::Result<std::string> writeDocumentText(const Forest& forest) {
@@ -71,10 +76,7 @@ void readForestInto(Forest& forest, const std::string& source, const osgTreeWind
     std::istringstream document(source);
     osgTreeWind::Result<osgTreeWind::ForestDescription> description =
         osgTreeWind::readForest(document, where);
-    const osgTreeWind::Diagnostics problems =
-        description ? forest.setDescription(std::move(description.value())) : description.problems();
-    if (!problems.empty())
-        OSG_WARN << "osgTreeWind: " << toString(problems) << std::endl;
+    report(description ? forest.setDescription(std::move(description.value())) : description.problems());
 }
 
 bool readDocument(osgDB::InputStream& input, Forest& forest) {
@@ -126,7 +128,7 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
         for (unsigned i = 0; i < count && !input.getException(); ++i) {
             osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>();
             if (auto* technique = dynamic_cast<osgTreeWind::ForestTechnique*>(child.get()))
-                forest.setTechnique(technique);
+                report(forest.setTechnique(technique));
             else if (child)
                 forest.addChild(child);
         }

@@ -106,8 +106,10 @@ TEST_F(ForestHandlerTest, AWindThatDroppedToZeroKeepsItsDirection) {
 
 TEST_F(ForestHandlerTest, SteeringStartsFromTheHostsWind) {
     press(Event::KEY_Up);
-    forest->setWind(
-        std::make_shared<FunctionWind>([](const glm::vec3&, double) { return glm::vec3(4, 0, 0); }));
+    EXPECT_TRUE(forest
+                    ->setWind(std::make_shared<FunctionWind>(
+                        [](const glm::vec3&, double) { return glm::vec3(4, 0, 0); }))
+                    .empty());
     press(Event::KEY_Down);
     EXPECT_NEAR(asField(forest->getWind())->velocity({}, 0.0).x, 3.6f, 1e-5f);
     EXPECT_TRUE(shows("of the host, times 0.9"));

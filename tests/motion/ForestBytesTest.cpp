@@ -94,7 +94,7 @@ TEST(ForestBytes, AddingAndRemovingTreesDoesNotLeak) {
         for (int i = 0; i < 1000; ++i)
             ids.push_back(simulation->addTree(tree).value());
         for (const TreeId id : ids)
-            simulation->removeTree(id);
+            EXPECT_TRUE(simulation->removeTree(id).empty());
     };
     churn();
     const std::size_t before = bytesInUse();

@@ -165,24 +165,24 @@ TEST(ForestChanges, TreesAreFoundByName) {
     EXPECT_FALSE(simulation.findTree("oak 9"));
     EXPECT_FALSE(simulation.findTree(""));
 
-    simulation.removeTree(TreeId(1));
+    EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_FALSE(simulation.findTree("oak 7"));
     const TreeId other = simulation.addTree(inWorld(simulation, treeAt(1.0, 5.0f, 0, "oak 7"))).value();
     EXPECT_EQ(simulation.findTree("oak 7"), other);
     TreePlacement renamed = simulation.placementOf(TreeId(2));
     renamed.name = "elm";
-    simulation.changeTree(TreeId(2), renamed);
+    EXPECT_TRUE(simulation.changeTree(TreeId(2), renamed).empty());
     EXPECT_EQ(simulation.findTree("elm"), TreeId(2));
     EXPECT_FALSE(simulation.findTree("oak 8"));
     const std::shared_ptr<ForestSimulation> copy = simulation.cloneAtRest();
-    simulation.removeTree(other);
+    EXPECT_TRUE(simulation.removeTree(other).empty());
     EXPECT_EQ(copy->findTree("oak 7"), other);
     EXPECT_EQ(copy->nameOf(TreeId(2)), "elm");
 }
 
 TEST(ForestChanges, CloneAtRestHasThePresentTreesAndSharesTheShapes) {
     ForestSimulation simulation(windySaplings(3));
-    simulation.removeTree(TreeId(0));
+    EXPECT_TRUE(simulation.removeTree(TreeId(0)).empty());
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
     std::shared_ptr<ForestSimulation> again = simulation.cloneAtRest();
@@ -192,7 +192,7 @@ TEST(ForestChanges, CloneAtRestHasThePresentTreesAndSharesTheShapes) {
     EXPECT_TRUE(again->holds(added));
     EXPECT_FALSE(again->holds(TreeId(0)));
     EXPECT_EQ(SimulationAccess::modal(*again)->lean(1), glm::vec2(0.0f));
-    simulation.removeTree(TreeId(1));
+    EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_TRUE(again->holds(TreeId(1))) << "the simulations are independent";
     EXPECT_TRUE(again->addTree(inWorld(*again, treeAt(2.0))));
     EXPECT_EQ(SimulationAccess::modal(*again)->archetypeCount(),
@@ -236,15 +236,15 @@ TEST(ForestChanges, DescribeReturnsThePresentForest) {
     given.trees[3].name = "oak 3";
     given.source = "version = 1";
     ForestSimulation simulation(given);
-    simulation.removeTree(TreeId(0));
-    simulation.removeTree(TreeId(1));
+    EXPECT_TRUE(simulation.removeTree(TreeId(0)).empty());
+    EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     ASSERT_TRUE(simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late")))); // reuses a slot
     TreePlacement moved = simulation.placementOf(TreeId(3));
     moved.position.x += 5.0;
-    simulation.changeTree(TreeId(3), moved);
-    simulation.setSeason(midwinter);
+    EXPECT_TRUE(simulation.changeTree(TreeId(3), moved).empty());
+    EXPECT_TRUE(simulation.setSeason(midwinter).empty());
     const auto storm = std::make_shared<UniformWind>(glm::vec3(20, 0, 0));
-    simulation.setWind(storm);
+    EXPECT_TRUE(simulation.setWind(storm).empty());
 
     const ForestDescription now = simulation.describe();
     EXPECT_EQ(now.source, "") << "it has no source file";

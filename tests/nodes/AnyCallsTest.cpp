@@ -333,7 +333,7 @@ private:
             _forest->setDamageCallback(nullptr);
         else
             _forest->setDamageCallback(
-                [this](const TreeDamage& damage) { _forest->removeTree(damage.tree); });
+                [this](const TreeDamage& damage) { expect(_forest->removeTree(damage.tree)); });
     }
     double nextTime() { return ++_frame / 25.0; }
     void update() {
@@ -371,7 +371,8 @@ private:
         expect(_simulation->addTree(placement()));
         expect(_simulation->changeTree(tree(), placement()));
         expect(_simulation->removeTree(tree()));
-        _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<ArbitraryWind>(any));
+        EXPECT_TRUE(
+            _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<ArbitraryWind>(any)).empty());
         _simulation->setExecutor(nullptr);
         _simulation->motion(any.count());
         if (any.oneIn(3))

@@ -69,7 +69,7 @@ TEST(ForestTreesTest, FindsATreeByName) {
     named.name = "sapling";
     const TreeId added = forest->addTree(named).value();
     EXPECT_EQ(forest->findTree("sapling"), added);
-    forest->removeTree(added);
+    EXPECT_TRUE(forest->removeTree(added).empty());
     EXPECT_EQ(forest->findTree("sapling"), noTree);
 }
 
@@ -82,8 +82,8 @@ TEST(ForestTreesTest, BoundsFollowTheTrees) {
     EXPECT_GT(forest->getBound().radius(), 2900.0f);
     EXPECT_TRUE(forest->removeTree(far).empty());
     EXPECT_NEAR(forest->getBound().radius(), before.radius(), 1e-3f);
-    forest->removeTree(TreeId(0));
-    forest->removeTree(TreeId(1));
+    EXPECT_TRUE(forest->removeTree(TreeId(0)).empty());
+    EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
     EXPECT_FALSE(forest->getBound().valid());
 }
 
@@ -93,7 +93,7 @@ TEST(ForestTreesTest, ATreeThatChangesInEveryFrameHasOneTransform) {
         ASSERT_TRUE(forest->changeTree(TreeId(1), treeAt(0.1 * frame)).empty());
         const TreeId other = forest->addTree(treeAt(5.0)).value();
         update(*forest, frame, frame / 25.0);
-        forest->removeTree(other);
+        EXPECT_TRUE(forest->removeTree(other).empty());
     }
     EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 5u);
 }
@@ -105,7 +105,7 @@ TEST(ForestTreesTest, AMovedTreeKeepsSwaying) {
     ASSERT_GT(glm::length(lean), 0.01f);
     TreePlacement there = forest->getSimulation().placementOf(TreeId(1));
     there.position.x += 100.0;
-    forest->changeTree(TreeId(1), there);
+    EXPECT_TRUE(forest->changeTree(TreeId(1), there).empty());
     EXPECT_LT(glm::distance(SimulationAccess::modal(forest->getSimulation())->lean(1), lean), 1e-5f);
 }
 
@@ -116,7 +116,7 @@ TEST(ForestTreesTest, ChangesDoNotAffectOtherTrees) {
     const TreeId added = other->addTree(treeAt(90.0)).value();
     updateFrames(*one, 21, 40);
     updateFrames(*other, 21, 40);
-    other->removeTree(added);
+    EXPECT_TRUE(other->removeTree(added).empty());
     updateFrames(*one, 41, 60);
     updateFrames(*other, 41, 60);
     for (std::size_t tree = 0; tree < 4; ++tree)
@@ -271,7 +271,7 @@ TEST(ForestTreesTest, ABranchTransformKeepsItsPositionWhenItsTreeIsRemoved) {
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), 9).value();
     updateFrames(*forest, 1, 30);
     const osg::Matrix last = branch->getMatrix();
-    forest->removeTree(TreeId(1));
+    EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
     const TreeId next = forest->addTree(treeAt(40.0)).value();
     EXPECT_EQ(forest->getSimulation().slotOf(next), 1u);
     updateFrames(*forest, 31, 60);
@@ -348,8 +348,8 @@ TEST(ForestTreesTest, ThousandsOfChangesUseNoMoreMemory) {
     std::size_t archetypes = 0;
     for (int i = 0; i < 2000; ++i) {
         const TreeId tree = forest->addTree(treeAt(i % 300, 5.0, description.trees[0].size.height)).value();
-        forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height));
-        forest->removeTree(tree);
+        EXPECT_TRUE(forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height)).empty());
+        EXPECT_TRUE(forest->removeTree(tree).empty());
         if (i == 0)
             archetypes = SimulationAccess::modal(forest->getSimulation())->archetypeCount();
     }

@@ -163,15 +163,15 @@ protected:
             [&] {
                 Wind wind = randomWind();
                 wind.frame = static_cast<WindFrame>(randomBelow(2));
-                forest->setWind(wind);
+                EXPECT_TRUE(forest->setWind(wind).empty());
             },
-            [&] { forest->setSeason(static_cast<float>(uniform(0.0, 4.0))); },
+            [&] { EXPECT_TRUE(forest->setSeason(static_cast<float>(uniform(0.0, 4.0))).empty()); },
             [&] {
                 if (forest->getNumTrees() < 30)
                     static_cast<void>(forest->addTree(randomPlacement()).ok());
             },
-            [&] { forest->removeTree(randomTree()); },
-            [&] { forest->changeTree(randomTree(), randomPlacement()); },
+            [&] { static_cast<void>(forest->removeTree(randomTree())); },
+            [&] { static_cast<void>(forest->changeTree(randomTree(), randomPlacement())); },
             [&] { followRandomBranch(); },
             [&] { pressRandomKey(); },
             [&] { moveCamera(); },

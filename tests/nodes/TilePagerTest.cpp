@@ -124,7 +124,7 @@ TEST(TilePagerTest, ALoadedTreeSwaysAsIfItHadBeenThere) {
     std::istringstream text("version = 1\n[wind]\nkind = \"gusts\"\nspeed = 9.0\ndirection_from = 250.0\n"
                             "[[tree]]\nposition = [0.0, 0.0]\n");
     const WindFieldPtr gusts = readForest(text).value().wind.field;
-    world.forest().setWind({gusts, WindFrame::Forest});
+    EXPECT_TRUE(world.forest().setWind({gusts, WindFrame::Forest}).empty());
     world.frames(world.at(950.0, 950.0), 500);
     world.frames(world.at(250.0, 250.0), 5);
 

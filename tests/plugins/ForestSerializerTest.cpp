@@ -157,8 +157,8 @@ TEST_P(ForestSerializerTest, RestoresAForestMadeInCode) {
     EXPECT_TRUE(forest->changeTree(second, moved).empty());
     EXPECT_TRUE(forest->removeTree(forest->getSimulation().idOf(0)).empty());
     EXPECT_TRUE(forest->addTree(moved));
-    forest->setSeason(5.0f); // spring, again
-    forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0)));
+    EXPECT_TRUE(forest->setSeason(5.0f).empty()); // spring, again
+    EXPECT_TRUE(forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0))).empty());
     osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     const Forest* const back = dynamic_cast<const Forest*>(node.get());
     ASSERT_NE(back, nullptr);
@@ -178,7 +178,7 @@ TEST_P(ForestSerializerTest, RestoresAForestMadeInCode) {
 
 TEST_P(ForestSerializerTest, OmitsAWindWithoutFileFormWithAWarning) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-    forest->setWind(std::make_shared<FunctionWind>(nullptr));
+    EXPECT_TRUE(forest->setWind(std::make_shared<FunctionWind>(nullptr)).empty());
     osg::ref_ptr<osg::Node> node = writeAndRead(*forest, GetParam());
     EXPECT_NE(takeWarnings().find("is written without its wind: wind: this wind cannot be written to a file"),
               std::string::npos);

@@ -175,7 +175,7 @@ TEST_F(ReaderWriterTreewindTest, NamesTheNodeThatItCannotWrite) {
     EXPECT_EQ(refusal(*osg::ref_ptr<osg::Group>(new osg::Group)),
               "a .treewind file holds a Forest, not a Group");
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
-    forest->setWind(std::make_shared<FunctionWind>(nullptr));
+    EXPECT_TRUE(forest->setWind(std::make_shared<FunctionWind>(nullptr)).empty());
     EXPECT_EQ(refusal(*forest).find("wind: this wind cannot be written to a file"), 0u);
     forest->addChild(new osg::Group);
     forest->getChild(forest->getNumChildren() - 1)->setName("house");

@@ -8,6 +8,13 @@
 
 #include <osgDB/ReadFile>
 
+#include <iostream>
+
+/// Prints why a wind was refused; here, none is.
+static void report(const osgTreeWind::Diagnostics& problems) {
+    std::cerr << osgTreeWind::toString(problems);
+}
+
 /// A world node that updates the wind after each simulation step.
 class WindyWorld : public dart::gui::osg::WorldNode {
 public:
@@ -15,7 +22,7 @@ public:
         : WorldNode(world), _wind(wind) {}
     void customPostStep() override { // a uniform westerly of varying speed
         const float speed = 8.0f + 6.0f * static_cast<float>(std::sin(getWorld()->getTime()));
-        _wind.update({std::vector<float>{speed, 0.0f, 0.0f}});
+        report(_wind.update({std::vector<float>{speed, 0.0f, 0.0f}}));
     }
 
 private:
@@ -41,7 +48,7 @@ int main(int, char** arguments) {
     if (!trees)
         return 1;
     if (auto* forest = dynamic_cast<osgTreeWind::Forest*>(trees.get()))
-        forest->setWind(wind);
+        report(forest->setWind(wind));
     node->addChild(trees);
 
     osg::ref_ptr<dart::gui::osg::Viewer> viewer = new dart::gui::osg::Viewer;

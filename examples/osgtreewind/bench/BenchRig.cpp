@@ -41,7 +41,7 @@ struct Recording {
         ForestSimulation simulation(one);
         const BenchWinds winds;
         for (std::size_t step = 0; step < recordedSteps; ++step) {
-            simulation.setWind(winds.at(static_cast<int>(step)));
+            throwIfAny(simulation.setWind(winds.at(static_cast<int>(step))));
             simulation.advance(static_cast<double>(step) / 60.0);
             std::vector<osg::Quat> turns;
             for (const glm::quat& turn : simulation.motion(0).rotations)

@@ -68,7 +68,7 @@ BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& se
     double time = 0.0;
     for (int pair = 0; pair < settings.warmUp + settings.frames; ++pair) {
         if (scene.forest)
-            scene.forest->setWind(winds.at(pair));
+            throwIfAny(scene.forest->setWind(winds.at(pair)));
         time += settings.step;
         for (const int variant : {Moving, Still})
             if (pair < settings.warmUp)

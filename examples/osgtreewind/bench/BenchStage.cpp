@@ -164,7 +164,7 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     scene.moving = scene.forest = new Forest(description);
     if (BranchwiseForest* forest = scene.forest->getBranchwise()) {
         forest->setAngleSource(stage.angles);
-        forest->setLodRanges(alwaysFull);
+        throwIfAny(forest->setLodRanges(alwaysFull));
         if (stage.geometry <= BenchStage::BUFFERED_LINES)
             drawLinesInsteadOfBark(*scene.forest, scene.model->skeleton,
                                    stage.geometry == BenchStage::BUFFERED_LINES);

@@ -107,7 +107,7 @@ BenchView runBenchView(const std::string& name, const std::function<ForestDescri
     const BenchWinds winds;
     double time = 0.0;
     for (int round = -warmUpRounds; round < settings.frames; ++round) {
-        tree.forest->setWind(winds.at(round + warmUpRounds));
+        throwIfAny(tree.forest->setWind(winds.at(round + warmUpRounds)));
         time += settings.step;
         for (const int variant : {Drawn, Tree})
             if (round < 0)

@@ -128,8 +128,7 @@ void run(const MergeOptions& options) {
     std::ofstream output(whole.writePath(), std::ios::binary);
     MergedTable table(output);
     for (const std::string& part : options.parts)
-        if (const Diagnostics problems = table.add(part); !problems.empty())
-            throwProblems(problems);
+        throwIfAny(table.add(part));
     const std::size_t rows = table.finish();
     if (!options.world.empty() && (!table.hasOneRowPerTree() || rows != trees))
         throw CommandError{

@@ -114,8 +114,7 @@ void writeSpecies(const Species& species, const std::string& path) {
     ForestDescription forest;
     forest.species = {species};
     forest.trees.emplace_back();
-    if (const Diagnostics problems = writeForestFile(forest, path); !problems.empty())
-        throwProblems(problems, Failed);
+    throwIfAny(writeForestFile(forest, path), Failed);
 }
 
 void portrait(const PortraitOptions& options) {

@@ -30,6 +30,12 @@ struct CommandError {
                                             : std::string())};
 }
 
+/// throwProblems() if there are any.
+inline void throwIfAny(const osgTreeWind::Diagnostics& problems, ExitCode exitCode = BadInput) {
+    if (!problems.empty())
+        throwProblems(problems, exitCode);
+}
+
 /// The value of a result, or else throwProblems().
 template <typename T>
 T valueOrThrow(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, const std::string& file = {}) {
@@ -46,7 +52,5 @@ T valueOrThrow(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, cons
 
 /// Writes a complete file. Throws CommandError on failure.
 inline void writeOrThrow(const std::string& path, const std::string& bytes) {
-    if (const osgTreeWind::Diagnostics problems = osgTreeWind::writeFileAtomically(path, bytes);
-        !problems.empty())
-        throwProblems(problems, Failed);
+    throwIfAny(osgTreeWind::writeFileAtomically(path, bytes), Failed);
 }

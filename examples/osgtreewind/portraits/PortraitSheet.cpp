@@ -83,9 +83,9 @@ public:
         far(10, 0);
         far(50, 1);
         far(200, 2);
-        _tree->setSeason(season);
+        throwIfAny(_tree->setSeason(season));
         whole(frontLit, nameOf(season), 3, 2);
-        _tree->setSeason(midautumn);
+        throwIfAny(_tree->setSeason(midautumn));
         whole(frontLit, "autumn", 4, 2);
         return _image;
     }
@@ -103,7 +103,7 @@ private:
     }
 
     void drawSeason(const std::string& name, float season, int row) {
-        _tree->setSeason(season);
+        throwIfAny(_tree->setSeason(season));
         look(_treeSetting, frontLit * (3.0 + 0.5 * static_cast<double>(_size.trunkDiameter)) + up(1.6),
              up(1.9));
         put(shot(), "bark, " + name, 0, row);

@@ -76,7 +76,7 @@ void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulatio
     ForestTechnique::setSimulation(std::move(simulation));
     _trees = trees;
     addChild(_trees);
-    setLodRanges(_lodRanges);
+    applyLodRanges();
 }
 
 void BranchwiseForest::seasonChanged() {
@@ -101,9 +101,13 @@ Diagnostics BranchwiseForest::setLodRanges(const TreeLodRanges& ranges) {
     if (!(ranges.leaves >= 0.0f))
         return {keyProblem("leaves", "expected a number at least 0, found " + numberText(ranges.leaves))};
     _lodRanges = ranges;
-    for (const osg::ref_ptr<TreeNode>& tree : _trees->nodes())
-        tree->getLod()->setRanges(ranges);
+    applyLodRanges();
     return {};
+}
+
+void BranchwiseForest::applyLodRanges() {
+    for (const osg::ref_ptr<TreeNode>& tree : _trees->nodes())
+        tree->getLod()->setRanges(_lodRanges);
 }
 
 void BranchwiseForest::setAngleSource(AngleSource source) {

@@ -44,7 +44,7 @@ public:
 
     /// Sets the ranges of all trees. Not during a traversal.
     /// @return a problem, with the ranges unchanged, if one is negative or not a number; else empty.
-    Diagnostics setLodRanges(const TreeLodRanges& ranges);
+    [[nodiscard]] Diagnostics setLodRanges(const TreeLodRanges& ranges);
     const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< Ranges of all trees.
 
     unsigned getNumTrees() const; ///< Number of trees of the simulation.
@@ -75,6 +75,7 @@ private:
     void chooseAngleSource();
     bool stepOnGpu(double time, bool isDue);
     void useCpuAngles();
+    void applyLodRanges();
 
     osg::ref_ptr<BranchwiseTrees> _trees;
     // Not children of this node: as children they would disable culling of all nodes above them.

@@ -152,8 +152,9 @@ TEST_F(BranchwiseForestGlTest, BillboardsLookLikeTheTrees) {
     for (const bool pictures : {false, true}) {
         start(calm);
         const float always = std::numeric_limits<float>::infinity();
-        forest->getBranchwise()->setLodRanges(pictures ? TreeLodRanges{0.0f, 0.0f}
-                                                       : TreeLodRanges{always, always});
+        EXPECT_TRUE(forest->getBranchwise()
+                        ->setLodRanges(pictures ? TreeLodRanges{0.0f, 0.0f} : TreeLodRanges{always, always})
+                        .empty());
         frames(3);
         seen[pictures] = covered(image());
     }

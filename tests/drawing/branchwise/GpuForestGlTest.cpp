@@ -154,7 +154,7 @@ TEST_F(GpuForestGlTest, WindReachesTransformsOneFrameLater) {
     frame(0.2);
     EXPECT_EQ(windTexel(), 0.0f);
 
-    forest->setWind(std::make_shared<UniformWind>(glm::vec3(9.0f, 0.0f, 0.0f)));
+    EXPECT_TRUE(forest->setWind(std::make_shared<UniformWind>(glm::vec3(9.0f, 0.0f, 0.0f))).empty());
     frame(0.3); // frame N
     EXPECT_NE(windTexel(), 0.0f);
     EXPECT_TRUE(branch->getRotation().zeroRotation());
@@ -277,9 +277,9 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
         for (const float value :
              {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
               std::numeric_limits<float>::quiet_NaN(), 1e30f, -1e30f, 1e-42f}) {
-            forest->setWind(std::make_shared<Hostile>(value));
+            EXPECT_TRUE(forest->setWind(std::make_shared<Hostile>(value)).empty());
             frame(time += 0.02);
-            forest->setWind(sane);
+            EXPECT_TRUE(forest->setWind(sane).empty());
             frame(time += 0.02);
             frame(time += 0.02);
             for (const glm::vec4& state : SimulationAccess::branches(forest->getSimulation())->states()) {
@@ -315,7 +315,7 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
     species.tree.wood.levels = 2;
     osg::ref_ptr<Forest> forest = start(forestOf(species, 1));
     const float always = std::numeric_limits<float>::infinity();
-    forest->getBranchwise()->setLodRanges({always, always});
+    EXPECT_TRUE(forest->getBranchwise()->setLodRanges({always, always}).empty());
     for (int i = 1; i <= 6; ++i)
         frame(i / 30.0);
     struct Leaves : osg::NodeVisitor {

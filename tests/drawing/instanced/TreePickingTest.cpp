@@ -142,12 +142,12 @@ TEST(TreePickingTest, HitsMovedAndAddedTreesButNotRemovedOnes) {
     osg::ref_ptr<Forest> forest = blownForest(3);
     const osg::Vec3d trunk = middleOf(*forest, 1, 0);
     ASSERT_TRUE(hitsBark(*forest, trunk, TreeId(1), 0));
-    forest->removeTree(TreeId(1));
+    EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
     EXPECT_FALSE(hitsBark(*forest, trunk, TreeId(1), 0));
     TreePlacement moved = forest->getSimulation().placementOf(TreeId(2));
     moved.position.x += 500.0;
     const osg::Vec3d before = middleOf(*forest, 2, 0);
-    forest->changeTree(TreeId(2), moved);
+    EXPECT_TRUE(forest->changeTree(TreeId(2), moved).empty());
     EXPECT_FALSE(hitsBark(*forest, before, TreeId(2), 0));
     EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, 2, 0), TreeId(2), 0));
     const TreeId added = forest->addTree(smallForest(1).trees[0]).value();

@@ -104,7 +104,7 @@ TEST(LeafFall, TheTreeSwaysWithItsRemainingLeaves) {
     ForestSimulation unshed(full);
     leavesAfter(unshed, 0.0, 10.0);
     for (ForestSimulation* each : {&shed, &thinned, &unshed}) {
-        each->setWind(westerly(10.0f));
+        EXPECT_TRUE(each->setWind(westerly(10.0f)).empty());
         leavesAfter(*each, 10.05, 60.0);
     }
     const float lean = SimulationAccess::modal(thinned)->lean(0).x;
@@ -128,12 +128,13 @@ TEST(LeafFall, LastsThroughAutumnAndIsResetInSummer) {
     ForestSimulation forest(description);
     const float shed = leavesAfter(forest, 0.0, 3.0);
     EXPECT_LT(shed, leafShare(birch, midautumn) - 0.05f);
-    forest.setWind(nullptr);
-    forest.setSeason(midautumn - 0.05f); // an earlier season restores only the leaves of that season
+    EXPECT_TRUE(forest.setWind(nullptr).empty());
+    EXPECT_TRUE(forest.setSeason(midautumn - 0.05f)
+                    .empty()); // an earlier season restores only the leaves of that season
     EXPECT_LT(leavesAfter(forest, 3.05, 4.0), leafShare(birch, midautumn - 0.05f));
-    forest.setSeason(midsummer - 0.5f);
+    EXPECT_TRUE(forest.setSeason(midsummer - 0.5f).empty());
     EXPECT_EQ(leavesAfter(forest, 4.05, 5.0), leafShare(birch, midsummer - 0.5f));
-    forest.setSeason(midautumn);
+    EXPECT_TRUE(forest.setSeason(midautumn).empty());
     EXPECT_EQ(leavesAfter(forest, 5.05, 6.0), leafShare(birch, midautumn));
 }
 
