@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/base/Guarded.h>
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
@@ -84,6 +85,18 @@ ForestSimulation::ForestSimulation(const ForestSimulation& other)
 }
 
 ForestSimulation::~ForestSimulation() = default;
+
+Result<std::shared_ptr<ForestSimulation>> ForestSimulation::create(ForestDescription description,
+                                                                   const SimulationOptions& options) {
+    return guardedResult([&]() -> Result<std::shared_ptr<ForestSimulation>> {
+        if (Diagnostics problems = check(description); !problems.empty())
+            return problems;
+        if (const std::string problem = problemOfMemory(description, false); !problem.empty())
+            return keyProblem({}, problem);
+        return std::shared_ptr<ForestSimulation>(
+            new ForestSimulation(std::move(description), options, nullptr));
+    });
+}
 
 std::shared_ptr<ForestSimulation> ForestSimulation::cloneAtRest() const {
     return std::shared_ptr<ForestSimulation>(new ForestSimulation(*this));

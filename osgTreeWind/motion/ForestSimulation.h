@@ -29,16 +29,21 @@ struct TreeDamage;
 ///
 /// Not thread-safe, except for setWind() and wind(), which any thread may call at any time.
 ///
-///     ForestSimulation simulation(description);
+///     auto simulation = ForestSimulation::create(description);
+///     if (!simulation)
+///         return report(simulation.problems());
 ///     for (double time = 0.0; time < 60.0; time += 0.1)
-///         simulation.advance(time);
-///     use(simulation.motion(0)); // of the first tree
+///         simulation.value()->advance(time);
+///     use(simulation.value()->sway(TreeId(0))); // of the first tree
 class OSGTREEWIND_EXPORT ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. If check() finds a problem in the description, the
     /// simulation is empty and a message goes to stderr.
     explicit ForestSimulation(ForestDescription description, const SimulationOptions& options = {});
     ~ForestSimulation();
+    /// Like the constructor; returns the problems, also lack of memory.
+    static Result<std::shared_ptr<ForestSimulation>> create(ForestDescription description,
+                                                            const SimulationOptions& options = {});
     /// A copy with the current trees at rest in the same wind. Shares immutable data.
     std::shared_ptr<ForestSimulation> cloneAtRest() const;
 

@@ -261,6 +261,22 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     EXPECT_EQ(SimulationAccess::trees(simulation)[8].firstUnit, 8u * 14u);
 }
 
+TEST(ForestSimulation, CreateReturnsTheProblems) {
+    ForestDescription wrong;
+    wrong.trees.emplace_back().species = 7;
+    const auto refused = ForestSimulation::create(wrong);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.problems().front().key, "tree[0].species");
+    const auto empty = ForestSimulation::create(ForestDescription());
+    ASSERT_TRUE(empty);
+    EXPECT_EQ(empty.value()->slotCount(), 0u);
+    wrong.species.emplace_back();
+    wrong.trees.front().species = 0;
+    const auto one = ForestSimulation::create(wrong);
+    ASSERT_TRUE(one);
+    EXPECT_TRUE(one.value()->holds(TreeId(0)));
+}
+
 TEST(ForestSimulation, AnInvalidDescriptionMakesItEmptyWithAMessageToStderr) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
