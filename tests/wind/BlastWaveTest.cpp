@@ -143,7 +143,8 @@ TEST(BlastWave, ArrivesReversesAndEnds) {
 }
 
 TEST(BlastWave, IsFiniteAndBounded) {
-    constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    constexpr double inf = std::numeric_limits<double>::infinity(),
+                     nan = std::numeric_limits<double>::quiet_NaN();
     for (const double charge : {1e-300, 1.0, 1e9, inf, nan}) {
         WindSource source = tonneAtTwoSeconds();
         source.charge = charge;
