@@ -34,7 +34,7 @@ for run in *.run; do
         fi
     done <"$run"
 done
-grep -qE "^the trunk leans [0-9.]+ mm to the east" <<<"$leans" || { echo "tutorial: on the globe: $leans"; exit 1; }
+grep -qE "^the top leans [0-9.]+ mm to the east" <<<"$leans" || { echo "tutorial: on the globe: $leans"; exit 1; }
 for written in trees.csv motion.csv risk.csv fallen.csv; do
     [[ $(wc -l <"$written") -ge 2 ]] || { echo "tutorial: nothing in $written"; exit 1; }
 done

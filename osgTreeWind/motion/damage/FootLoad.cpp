@@ -59,15 +59,18 @@ TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalReader&
     const FootLoad load(makeModalTree(forest, tree).form);
     const std::vector<UnitPose> now = posesOf(forest, slot, motion, 0.0f),
                                 next = posesOf(forest, slot, motion, instant);
-    const glm::vec3 top = tree.scale.axes * forest.modelOf(tree).skeleton.units[load.topUnit()].tip,
-                    shifted = now[load.topUnit()].apply(top);
+    const std::vector<BranchUnit>& units = forest.modelOf(tree).skeleton.units;
+    const auto isLower = [](const BranchUnit& a, const BranchUnit& b) { return a.tip.z < b.tip.z; };
+    const auto highest = std::max_element(units.begin(), units.end(), isLower);
+    const auto topUnit = static_cast<std::size_t>(highest - units.begin());
+    const glm::vec3 top = tree.scale.axes * highest->tip, shifted = now[topUnit].apply(top);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     const auto inForest = [&](const glm::vec2& own) {
         return glm::vec2(cosine * own.x - sine * own.y, sine * own.x + cosine * own.y);
     };
     TreeSway sway;
     sway.displacement = inForest(glm::vec2(shifted - top));
-    sway.velocity = inForest(glm::vec2(next[load.topUnit()].apply(top) - shifted) / instant);
+    sway.velocity = inForest(glm::vec2(next[topUnit].apply(top) - shifted) / instant);
     sway.lean = std::atan2(glm::length(glm::cross(top, shifted)), glm::dot(top, shifted));
     // The gain exaggerates what is seen, not the loads.
     const double gain = static_cast<double>(std::max(forest.description().gain, 1e-3f));

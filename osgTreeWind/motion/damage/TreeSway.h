@@ -9,8 +9,8 @@ namespace osgTreeWind {
 
 /// How a tree sways at one time, in the axes of the forest: x and y horizontal, z up.
 struct TreeSway {
-    glm::vec2 displacement{0.0f}; ///< Of the top of the trunk from rest, metres.
-    /// Of the top of the trunk by its modes, m/s. The static lean, which follows the wind, has no velocity.
+    glm::vec2 displacement{0.0f}; ///< Of the top of the tree from rest, metres.
+    /// Of the top of the tree by its modes, m/s. The static lean, which follows the wind, has no velocity.
     glm::vec2 velocity{0.0f};
     float lean = 0.0f; ///< Angle between the lines from the foot to the top now and at rest, radians.
     glm::dvec2 windMoment{0.0};   ///< Of air and inertia at the foot, N m; points to where it turns the tree.

@@ -81,6 +81,15 @@ TEST(TreeSwayTest, MomentOfASteadyWindIsDragTimesHeight) {
     EXPECT_LT(sway.weightMoment.x, 0.5 * sway.windMoment.x);
 }
 
+TEST(TreeSwayTest, TheTopIsThatOfTheTreeAlsoWhereTheTrunkForks) {
+    ForestDescription description = swayingSpruce(glm::vec3(10.0f, 0.0f, 0.0f));
+    description.species = {*findSpecies("oak")};
+    description.trees[0].size.trunkDiameter = 0.45f;
+    ForestSimulation forest(description);
+    const TreeSway sway = swayAfter(forest, 60.0);
+    EXPECT_NEAR(sway.lean, std::atan(glm::length(sway.displacement) / 20.0f), 0.1f * sway.lean);
+}
+
 TEST(TreeSwayTest, DirectionsAreThoseOfTheForest) {
     for (const float heading : {0.0f, 1.0f, 2.5f, -2.0f}) {
         SCOPED_TRACE(heading);
