@@ -65,7 +65,7 @@ std::string fromWindows1252(std::string_view bytes) {
     text.reserve(bytes.size() + bytes.size() / 8);
     for (const char c : bytes) {
         const auto byte = static_cast<unsigned char>(c);
-        const char16_t special = byte >= 0x80 && byte < 0xa0 ? windows1252[byte - 0x80] : byte;
+        const char32_t special = byte >= 0x80 && byte < 0xa0 ? windows1252[byte - 0x80] : byte;
         append(text, special != 0 ? special : replacement);
     }
     return text;
