@@ -117,6 +117,7 @@ const BadFeatures badFeatures[] = {
      "feature 0: expected a point or the outline of a crown, found MULTIPOINT"},
     {"CoordinateNaN", "a.geojson", shape("Point", "[NaN, 5]"), "", "feature 0"},
     {"CoordinateInfinite", "a.geojson", shape("Point", "[Infinity, 5]"), "", "feature 0"},
+    {"CoordinateBeyondDouble", "a.geojson", shape("Point", "[1e400, 5]"), "", "a.geojson"}, // words of GDAL
     {"CoordinateHuge", "a.geojson", shape("Point", "[1e12, 5]"), "",
      "feature 0: expected coordinates in [-100000000, 100000000] metres"},
     {"OutlineNaN", "a.geojson", shape("Polygon", "[[[0,0],[9,0],[NaN,9],[0,0]]]"), "", "feature 0"},
