@@ -127,8 +127,8 @@ public:
     TreeMotion motion(std::size_t slot, UnitValues& values) const;
 
     /// The present sway of a tree, its moment at the foot and its limit, under `modal`; empty for an unknown
-    /// or fallen tree and under a branchwise law. Takes some tenths of a millisecond, as makeUnitLoads()
-    /// does; different threads may call it between two calls of advance().
+    /// or fallen tree and under a branchwise law. Takes some tenths of a millisecond;
+    /// different threads may call it between two calls of advance().
     std::optional<TreeSway> sway(TreeId tree) const;
 
     /// One unit of motion(), for the cost of its ancestor units. @param slot must hold a tree.

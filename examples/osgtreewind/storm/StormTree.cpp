@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/motion/damage/BreakableJoint.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -51,8 +52,8 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
         if (units[i].level == 0 && units[i].base.z <= 0.5f * model.skeleton.height())
             _middle = i;
     const double diameter = breastDiameter(model, tree.scale);
-    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(_load.foot().modulus) * diameter * diameter *
-                      diameter);
+    const float modulus = makeUnitLoads(model, tree.scale, species, tree.leaves).front().modulus;
+    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(modulus) * diameter * diameter * diameter);
     if (_wind.canopy())
         _motion.setNeighbourEffect(0, _wind.canopy()->neighbourEffectAt(glm::vec2(0.0f)));
     _motion.sampleWind(&_wind, 0.0);
@@ -70,7 +71,7 @@ void StormTree::advance(double time, const std::function<void()>& stepped) {
 }
 
 double StormTree::largestMoment(double time) {
-    const BreakableJoint foot{0, _load.foot().stiffness, 0.0f};
+    const BreakableJoint foot{0, static_cast<float>(_load.stiffness()), 0.0f};
     double largest = 0.0;
     advance(time, [&] { largest = std::max(largest, foot.moment(_motion, 0)); });
     return largest;

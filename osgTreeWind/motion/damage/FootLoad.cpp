@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -27,10 +28,10 @@ std::vector<UnitPose> posesOf(const PlacedForest& forest, std::size_t slot, cons
 
 } // namespace
 
-FootLoad::FootLoad(const TreeForm& tree)
-    : _foot(makeUnitLoads(*tree.model, tree.scale, *tree.species, tree.leaves).front()),
-      _strength(*tree.model, tree.scale, *tree.species),
-      _weights(makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves).points) {
+FootLoad::FootLoad(const TreeForm& tree) : _strength(*tree.model, tree.scale, *tree.species) {
+    JointTree joints = makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
+    _stiffness = joints.links.front().stiffness;
+    _weights = std::move(joints.points);
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level == 0)
@@ -41,7 +42,7 @@ glm::dvec2 FootLoad::moment(const std::vector<UnitPose>& poses) const {
     const glm::vec3 up(0.0f, 0.0f, 1.0f);
     const glm::dvec2 turned(glm::vec2(poses.front().rotation * up - up));
     const double sine = std::min(glm::length(turned), 1.0);
-    return turned * (static_cast<double>(_foot.stiffness) * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+    return turned * (_stiffness * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
 }
 
 glm::dvec2 FootLoad::weightMoment(const std::vector<UnitPose>& poses) const {

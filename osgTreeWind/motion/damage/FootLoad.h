@@ -4,7 +4,6 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 #include <osgTreeWind/motion/damage/TreeSway.h>
-#include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalReader.h>
@@ -24,12 +23,12 @@ public:
     /// The part of moment() that is of the overhanging weight.
     glm::dvec2 weightMoment(const std::vector<UnitPose>& poses) const;
 
-    const UnitLoad& foot() const { return _foot; }             ///< Of the lowest unit.
+    double stiffness() const { return _stiffness; }            ///< K, N m/rad.
     const TreeStrength& strength() const { return _strength; } ///< Resistance at the foot.
     std::size_t topUnit() const { return _top; }               ///< The last unit of the trunk.
 
 private:
-    UnitLoad _foot;
+    double _stiffness;
     TreeStrength _strength;
     std::vector<JointTree::Point> _weights;
     std::size_t _top = 0;

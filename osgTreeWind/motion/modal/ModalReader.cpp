@@ -19,6 +19,13 @@ struct OneLane {
     static float root(float x) { return std::sqrt(x); }
 };
 
+LaneFactors<OneLane> factorsOfTree(const ModalState& state, std::size_t tree) {
+    const ModalGroup& group = state.groupOf(tree);
+    const std::size_t place = state.slots[tree].place;
+    return {{group.block(place / ModalGroup::lanes) + group.firstFactor(), place % ModalGroup::lanes},
+            state.gain};
+}
+
 } // namespace
 
 void ModalReader::poseVector(std::size_t tree, float* vector) const {
@@ -45,12 +52,9 @@ void ModalReader::poseVector(std::size_t tree, float* vector) const {
 }
 
 float ModalReader::staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const {
-    const ModalGroup& group = _state.groupOf(tree);
-    const ModalModel& model = group.model();
-    const std::size_t modes = model.modes.size(), place = _state.slots[tree].place;
-    const LaneFactors<OneLane> factors(
-        {group.block(place / ModalGroup::lanes) + group.firstFactor(), place % ModalGroup::lanes},
-        _state.gain);
+    const ModalModel& model = this->model(tree);
+    const std::size_t modes = model.modes.size();
+    const LaneFactors<OneLane> factors = factorsOfTree(_state, tree);
     float force = 0.0f;
     for (std::size_t i = 0; i < 3 * model.patches.size(); ++i)
         force += model.levers[i * modes + mode] * vector[modes + i];
@@ -60,12 +64,8 @@ float ModalReader::staticAmplitude(std::size_t tree, std::size_t mode, const flo
 }
 
 float ModalReader::omega(std::size_t tree, std::size_t mode) const {
-    const ModalGroup& group = _state.groupOf(tree);
-    const std::size_t place = _state.slots[tree].place;
-    const LaneFactors<OneLane> factors(
-        {group.block(place / ModalGroup::lanes) + group.firstFactor(), place % ModalGroup::lanes},
-        _state.gain);
-    const ModalModel::Mode& m = group.model().modes[mode];
+    const LaneFactors<OneLane> factors = factorsOfTree(_state, tree);
+    const ModalModel::Mode& m = model(tree).modes[mode];
     const float stiffness = factors.sizeFactor(m.stiffness), mass = factors.sizeFactor(m.mass);
     return m.omega *
            std::sqrt(factors.omegaSquare * stiffness * factors.stiffnessLeft(m, stiffness, mass) / mass);
