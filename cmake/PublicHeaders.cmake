@@ -49,7 +49,7 @@ set(public_headers
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
-    osgTreeWind/wind/ForestWind.h
+    osgTreeWind/wind/ThesisWind.h
     osgTreeWind/wind/FunctionWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
@@ -59,7 +59,7 @@ set(public_headers
     osgTreeWind/wind/TimeSeriesWind.h
     osgTreeWind/wind/UniformWind.h
     osgTreeWind/wind/WindAdjustment.h
-    osgTreeWind/wind/WindCanopy.h
+    osgTreeWind/wind/CanopySettings.h
     osgTreeWind/wind/WindClock.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h

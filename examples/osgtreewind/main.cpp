@@ -3,9 +3,10 @@
 #include <examples/osgtreewind/output/Signals.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
+#include <osgTreeWind/base/BadAccess.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <algorithm>
@@ -89,9 +90,8 @@ public:
 constexpr double defaultShelterReach = 200.0;
 
 ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool withNeighbours) {
-    osgTreeWind::ForestDescription forest = valueOrThrow(osgTreeWind::readForestFile(file));
-    const auto canopy = forest.wind.canopy.value_or(osgTreeWind::WindCanopy());
-    const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : defaultShelterReach;
+    osgTreeWind::ForestFile forest = valueOrThrow(osgTreeWind::readForestFile(file));
+    const double shelter = forest.canopy.reach > 0.0 ? shelterReach(forest.canopy) : defaultShelterReach;
     const auto requested = valueOrThrow(loadTiles(forest, tiles, withNeighbours ? shelter : 0.0));
     printNotes(file, forest.notes);
     return {std::move(forest), requested};
@@ -114,8 +114,8 @@ ForestPart loadPart(const std::string& file, const osgTreeWind::TileBox& tiles) 
     return load(file, tiles, true);
 }
 
-osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles,
-                                          bool withNodes) {
+osgTreeWind::ForestFile loadForest(const std::string& file, const osgTreeWind::TileBox& tiles,
+                                   bool withNodes) {
     ForestPart part = load(file, tiles, false);
     const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part.forest, true) : std::string();
     if (!problem.empty())
@@ -124,6 +124,7 @@ osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTree
 }
 
 int main(int argc, char** argv) {
+    osgTreeWind::stopAtBadAccess();
     exitOnSignals();
     CLI::App app{"Inspect, check, draw and simulate forests in a wind field (.treewind files)."};
     app.name("osgtreewind");

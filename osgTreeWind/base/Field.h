@@ -47,7 +47,7 @@ struct Field {
     Member (*member)(void* owner); ///< Finds the member in a struct.
     Range range;                   ///< Valid range of a number, in `unit`.
     std::string doc;               ///< Description for the manual.
-    std::string unit{}; ///< For the manual. In "degrees", float members are radians, double members degrees.
+    std::string unit{};            ///< For the manual. In "degrees", the members are radians.
     std::vector<std::pair<std::string, int>> words{}; ///< Words and values of an enum.
 
     bool degrees() const { return unit.rfind("degrees", 0) == 0; } ///< In degrees, or degrees per metre.

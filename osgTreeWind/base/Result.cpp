@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Result.h>
 
+#include <osgTreeWind/base/BadAccess.h>
+
+#include <cstdlib>
 #include <iostream>
 
 namespace osgTreeWind {
@@ -27,8 +30,20 @@ std::string toString(const Diagnostics& problems) {
     return lines;
 }
 
+namespace {
+
+bool stopsProgram = false;
+
+} // namespace
+
+void stopAtBadAccess(bool stops) {
+    stopsProgram = stops;
+}
+
 void logBadAccess(const Diagnostics& problems) {
     std::cerr << "osgTreeWind: value() of a failed Result: " + problems.front().text() + '\n';
+    if (stopsProgram)
+        std::abort();
 }
 
 } // namespace osgTreeWind

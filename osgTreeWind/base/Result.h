@@ -26,7 +26,7 @@ using Diagnostics = std::vector<Diagnostic>;
 /// The texts of the problems, one per line, without a final line end.
 OSGTREEWIND_EXPORT std::string toString(const Diagnostics& problems);
 
-/// Reports on stderr that `value()` was called on an error.
+/// Reports on stderr that `value()` was called on an error. Stops the tests and the tool of this project.
 OSGTREEWIND_EXPORT void logBadAccess(const Diagnostics& problems);
 
 /// A value, or the problems that prevented it. Never throws.

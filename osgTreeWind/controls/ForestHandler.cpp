@@ -9,12 +9,12 @@
 #include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/instanced/DrawnTrees.h>
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/View>
@@ -100,7 +100,7 @@ std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
     if (!forest.getInstanced())
         return text;
-    const DrawnTrees drawn(InstancedParts::trees(*forest.getInstanced())->treesByTier());
+    const DrawnTrees drawn(forest.getInstanced()->getTrees()->treesByTier());
     return text + formatted("; drawn: %zu in full detail, %zu by boughs, %zu as pictures", drawn.full,
                             drawn.byBoughs, drawn.asPictures);
 }
@@ -164,12 +164,11 @@ void ForestHandler::State::placeSource() {
     Forest& forest = *controls.forest();
     const ForestSimulation& simulation = forest.getSimulation();
     if (selected && simulation.holds(selected->id())) {
-        const PlacedTree& tree =
-            SimulationAccess::forest(simulation).trees[simulation.slotOf(selected->id())];
+        const PlacedTree& tree = movingForest(simulation).placed().trees[slotOfTree(selected->id())];
         _sourceFoot = toOsg(tree.position);
         if (forest.getWind().frame == WindFrame::Scene)
             *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));
-        _sourceHeight = static_cast<double>(SimulationAccess::forest(simulation).sizeOf(tree).height);
+        _sourceHeight = static_cast<double>(movingForest(simulation).placed().sizeOf(tree).height);
     }
     if (_sourceFoot) // a tree was clicked before
         controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight, _time);
@@ -188,10 +187,11 @@ void ForestHandler::State::selectTree(const Event& event, osg::View& view) {
     selected.reset();
     for (const osgUtil::LineSegmentIntersector::Intersection& hit : line->getIntersections()) {
         const auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get());
-        if (!tree || std::find(hit.nodePath.begin(), hit.nodePath.end(), forest) == hit.nodePath.end())
+        if (!tree || !tree->getTree() ||
+            std::find(hit.nodePath.begin(), hit.nodePath.end(), forest) == hit.nodePath.end())
             continue;
         _selectedIn = &forest->getSimulation();
-        selected.emplace(*_selectedIn, tree->getTree());
+        selected.emplace(*_selectedIn, *tree->getTree());
         unit = tree->getUnit(hit.primitiveIndex);
         return;
     }
@@ -282,8 +282,8 @@ double ForestHandler::simulationTime(double referenceTime) {
     return _state->controls.simulationTime(referenceTime);
 }
 
-TreeId ForestHandler::getTree() const {
-    return _state->selected ? _state->selected->id() : noTree;
+std::optional<TreeId> ForestHandler::getTree() const {
+    return _state->selected ? std::optional(_state->selected->id()) : std::nullopt;
 }
 
 unsigned ForestHandler::getUnit() const {

@@ -7,6 +7,7 @@
 #include <osgGA/GUIEventHandler>
 
 #include <memory>
+#include <optional>
 
 namespace osgTreeWind {
 
@@ -35,8 +36,7 @@ public:
     /// not finite or beyond 1e15 are ignored.
     double simulationTime(double referenceTime);
 
-    /// The selected tree; noTree after a click beside all trees.
-    TreeId getTree() const;
+    std::optional<TreeId> getTree() const; ///< The selected tree; none after a click beside all trees.
     /// The clicked branch unit of the selected tree, for Forest::branch().
     unsigned getUnit() const;
 

@@ -2,7 +2,8 @@
 #include <osgTreeWind/controls/SelectedTree.h>
 
 #include <osgTreeWind/controls/FormattedText.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <glm/geometric.hpp>
 
@@ -13,8 +14,8 @@ namespace osgTreeWind {
 SelectedTree::SelectedTree(const ForestSimulation& simulation, TreeId tree) : _tree(tree) {
     if (!simulation.holds(tree))
         return;
-    const std::size_t slot = simulation.slotOf(tree);
-    const PlacedForest& forest = SimulationAccess::forest(simulation);
+    const std::size_t slot = slotOfTree(tree);
+    const PlacedForest& forest = movingForest(simulation).placed();
     const PlacedTree& placed = forest.trees[slot];
     const Species& species = forest.speciesOf(placed);
     const TreeSize size = forest.sizeOf(placed);

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/wind/HostWind.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,8 +25,8 @@ WindArrows::WindArrows() {
 void WindArrows::show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach) {
     auto& points = static_cast<osg::Vec3Array&>(*getVertexArray());
     auto& colours = static_cast<osg::Vec4Array&>(*getColorArray());
-    const WindFieldPtr wind = SimulationAccess::wind(simulation)->fieldWithoutTrees();
-    const float above = maxTreeHeight(SimulationAccess::forest(simulation)) + clearance;
+    const WindFieldPtr wind = movingForest(simulation).openWind();
+    const float above = maxTreeHeight(movingForest(simulation).placed()) + clearance;
     std::size_t next = 0;
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < across; ++i) {

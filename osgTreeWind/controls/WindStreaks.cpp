@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/wind/HostWind.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/BlendFunc>
 
@@ -33,7 +33,7 @@ void WindStreaks::show(const ForestSimulation& simulation, double time, const gl
                        float reach) {
     constexpr double longestStep = 0.2, between = 1.0 / (points - 1); // seconds
     const ForestDescription& forest = simulation.description();
-    const float highest = std::max(maxTreeHeight(SimulationAccess::forest(simulation)), 2.0f);
+    const float highest = std::max(maxTreeHeight(movingForest(simulation).placed()), 2.0f);
     const bool isRestart = !_hasStarted || time < _time || time - _time > longestStep;
     const float step = isRestart ? 0.0f : static_cast<float>(time - _time);
     const bool addsPoint = time - _lastTrailTime >= between || isRestart;
@@ -42,7 +42,7 @@ void WindStreaks::show(const ForestSimulation& simulation, double time, const gl
     if (addsPoint)
         _lastTrailTime = time;
 
-    const WindFieldPtr wind = SimulationAccess::wind(simulation)->fieldWithoutTrees();
+    const WindFieldPtr wind = movingForest(simulation).openWind();
     auto& places = static_cast<osg::Vec3Array&>(*getVertexArray());
     auto& colours = static_cast<osg::Vec4Array&>(*getColorArray());
     std::size_t next = 0;

@@ -30,13 +30,13 @@ bool ForestTechnique::stepsItself() const {
 
 void ForestTechnique::update(const osg::FrameStamp&, bool) {}
 
-void ForestTechnique::treeChanged(std::size_t) {}
+void ForestTechnique::treeChanged(TreeId) {}
 
 void ForestTechnique::speciesAdded() {}
 
 void ForestTechnique::seasonChanged() {}
 
-BranchTransform* ForestTechnique::followBranch(TreeId, unsigned) {
+BranchTransform* ForestTechnique::branch(TreeId, unsigned) {
     return nullptr;
 }
 

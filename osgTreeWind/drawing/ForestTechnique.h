@@ -54,15 +54,15 @@ public:
     /// @param stamp with the simulation time to which the trees were advanced. @param moved whether they took
     /// a step, or with stepsItself(), whether one is due.
     virtual void update(const osg::FrameStamp& stamp, bool moved);
-    /// Called after a tree was added, moved, changed or removed. @param slot of the ForestSimulation.
-    virtual void treeChanged(std::size_t slot);
+    /// Called after a tree was added, moved, changed, broken or removed.
+    virtual void treeChanged(TreeId tree);
     virtual void speciesAdded();  ///< Called after a species was added, before its first tree.
     virtual void seasonChanged(); ///< Called after the season of the simulation changed.
 
     /// @return the transform that moves with a unit of a tree, the same one at each call; null if there is no
     /// such unit or the technique has no transforms. The base class returns null.
-    virtual BranchTransform* followBranch(TreeId tree, unsigned unit);
-    /// Removes the transform that followBranch() made, and its children. @return false if there was none.
+    virtual BranchTransform* branch(TreeId tree, unsigned unit);
+    /// Removes the transform that branch() made, and its children. @return false if there was none.
     virtual bool releaseBranch(TreeId tree, unsigned unit);
 
     virtual InstancedForest* asInstancedForest();   ///< Null for other techniques.

@@ -9,6 +9,7 @@
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/wind/WindFields.h>
 
 #include <glm/geometric.hpp>
 
@@ -131,6 +132,7 @@ Diagnostics check(const ForestDescription& forest) {
     if (!frameSteps.contains(forest.step))
         add(problems, "step", "expected a finite number " + frameSteps.text());
     checkStruct(forest.drawing, "drawing", problems);
+    checkFields(forest.canopy, "wind", problems);
     for (Diagnostic& problem : check(forest.wind))
         problems.push_back(std::move(problem));
     if (!seasons.contains(static_cast<double>(forest.season)))

@@ -7,6 +7,7 @@
 #include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
+#include <osgTreeWind/wind/CanopySettings.h>
 #include <osgTreeWind/wind/Wind.h>
 
 #include <glm/vec3.hpp>
@@ -65,16 +66,14 @@ struct ForestDescription {
     bool damage = false;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; empty: Perlin noise.
     std::optional<float> noiseExponent;
-    Wind wind;                ///< Its canopy also applies to every wind that the forest is given later.
+    Wind wind;                ///< The first wind.
+    CanopySettings canopy;    ///< How the trees change every wind.
     float season = midsummer; ///< Time of year (Season.h).
     /// Simulated time per frame, seconds, [0, 60]; 0: the viewer's time.
     double step = 0.0;
     DrawingOptions drawing; ///< How the trees are drawn.
 
-    bool crsFromInventory = false;  ///< `crs` was chosen for an inventory and is not in the file.
-    std::vector<std::string> notes; ///< How the input was interpreted, for the user to review.
-    std::string source;             ///< Text of the .treewind file it was read from; may be empty.
-    std::string folder;             ///< Absolute folder against which paths in `source` resolve.
+    std::string folder; ///< Absolute folder of the file it was read from, for relative paths; may be empty.
 };
 
 } // namespace osgTreeWind

@@ -117,7 +117,6 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
 ForestDescription PlacedForest::describe() const {
     ForestDescription now = description();
     now.season = _season;
-    now.source.clear();
     if (now.tiles)
         now.tiles->removed = _removedPermanently;
     for (std::size_t slot = 0; slot < trees.size(); ++slot) {

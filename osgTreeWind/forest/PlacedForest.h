@@ -18,6 +18,15 @@ class ShapeFamilies;
 /// Shapes by index; never null.
 using SharedModels = std::vector<std::shared_ptr<const TreeModel>>;
 
+/// The place of a tree in the arrays of its forest: the low half of its id. The high half is the number of
+/// earlier trees in that slot.
+constexpr std::size_t slotOfTree(TreeId id) {
+    return static_cast<std::uint32_t>(id);
+}
+constexpr TreeId makeTreeId(std::size_t slot, std::uint32_t generation) {
+    return TreeId(std::uint64_t(generation) << 32 | static_cast<std::uint32_t>(slot));
+}
+
 /// A tree of a PlacedForest: its shape, scale and position in the scene.
 struct PlacedTree {
     std::uint32_t model = 0;   ///< Index into PlacedForest::models().
@@ -78,7 +87,7 @@ struct PlacedForest {
     /// A placement from which makePlacedTree() makes the same tree again. It gives all sizes.
     TreePlacement placementOf(std::size_t slot) const;
     /// Describes the current forest except for its wind: with the trees that are alive, in slot order with
-    /// their given sizes, and without `source`.
+    /// their given sizes.
     ForestDescription describe() const;
     /// Current time of year (Season.h).
     float season() const { return _season; }

@@ -117,7 +117,7 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::fillRequest(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
+void PosePass::fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
                            const Reconfiguration& foliage, PoseRequest& request) {
     const ModalModel& model = motion.model(tree);
     findMatrix(model, request);

@@ -5,7 +5,7 @@
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
-#include <osgTreeWind/motion/modal/ModalReader.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/Program>
 #include <osg/State>
@@ -38,7 +38,7 @@ public:
 
     /// Writes the request of a swaying tree. If the textures have no space for its archetype, the tree is
     /// posed at rest, with one warning per archetype.
-    void fillRequest(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
+    void fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
                      const Reconfiguration& foliage, PoseRequest& request);
 
     /// Texture units that apply() binds.

@@ -65,7 +65,7 @@ void readDocumentFile(const std::string& path, std::size_t maxTrees, const std::
 
 namespace {
 
-Result<ForestDescription> takeResult(ForestReading& reading) {
+Result<ForestFile> takeResult(ForestReading& reading) {
     if (reading.log.problems.empty())
         return std::move(reading.forest);
     return std::move(reading.log.problems);
@@ -73,14 +73,14 @@ Result<ForestDescription> takeResult(ForestReading& reading) {
 
 } // namespace
 
-Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
+Result<ForestFile> readForest(std::istream& input, const ForestFileOptions& options) {
     ForestReading reading;
     readDocument(input, options, reading);
     return takeResult(reading);
 }
 
-Result<ForestDescription> readForestFile(const std::string& path, std::size_t maxTrees,
-                                         const std::vector<std::string>& settings) {
+Result<ForestFile> readForestFile(const std::string& path, std::size_t maxTrees,
+                                  const std::vector<std::string>& settings) {
     ForestReading reading;
     readDocumentFile(path, maxTrees, settings, reading);
     return takeResult(reading);

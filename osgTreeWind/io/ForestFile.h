@@ -11,6 +11,13 @@
 
 namespace osgTreeWind {
 
+/// A forest that was read from a .treewind document, and how it was read.
+struct ForestFile : ForestDescription {
+    std::vector<std::string> notes; ///< How the input was interpreted, for the user to review.
+    bool crsFromInventory = false;  ///< `crs` was chosen for an inventory and is not in the document.
+    std::string source;             ///< Text of the document; empty if settings have overridden its keys.
+};
+
 /// Options for reading a .treewind document.
 struct ForestFileOptions {
     std::string file;   ///< Name used in diagnostics; may be empty.
@@ -24,20 +31,18 @@ struct ForestFileOptions {
 /// Reads a .treewind document (docs/treewind.md) and the files it names. Thread-safe.
 ///
 /// Relative paths are searched in `options.folder`, then in each folder of the document's `search`, then in
-/// the folder given by the environment variable OSGTREEWIND_DATA. Reading the description's `source` again
-/// with its `folder` gives the same forest.
+/// the folder given by the environment variable OSGTREEWIND_DATA. Reading `source` again with its `folder`
+/// gives the same forest.
 /// @return the forest, or all problems found (at most 100), those of the document first, sorted by position.
-OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
-                                                        const ForestFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<ForestFile> readForest(std::istream& input, const ForestFileOptions& options = {});
 
 /// Reads a .treewind file; relative paths refer to its folder.
 /// @param path of a regular file. @param maxTrees, settings as in ForestFileOptions.
-OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path,
-                                                            std::size_t maxTrees = 1000000,
-                                                            const std::vector<std::string>& settings = {});
+OSGTREEWIND_EXPORT Result<ForestFile> readForestFile(const std::string& path, std::size_t maxTrees = 1000000,
+                                                     const std::vector<std::string>& settings = {});
 
-/// Writes a document that reads back as exactly the same forest, except that `notes` are lost, paths become
-/// absolute, and sizes of 0 or less read back as 0 (not given). Thread-safe.
+/// Writes a document that reads back as exactly the same forest, except that paths become absolute, and sizes
+/// of 0 or less read back as 0 (not given). Thread-safe.
 /// @return the problems, in which case nothing is written: those of check(), duplicate names of species or
 /// trees, a wind that is a callable, streamed or moved, and scans or pictures without a file.
 [[nodiscard]] OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description,

@@ -27,7 +27,7 @@ struct ForestReading {
     std::size_t maxTrees = 1000000;   ///< More trees are an error.
     std::uint32_t seed = 1;
     float leaves = 1.0f; ///< Default share of leaves of a tree.
-    ForestDescription forest;
+    ForestFile forest;
     TreeStore trees{forest.trees};
     std::vector<DerivedTreeValues> derived; ///< By tree.
     std::optional<Crs> crs;                 ///< CRS of the scene.

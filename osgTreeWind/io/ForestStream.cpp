@@ -31,7 +31,7 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     return stream;
 }
 
-const ForestDescription& ForestStream::description() const {
+const ForestFile& ForestStream::file() const {
     return _reading->forest;
 }
 

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
-#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/io/ForestFile.h>
 
 #include <cstddef>
 #include <functional>
@@ -39,7 +39,7 @@ public:
     ~ForestStream();
 
     /// The forest without its trees.
-    const ForestDescription& description() const;
+    const ForestFile& file() const;
     std::size_t treeCount() const; ///< Number of trees read.
     /// Visits all trees in order and in batches. @return false if the temporary file cannot be read.
     bool visit(const std::function<void(const std::vector<TreePlacement>& trees)>& visitor) const;

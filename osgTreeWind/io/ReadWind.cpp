@@ -16,6 +16,7 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +46,10 @@ glm::vec3 readVelocity(TableReader& table) {
     WindReading wind;
     const bool hasVelocity = table.read("velocity", velocity, speeds);
     const bool hasSpeed = table.read("speed", wind.speed, within(0.0, speeds.max));
-    const bool from = table.read("direction_from", wind.direction, directions);
-    const bool toward = table.read("direction_toward", wind.direction, directions);
+    double degrees = 0.0;
+    const bool from = table.read("direction_from", degrees, directions);
+    const bool toward = table.read("direction_toward", degrees, directions);
+    wind.direction = glm::radians(degrees);
     if (table.has("velocity") == table.has("speed"))
         table.problem("", "expected either velocity, or speed and a direction");
     else if (hasVelocity && (from || toward))
@@ -300,15 +303,14 @@ void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
     if (table.hasArray("travel") ? !table.readNumbers("travel", numbers, 2, 2, windSpeeds)
                                  : !table.readScalar("travel", word))
         return;
-    const KindOfWind kind = wind.field ? wind.field->kind() : KindOfWind();
-    const auto* record = std::get_if<const TimeSeriesWind*>(&kind);
+    const auto* record = dynamic_cast<const TimeSeriesWind*>(wind.field.get());
     glm::dvec2 travel(0.0);
     if (!numbers.empty())
         travel = {numbers[0], numbers[1]};
     else if (word != "mean")
         return table.problem("travel", expectedFound("\"mean\" or [u, v] in m/s", word));
     else if (record)
-        travel = glm::dvec2(meanVelocity((*record)->series()));
+        travel = glm::dvec2(meanVelocity(record->series()));
     else
         return table.problem("travel", "\"mean\" needs a record at one point; expected [u, v] in m/s");
     if (wind.clock.travels())
@@ -385,7 +387,7 @@ void readWind(TableReader& table, ForestReading& reading) {
     readFields(table, wind.adjustment);
     wind.frame = WindFrame::Forest;
     table.readChoice("frame", wind.frame, windFrames());
-    readFields(table, wind.canopy.emplace());
+    readFields(table, reading.forest.canopy);
     table.tables("source", [&](TableReader& source) { wind.sources.push_back(readSource(source, reading)); });
 }
 

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/wind/WindInternals.h>
+#include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
@@ -158,10 +158,20 @@ Wind readWindData(TableReader& table, ForestReading& reading) {
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
     checkCoverage(wind.value(), paths.front(), offset, allowsOutside, table, reading);
-    WindInternals::setFiles(wind.value().wind,
-                            {paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
-                             options.roughness, options.height, options.speedUnit, allowsOutside});
-    return std::move(wind.value().wind);
+    Wind& read = wind.value().wind;
+    WindFiles known = read.files ? *read.files : WindFiles{read.field, {}};
+    known.files = paths;
+    known.series = table.has("files");
+    known.times = times;
+    known.offset = offset;
+    known.origin = reading.forest.origin;
+    known.crs = options.crs;
+    known.roughness = options.roughness;
+    known.height = options.height;
+    known.speedUnit = options.speedUnit;
+    known.allowsOutside = allowsOutside;
+    read.files = std::make_shared<const WindFiles>(std::move(known));
+    return std::move(read);
 }
 
 } // namespace osgTreeWind

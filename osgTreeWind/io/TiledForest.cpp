@@ -11,7 +11,7 @@
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TileWriter.h>
 #include <osgTreeWind/io/TreeBounds.h>
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 
 #include <glm/common.hpp>
 
@@ -65,8 +65,8 @@ ForestTiles makeTileGrid(const TreeBounds& all, double size) {
 }
 
 /// Computes the canopy statistics from all trees, or in large forests from every n-th tile.
-WindCanopy computeTiledCanopy(const TileWriter& written, const Executor& executor,
-                              std::atomic<bool>& failed) {
+CanopySettings computeTiledCanopy(const TileWriter& written, const Executor& executor,
+                                  std::atomic<bool>& failed) {
     const PlacedForest& shapes = written.shapes();
     const ForestTiles& all = written.tiles();
     const std::size_t stride = (all.treeCount() + maxCanopyTrees - 1) / maxCanopyTrees;
@@ -90,7 +90,7 @@ WindCanopy computeTiledCanopy(const TileWriter& written, const Executor& executo
         std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
     if (stride == 1)
         stands.resize(1);
-    return withCanopyStatistics(shapes.description().wind.canopy.value_or(WindCanopy()), stands);
+    return withCanopyStatistics(shapes.description().canopy, stands);
 }
 
 /// The folder of a tiled forest while it is written. A lock excludes other processes.
@@ -194,7 +194,7 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     tiles = writer.tiles();
     tiles.range = options.range > 0.0 ? options.range : defaultTileRange(tiles);
     if (!failed)
-        forest.wind.canopy = computeTiledCanopy(writer, executor, failed);
+        forest.canopy = computeTiledCanopy(writer, executor, failed);
     if (failed)
         return AtomicFile(fileOfCrowns(tiles)).problem();
     Diagnostics problems = writeFileAtomically(folder + "/fly.path", makeFlightPath(tiles, forest.origin));
@@ -226,8 +226,7 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
 Result<ForestTiles> writeTiledForest(const ForestStream& forest, const std::string& folder,
                                      const TilingOptions& options) {
     return writeWorld(
-        forest.description(), [&](const TreeVisitor& visitor) { return forest.visit(visitor); }, folder,
-        options);
+        forest.file(), [&](const TreeVisitor& visitor) { return forest.visit(visitor); }, folder, options);
 }
 
 } // namespace osgTreeWind

@@ -2,15 +2,14 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/wind/ForestWind.h>
+#include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindInternals.h>
+#include <osgTreeWind/wind/WindFiles.h>
 
 #include <filesystem>
 #include <utility>
-#include <variant>
 
 namespace osgTreeWind {
 
@@ -23,48 +22,49 @@ public:
 
     /// Writes the field, the clock and the adjustment.
     std::string write(const Wind& wind) {
-        const WindFiles* const files = WindInternals::files(wind);
-        std::string problem = files ? writeFiles(*files) : std::visit(*this, wind.field->kind());
+        const WindFiles* const files = filesOf(wind);
+        std::string problem = files ? writeFiles(*files) : writeField(*wind.field);
         const WindClock defaults;
         if (wind.clock.start != defaults.start || wind.clock.scale != defaults.scale)
             keepFirst(problem, fields(wind.clock));
         if (!wind.adjustment.isIdentity())
             keepFirst(problem, fields(wind.adjustment));
-        const bool isFromFile = files && !std::holds_alternative<const TimeSeriesWind*>(wind.field->kind());
+        const bool isFromFile = files && !dynamic_cast<const TimeSeriesWind*>(wind.field.get());
         if (wind.clock.travels() && !isFromFile)
             key("travel", tomlText(std::vector<double>{wind.clock.travel.x, wind.clock.travel.y}));
-        if (!files && WindInternals::map(wind))
+        if (!files && mapOf(wind))
             keepFirst(problem, "a wind with its own map that was not read from a file");
         return problem;
     }
 
-    std::string operator()(const UniformWind* wind) {
+private:
+    std::string writeField(const WindField& field) {
+        if (const auto* uniform = dynamic_cast<const UniformWind*>(&field))
+            return writeUniform(uniform->velocity());
+        if (const auto* gusts = dynamic_cast<const GustWind*>(&field)) {
+            kind("gusts");
+            key("velocity", tomlText(gusts->parameters().mean));
+            return fields(gusts->parameters()) + profile(gusts->parameters().profile);
+        }
+        if (const auto* grid = dynamic_cast<const GridWind*>(&field))
+            return kind("grid"), fields(grid->grid());
+        if (const auto* thesis = dynamic_cast<const ThesisWind*>(&field))
+            return kind("forest_wind"), fields(thesis->array());
+        if (const auto* record = dynamic_cast<const TimeSeriesWind*>(&field))
+            return kind("series"), fields(record->series()) + profile(record->series().profile);
+        return "this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series or "
+               "one "
+               "from a file, not a callable or streamed one";
+    }
+    std::string writeUniform(const glm::vec3& velocity) {
         kind("uniform");
-        const glm::vec3& velocity = wind->velocity();
         key("velocity", tomlText(velocity));
         for (const float speed : {velocity.x, velocity.y, velocity.z})
             if (!windSpeeds.contains(static_cast<double>(speed)))
                 return "velocity: expected a finite number " + windSpeeds.text();
         return {};
     }
-    std::string operator()(const GustWind* wind) {
-        kind("gusts");
-        const GustWind::Parameters& gusts = wind->parameters();
-        key("velocity", tomlText(gusts.mean));
-        return fields(gusts) + profile(gusts.profile);
-    }
-    std::string operator()(const GridWind* wind) { return kind("grid"), fields(wind->grid()); }
-    std::string operator()(const ForestWind* wind) { return kind("forest_wind"), fields(wind->array()); }
-    std::string operator()(const TimeSeriesWind* wind) {
-        return kind("series"), fields(wind->series()) + profile(wind->series().profile);
-    }
-    std::string operator()(const WindField*) {
-        return "this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series or "
-               "one "
-               "from a file, not a callable or streamed one";
-    }
 
-private:
     template <typename T>
     void key(const char* name, const T& text) {
         _output << name << " = " << text << '\n';
@@ -123,8 +123,8 @@ private:
 
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     const Wind& wind = forest.wind;
-    const WindCanopy defaults, canopy = wind.canopy.value_or(defaults);
-    if (wind.isCalm() && areFieldsEqual(canopy, defaults))
+    const CanopySettings defaults;
+    if (wind.isCalm() && areFieldsEqual(forest.canopy, defaults))
         return {};
     output << "\n[wind]\n";
     std::string problem;
@@ -135,7 +135,7 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     for (const auto& [name, frame] : windFrames())
         if (frame == wind.frame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';
-    writeFields(output, "wind", fieldsOf<WindCanopy>(), &canopy, &defaults);
+    writeFields(output, "wind", fieldsOf<CanopySettings>(), &forest.canopy, &defaults);
     for (std::size_t i = 0; problem.empty() && i < wind.sources.size(); ++i) {
         output << "\n[[wind.source]]\n";
         Diagnostics problems;

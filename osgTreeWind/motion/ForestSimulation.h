@@ -16,12 +16,7 @@
 
 namespace osgTreeWind {
 
-class CanopyFlow;
-class HostWind;
-class Motion;
-class CanopyWind;
-class WindDamage;
-struct PlacedForest;
+class MovingForest;
 struct Skeleton;
 struct TreeDamage;
 
@@ -50,15 +45,15 @@ public:
     /// The description given, plus added species, but without its trees; wind and season are the first ones.
     const ForestDescription& description() const;
     /// The present forest: living trees with their names and given sizes, the current season and wind. A
-    /// simulation made from it has the same trees at rest. `source` is empty.
+    /// simulation made from it has the same trees at rest.
     ForestDescription describe() const;
 
-    std::size_t slotCount() const;  ///< Slots follow the description, then the additions; some may be empty.
-    std::size_t modelCount() const; ///< Shapes, shared by trees of a species.
+    std::vector<TreeId> trees() const; ///< The ids: at first in the order of the description.
+    std::size_t modelCount() const;    ///< Shapes, shared by trees of a species.
     /// The wood of a shape at rest, before scaleOf() is applied. @param model not range-checked.
     const Skeleton& skeleton(std::size_t model) const;
-    std::size_t modelOf(std::size_t slot) const; ///< Index of the tree's shape; `slot` is not range-checked.
-    TreeScale scaleOf(std::size_t slot) const;   ///< Scale of the tree's shape; `slot` is not range-checked.
+    std::optional<std::size_t> modelOf(TreeId tree) const; ///< Index of its shape; empty: unknown tree.
+    TreeScale scaleOf(TreeId tree) const;                  ///< Scale of its shape; 1 for an unknown tree.
 
     // Edits take a time that does not depend on the size of the forest. They return an error, and change
     // nothing, under a branchwise law, for an unknown tree, and if check() finds a problem.
@@ -78,14 +73,11 @@ public:
     void spinUp(const std::vector<TreeId>& trees);
     static constexpr float spinUpTime = 40.0f; ///< Seconds.
 
-    bool holds(TreeId tree) const;                                     ///< Whether the forest has this tree.
-    std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); } ///< Slot of a tree.
-    /// Trees of the description have the ids 0, 1, 2 and so on.
-    TreeId idOf(std::size_t slot) const;
+    bool holds(TreeId tree) const;                                 ///< Whether the forest has this tree.
     std::optional<TreeId> findTree(const std::string& name) const; ///< Empty: no tree has this name.
     std::string nameOf(TreeId tree) const;                         ///< Empty for a tree without a name.
-    /// The placement that recreates a tree, with all its sizes, in world coordinates. @param tree must exist.
-    TreePlacement placementOf(TreeId tree) const;
+    /// The placement that recreates a tree, with all its sizes, in world coordinates; empty: unknown tree.
+    std::optional<TreePlacement> placementOf(TreeId tree) const;
 
     /// Sets the time of year (Season.h). Trees keep swaying; their leaves change at once, their mass, drag
     /// and damping follow. Under `modal`, each step updates up to 256 trees and two new archetypes and takes
@@ -98,6 +90,10 @@ public:
     /// @return what check() finds; then nothing has changed.
     [[nodiscard]] Diagnostics setWind(Wind wind);
     Wind wind() const; ///< As set.
+    /// Sets how the trees change the wind, from the next advance() on. @return what check() finds; then
+    /// nothing has changed.
+    [[nodiscard]] Diagnostics setCanopy(const CanopySettings& canopy);
+    const CanopySettings& canopy() const; ///< At first that of the description.
 
     void setExecutor(Executor executor); ///< See SimulationOptions::executor; from the next step on.
     Executor executor() const;           ///< The host's threads; if it gave none, the process's thread pool.
@@ -119,44 +115,27 @@ public:
     const std::vector<TreeDamage>& damage() const;
     bool isStanding(TreeId tree) const; ///< Whether the tree exists and has not fallen.
 
-    /// The present state of a tree; empty if the slot is. The spans stay valid until the tree is changed or
-    /// removed, and show the last step before the call. Under `modal` the call computes the values; different
-    /// threads may call it for different trees.
-    TreeMotion motion(std::size_t slot) const;
+    /// The present state of a tree; empty for an unknown tree. The spans stay valid until the tree is changed
+    /// or removed, and show the last step before the call. Under `modal` the call computes the values;
+    /// different threads may call it for different trees.
+    TreeMotion motion(TreeId tree) const;
     /// As above, but `modal` computes into `values`, which the result refers to.
-    TreeMotion motion(std::size_t slot, UnitValues& values) const;
+    TreeMotion motion(TreeId tree, UnitValues& values) const;
+    /// One unit of motion(), for the cost of its ancestor units; at rest for an unknown tree or unit.
+    /// @param unit index into skeleton().units.
+    UnitMotion unitMotion(TreeId tree, std::size_t unit) const;
 
     /// The present sway of a tree, its moment at the foot and its limit, under `modal`; empty for an unknown
     /// or fallen tree and under a branchwise law. Takes some tenths of a millisecond;
     /// different threads may call it between two calls of advance().
     std::optional<TreeSway> sway(TreeId tree) const;
 
-    /// One unit of motion(), for the cost of its ancestor units. @param slot must hold a tree.
-    /// @param unit index into skeleton().units.
-    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
-
 private:
-    friend struct SimulationAccess;
-    ForestSimulation(ForestDescription description, const SimulationOptions& options,
-                     std::shared_ptr<HostWind> wind);
-    ForestSimulation(const ForestSimulation& other);
-    [[nodiscard]] Diagnostics unloadTiledTree(TreeId tree);
-    bool beginStep(double time);
-    std::optional<float> advanceTime(double time);
-    WindFieldPtr updateWind();
-    void treeChanged(std::size_t slot);
-    void restoreLeaves();
+    friend class Forest;
+    friend MovingForest& movingForest(const ForestSimulation& simulation);
+    explicit ForestSimulation(std::unique_ptr<MovingForest> forest);
 
-    std::unique_ptr<PlacedForest> _forest;
-    Executor _hostExecutor; ///< The host's; may be null.
-    std::unique_ptr<Motion> _motion;
-    std::optional<double> _time;
-    std::shared_ptr<HostWind> _wind;
-    std::unique_ptr<CanopyWind> _canopyWind;
-    WindFieldPtr _lastField;             ///< The wind of the last step, with the canopy; null: calm.
-    std::unique_ptr<WindDamage> _damage; ///< Null: damage is off.
-    /// The flow that _motion knows; null: each tree stands alone.
-    std::shared_ptr<const CanopyFlow> _canopyFlow;
+    std::unique_ptr<MovingForest> _forest;
 };
 
 } // namespace osgTreeWind

@@ -5,20 +5,21 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TextureCapacity.h>
 #include <osgTreeWind/drawing/ground/GroundTile.h>
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/ProgressNotice.h>
 #include <osgTreeWind/nodes/ScenePlace.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
-#include <osgTreeWind/wind/HostWind.h>
 
 #include <osg/NodeVisitor>
 #include <osg/Notify>
@@ -43,13 +44,13 @@ Diagnostics findProblems(const ForestDescription& description) {
     return problem.empty() ? Diagnostics() : Diagnostics{keyProblem({}, problem)};
 }
 
-std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
+std::vector<TreeUnit> unitsOf(const MovingForest& forest, std::size_t slot) {
+    const PlacedTree& tree = forest.trees()[slot];
     UnitValues values;
-    const TreeMotion motion = simulation.motion(slot, values);
+    const TreeMotion motion = forest.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     std::vector<TreeUnit> units;
-    for (const BranchUnit& rest : SimulationAccess::forest(simulation).modelOf(tree).skeleton.units) {
+    for (const BranchUnit& rest : forest.placed().modelOf(tree).skeleton.units) {
         const UnitPose& pose = motion.poses[units.size()];
         const auto now = [&](const glm::vec3& point) {
             return toOsg(rotateAboutZ(pose.apply(point), sine, cosine) + tree.position);
@@ -72,7 +73,7 @@ osg::ref_ptr<ForestTechnique> makeDefaultTechnique(const std::shared_ptr<ForestS
 Forest::Forest() : Forest(ForestDescription()) {}
 
 Forest::Forest(ForestDescription description)
-    : _wind(std::make_shared<HostWind>()), _place(std::make_unique<ScenePlace>()) {
+    : _wind(std::make_shared<WindSlot>()), _place(std::make_unique<ScenePlace>()) {
     setNumChildrenRequiringUpdateTraversal(1);
     if (const Diagnostics problems = setDescription(std::move(description)); !problems.empty()) {
         OSG_WARN << "osgTreeWind: the forest is left empty: " << toString(problems) << std::endl;
@@ -89,9 +90,9 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     _technique = static_cast<ForestTechnique*>(other._technique->clone(copyop));
     _isHostTechnique = other._isHostTechnique;
     setSimulation(other._simulation->cloneAtRest());
-    _wind = SimulationAccess::wind(*_simulation);
+    _wind = movingForest(*_simulation).wind();
     for (const TreeId tree : getTrees())
-        if (SimulationAccess::trees(*_simulation)[_simulation->slotOf(tree)].tiled)
+        if (movingForest(*_simulation).trees()[slotOfTree(tree)].tiled)
             unloadTree(tree); // the pager of the copy loads it again
 }
 
@@ -103,6 +104,14 @@ Diagnostics Forest::setWind(Wind wind) {
 
 Wind Forest::getWind() const {
     return *_wind->get();
+}
+
+Diagnostics Forest::setCanopy(const CanopySettings& canopy) {
+    return _simulation->setCanopy(canopy);
+}
+
+const CanopySettings& Forest::getCanopy() const {
+    return _simulation->canopy();
 }
 
 void Forest::setExecutor(Executor executor) {
@@ -138,6 +147,23 @@ Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Execu
     });
 }
 
+Result<osg::ref_ptr<Forest>> Forest::read(const std::string& path, Executor executor) {
+    return guardedResult([&]() -> Result<osg::ref_ptr<Forest>> {
+        Result<ForestFile> file = readForestFile(path);
+        if (!file)
+            return file.problems();
+        for (const std::string& note : file.value().notes)
+            OSG_NOTICE << "osgTreeWind: " << path << ": " << note << std::endl;
+        Result<osg::ref_ptr<Forest>> forest = create(std::move(file.value()), std::move(executor));
+        if (forest)
+            return forest;
+        Diagnostics problems = forest.problems();
+        for (Diagnostic& problem : problems)
+            problem.file = path;
+        return problems;
+    });
+}
+
 Diagnostics Forest::setDescription(ForestDescription description) {
     return guardedResult([&]() -> Diagnostics {
         Diagnostics problems = findProblems(description);
@@ -148,15 +174,15 @@ Diagnostics Forest::setDescription(ForestDescription description) {
 }
 
 void Forest::rebuild(ForestDescription description) {
-    Wind wind = description.wind.isCalm() ? getWind() : description.wind;
-    wind.canopy = description.wind.canopy.value_or(WindCanopy());
-    _wind->set(std::move(wind));
+    if (!description.wind.isCalm())
+        _wind->set(description.wind);
     SimulationOptions options;
     options.onTreePlaced = ProgressNotice(description.trees.size());
     options.executor = _executor;
     if (description.drawing.tiers && (description.tiles || description.trees.size() > maxNearTrees))
         options.distant = true; // until they are visible
-    setSimulation(SimulationAccess::make(std::move(description), options, _wind));
+    setSimulation(std::shared_ptr<ForestSimulation>(
+        new ForestSimulation(std::make_unique<MovingForest>(std::move(description), options, _wind))));
 }
 
 Diagnostics Forest::setTechnique(ForestTechnique* technique) {
@@ -196,7 +222,7 @@ void Forest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
     if (getDescription().tiles) {
         _tiles = new TilePager(_simulation, [this](const TreePlacement& tree) {
             const Result<TreeId> id = addTree(tree);
-            return id ? id.value() : noTree;
+            return id ? std::optional(id.value()) : std::nullopt;
         });
         insertChild(1, _tiles);
     }
@@ -218,7 +244,7 @@ Result<TreeId> Forest::addTree(const TreePlacement& placement) {
         Result<TreeId> tree = _simulation->addTree(placement);
         if (tree) {
             ++_treeCount;
-            _technique->treeChanged(_simulation->slotOf(tree.value()));
+            _technique->treeChanged(tree.value());
         }
         return tree;
     });
@@ -228,52 +254,45 @@ Diagnostics Forest::removeTree(TreeId tree) {
     Diagnostics problems = _simulation->removeTree(tree);
     if (problems.empty()) {
         --_treeCount;
-        _technique->treeChanged(_simulation->slotOf(tree));
+        _technique->treeChanged(tree);
     }
     return problems;
 }
 
 void Forest::unloadTree(TreeId tree) {
-    if (!SimulationAccess::unloadTiledTree(*_simulation, tree).empty())
+    if (!movingForest(*_simulation).unloadTiledTree(tree).empty())
         return;
     --_treeCount;
-    _technique->treeChanged(_simulation->slotOf(tree));
+    _technique->treeChanged(tree);
 }
 
 Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     return guardedResult([&] {
         Diagnostics problems = _simulation->changeTree(tree, placement);
         if (problems.empty())
-            _technique->treeChanged(_simulation->slotOf(tree));
+            _technique->treeChanged(tree);
         return problems;
     });
 }
 
-TreeId Forest::findTree(const std::string& name) {
+std::optional<TreeId> Forest::findTree(const std::string& name) {
     if (_tiles && !_simulation->findTree(name))
         _tiles->loadTree(name);
-    return _simulation->findTree(name).value_or(noTree);
+    return _simulation->findTree(name);
 }
 
 std::vector<TreeId> Forest::getTrees() const {
-    std::vector<TreeId> ids;
-    ids.reserve(_treeCount);
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(*_simulation).size(); ++slot)
-        if (SimulationAccess::trees(*_simulation)[slot].alive)
-            ids.push_back(_simulation->idOf(slot));
-    return ids;
+    return _simulation->trees();
 }
 
 std::optional<TreePlacement> Forest::getPlacement(TreeId tree) const {
-    if (!_simulation->holds(tree))
-        return {};
     return _simulation->placementOf(tree);
 }
 
 std::vector<TreeUnit> Forest::getUnits(TreeId tree) const {
     if (!_simulation->holds(tree))
         return {};
-    return unitsOf(*_simulation, _simulation->slotOf(tree));
+    return unitsOf(movingForest(*_simulation), slotOfTree(tree));
 }
 
 std::optional<TreeSway> Forest::sway(TreeId tree) const {
@@ -285,7 +304,7 @@ void Forest::setDamageCallback(DamageCallback callback) {
 }
 
 Result<BranchTransform*> Forest::branch(TreeId tree, unsigned unit) {
-    if (BranchTransform* transform = _technique->followBranch(tree, unit))
+    if (BranchTransform* transform = _technique->branch(tree, unit))
         return transform;
     if (!_simulation->holds(tree))
         return keyProblem("tree", "no tree has this id; it may have been removed");
@@ -339,7 +358,7 @@ void Forest::report(osg::NodeVisitor& cullVisitor, double cullTime) const {
     if (_tiles)
         statistics.tiles = _tiles->loadedTileCount();
     if (const InstancedForest* instanced = getInstanced())
-        statistics.drawn = DrawnTrees(InstancedParts::trees(*instanced)->treesByTier());
+        statistics.drawn = DrawnTrees(instanced->getTrees()->treesByTier());
     statistics.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
 }
 
@@ -356,7 +375,7 @@ void Forest::updatePlace(const osg::NodePath& path) {
     const osg::Vec3d zero = toScene.getTrans();
     if ((zero - getOrigin()).length2() < zero.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
-    _wind->setForestToScene(glm::make_mat4(toScene.ptr()));
+    movingForest(*_simulation).setForestToScene(glm::make_mat4(toScene.ptr()));
 }
 
 void Forest::update(osg::NodeVisitor& visitor) {
@@ -385,12 +404,12 @@ void Forest::update(osg::NodeVisitor& visitor) {
     if (_frameStep > 0.0)
         forestStamp->setSimulationTime(_frameStep * stamp.getFrameNumber());
     const double time = forestStamp->getSimulationTime();
-    const bool moved = _technique->stepsItself() ? SimulationAccess::beginStep(*_simulation, time)
-                                                 : _simulation->advance(time);
+    const bool moved =
+        _technique->stepsItself() ? movingForest(*_simulation).beginStep(time) : _simulation->advance(time);
     _technique->update(*forestStamp, moved);
     const std::vector<TreeDamage> damageEvents = _simulation->damage(); // a copy: callbacks may change trees
     for (const TreeDamage& damage : damageEvents)
-        _technique->treeChanged(_simulation->slotOf(damage.tree));
+        _technique->treeChanged(damage.tree);
     if (_damageCallback)
         std::for_each(damageEvents.begin(), damageEvents.end(), _damageCallback);
     _updateDuration = clock.elapsedTime();

@@ -22,10 +22,11 @@ class BranchwiseForest;
 class ExceptionGuard;
 class ForestSimulation;
 class ForestTechnique;
-class HostWind;
 class InstancedForest;
 class ScenePlace;
 class TilePager;
+class WindSlot;
+struct CanopySettings;
 struct ForestDescription;
 struct Species;
 struct TreePlacement;
@@ -34,11 +35,12 @@ struct TreeUnit;
 
 /// A scene graph node that holds a forest, moves its trees in a given wind, and draws them.
 ///
-///     osg::ref_ptr<Forest> forest = new Forest(description); // from code, or readForestFile()
+///     osg::ref_ptr<Forest> forest = new Forest(description); // or Forest::read("forest.treewind")
 ///     scene->addChild(forest);
 ///     report(forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)))); // m/s, toward +x
-///     if (const auto branch = forest->branch(forest->findTree("oak 7"), 2))
-///         branch.value()->addChild(nest); // moves with the branch
+///     if (const std::optional<TreeId> oak = forest->findTree("oak 7"))
+///         if (const auto branch = forest->branch(*oak, 2))
+///             branch.value()->addChild(nest); // moves with the branch
 ///
 /// - Time: the update traversal advances the trees once per frame number, to the simulation time of the frame
 ///   stamp or by the fixed ForestDescription::step. They pause below a Switch that is off.
@@ -54,6 +56,9 @@ public:
     Forest(); ///< A forest without trees.
     /// Calls setDescription(). If that fails, the forest is empty, and OSG_WARN gives the problems.
     explicit Forest(ForestDescription description);
+    /// Reads a forest from a .treewind file; OSG_NOTICE gives the notes of the reader. @return the forest, or
+    /// the problems of readForestFile() and create(). @param path of the file @param executor its threads
+    static Result<osg::ref_ptr<Forest>> read(const std::string& path, Executor executor = {});
     /// Like the constructor; returns the problems. @param description its trees @param executor its threads
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// Copies the trees as they are now, at rest, with wind, season and technique; shares immutable data.
@@ -67,10 +72,13 @@ public:
     /// The description as given, without its trees, but with the species of addSpecies().
     const ForestDescription& getDescription() const;
 
-    /// Sets the wind from the next frame on. A WindField converts to a Wind; null is a calm. A wind without a
-    /// canopy keeps the canopy of the previous wind. Any thread. @return what check() finds.
+    /// Sets the wind from the next frame on. A WindField converts to a Wind; null is a calm. Any thread.
+    /// @return what check() finds.
     [[nodiscard]] Diagnostics setWind(Wind wind);
-    Wind getWind() const; ///< As set, with its canopy. Any thread.
+    Wind getWind() const; ///< As set. Any thread.
+    /// Sets how the trees change every wind, from the next frame on. @return what check() finds.
+    [[nodiscard]] Diagnostics setCanopy(const CanopySettings& canopy);
+    const CanopySettings& getCanopy() const; ///< At first that of the description.
     /// Runs the work of the forest on threads of the host; null: on the threads of the process.
     void setExecutor(Executor executor);
     /// Sets the season (Season.h): the leaves, and how the trees sway. @return a problem if it is not finite.
@@ -91,8 +99,8 @@ public:
     [[nodiscard]] Diagnostics removeTree(TreeId tree); ///< @return a problem if there is no such tree.
     /// Moves a tree, or gives it another size or species, while it goes on swaying. @return as addTree().
     [[nodiscard]] Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
-    /// The tree with a name, or noTree. If its tile is not loaded, this loads it, in milliseconds.
-    TreeId findTree(const std::string& name);
+    /// The tree with a name. If its tile is not loaded, this loads it, in milliseconds.
+    std::optional<TreeId> findTree(const std::string& name);
     std::size_t getNumTrees() const { return _treeCount; } ///< Includes the trees of loaded tiles.
     std::vector<TreeId> getTrees() const; ///< The ids: at first in the order of the description.
     /// The placement of a tree now, with estimates for the missing sizes; empty if there is no such tree.
@@ -133,7 +141,7 @@ private:
     void report(osg::NodeVisitor& cullVisitor, double cullTime) const;
     void updatePlace(const osg::NodePath& path);
 
-    std::shared_ptr<HostWind> _wind; ///< Shared with `_simulation`.
+    std::shared_ptr<WindSlot> _wind; ///< Shared with `_simulation`.
     Executor _executor;
     DamageCallback _damageCallback;
     std::shared_ptr<ForestSimulation> _simulation;

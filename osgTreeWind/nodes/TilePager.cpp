@@ -6,8 +6,7 @@
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osg/Notify>
@@ -190,15 +189,15 @@ void TilePager::receiveCrowns(double now) {
 
 /// @param until end of the time budget on the clock of osg::Timer, seconds.
 void TilePager::addPendingTrees(Slot& slot, double until, std::vector<TreeId>& addedNearEye) const {
-    const std::set<std::string>& removed = SimulationAccess::forest(*_simulation).removedPermanently();
+    const std::set<std::string>& removed = movingForest(*_simulation).placed().removedPermanently();
     while (!slot.pendingTrees.empty() && osg::Timer::instance()->time_s() < until) {
         TreePlacement& tree = slot.pendingTrees.back();
         tree.tiled = true;
         const bool isWanted = removed.count(tree.name) == 0 && _damagedTrees.count(tree.name) == 0;
-        if (const TreeId id = isWanted ? _addTree(tree) : noTree; id != noTree) {
-            slot.loadedTrees.push_back(id);
+        if (const std::optional<TreeId> id = isWanted ? _addTree(tree) : std::nullopt) {
+            slot.loadedTrees.push_back(*id);
             if (glm::distance(tree.position - _origin, _eye) < visibleSwayDistance)
-                addedNearEye.push_back(id);
+                addedNearEye.push_back(*id);
         }
         slot.pendingTrees.pop_back();
     }
@@ -207,10 +206,10 @@ void TilePager::addPendingTrees(Slot& slot, double until, std::vector<TreeId>& a
 /// Keeps trees that the wind has broken, as the tile would bring them back unbroken.
 void TilePager::collectTreesToUnload(Slot& slot, std::vector<TreeId>& toUnload) {
     for (const TreeId tree : slot.loadedTrees) {
-        const std::size_t treeSlot = _simulation->slotOf(tree);
-        if (!_simulation->holds(tree) || !SimulationAccess::trees(*_simulation)[treeSlot].tiled)
+        const std::size_t treeSlot = slotOfTree(tree);
+        if (!_simulation->holds(tree) || !movingForest(*_simulation).trees()[treeSlot].tiled)
             continue; // the host changed it, so that it belongs to the forest now
-        if (SimulationAccess::modal(*_simulation)->fall(treeSlot))
+        if (movingForest(*_simulation).modal()->fall(treeSlot))
             _damagedTrees.insert(_simulation->nameOf(tree));
         else
             toUnload.push_back(tree);
@@ -240,7 +239,7 @@ void TilePager::loadTree(const std::string& name) {
     if (!tile || _tiles.tiles[*tile].trees == 0)
         return;
     std::unique_lock<std::mutex> lock(_mutex);
-    if (SimulationAccess::forest(*_simulation).removedPermanently().count(name) > 0)
+    if (movingForest(*_simulation).placed().removedPermanently().count(name) > 0)
         return;
     osg::ref_ptr<osg::Node> fetched;
     if (const auto known = _slots.find(*tile); known == _slots.end() || !known->second.isLoaded) {

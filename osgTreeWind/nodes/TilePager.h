@@ -36,8 +36,8 @@ struct TreePlacement;
 /// tiles in the frustum, and would request a missing file in every frame.
 class TilePager : public osg::Group {
 public:
-    /// Adds a tree to the simulation. @return noTree if that fails.
-    using AddTree = std::function<TreeId(const TreePlacement&)>;
+    /// Adds a tree to the simulation. @return empty if that fails.
+    using AddTree = std::function<std::optional<TreeId>(const TreePlacement&)>;
 
     /// @param simulation of a forest with tiles. @param addTree called in update() and loadTree().
     TilePager(std::shared_ptr<const ForestSimulation> simulation, AddTree addTree);

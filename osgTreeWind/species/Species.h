@@ -101,6 +101,13 @@ struct LeafMotion {
 constexpr int maxShapes = 64;
 
 /// A species: growth, mechanical properties, motion and appearance of its trees.
+///
+/// A default-constructed one is the tree of the thesis, on which files of version 1.0 build. Start from a
+/// built-in species instead (io/SpeciesCatalogue.h), whose values come from measured trees:
+///
+///     Species hedge = *findSpecies("oak");
+///     hedge.name = "hedge oak";
+///     hedge.shapes = 8;
 struct Species {
     std::string name;                 ///< Common name, as in files.
     std::vector<std::string> aliases; ///< Other names, common and scientific.

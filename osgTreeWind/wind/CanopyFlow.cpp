@@ -108,8 +108,10 @@ float skewed(float noise, float skewness) {
 
 } // namespace
 
-CanopyFlow::CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed)
-    : _map(std::move(map)), _meanWind(hourlyMean(mean, _map->reference)),
+CanopyFlow::CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<const CanopyMap> map,
+                       std::uint32_t seed)
+    : _open(std::move(open)), _mean(std::move(mean)), _map(std::move(map)),
+      _meanWind(hourlyMean(*_mean, _map->reference)),
       _gustVelocity(_meanWind * (gustSpeedRatio * _map->usual.topSpeedRatio)),
       _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
              stretchAlong(HorizontalWind(_gustVelocity).along), octaves) {}
@@ -153,8 +155,13 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
                      glm::vec3(0.0f, 0.0f, spread.up * down));
 }
 
-void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, const WindPlace* places,
-                        std::size_t count, double time, glm::vec3* out) const {
+glm::vec3 CanopyFlow::velocity(const WindPlace& place, double time) const {
+    glm::vec3 result;
+    sample(&place, 1, time, &result);
+    return result;
+}
+
+void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::Advected noise = _noise.advected(glm::dvec3(_gustVelocity) * clampedTime(time, 1e12));
     constexpr std::size_t block = GustNoise::blockSize;
     WindPlace raised[block];
@@ -166,7 +173,7 @@ void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, co
         const std::size_t size = std::min(count - first, block);
         for (std::size_t n = 0; n < size; ++n)
             raised[n] = raisedTo(places[first + n], _map->reference);
-        meanWind.sample(raised, size, time, given);
+        _mean->sample(raised, size, time, given);
         bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : HorizontalWind(given[n]);
@@ -175,7 +182,7 @@ void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, co
             closed |= stands[n].closure > 0.0f;
         }
         if (open)
-            openWind.sample(places + first, size, time, out + first);
+            _open->sample(places + first, size, time, out + first);
         if (closed)
             noise.sample(places + first, size, turbulence);
         for (std::size_t n = 0; n < size; ++n) {

@@ -18,15 +18,15 @@ namespace osgTreeWind {
 /// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), with rare and strong sweeps from above
 /// that vary in direction. Toward open country the flow blends into the open wind with its own gusts. The
 /// result depends only on place and time, and is finite for finite arguments.
-class CanopyFlow {
+class CanopyFlow final : public WindField {
 public:
-    /// @param mean the wind above the canopy without synthetic gusts.
+    /// @param open the wind above the canopy, not null. @param mean the same without synthetic gusts.
     /// @param map not null, after CanopyMap::setReference().
-    CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed);
+    CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<const CanopyMap> map,
+               std::uint32_t seed);
 
-    /// As WindField::sample(). @param open the wind above the canopy. @param mean the same without gusts.
-    void sample(const WindField& open, const WindField& mean, const WindPlace* places, std::size_t count,
-                double time, glm::vec3* out) const;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
     /// Crown contact and shelter of a tree at this place, in the mean wind.
     NeighbourEffect neighbourEffectAt(const glm::vec2& place) const;
@@ -39,6 +39,7 @@ private:
     glm::vec3 windAmongTrees(const CanopySample& stand, const WindPlace& place, const HorizontalWind& given,
                              const NoisePoint& noise) const;
 
+    WindFieldPtr _open, _mean;
     std::shared_ptr<const CanopyMap> _map;
     glm::vec3 _meanWind;
     glm::vec3 _gustVelocity; ///< Velocity that advects the gusts, m/s.

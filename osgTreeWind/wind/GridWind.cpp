@@ -4,9 +4,9 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
-#include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/Interpolation.h>
 #include <osgTreeWind/wind/LogProfile.h>
+#include <osgTreeWind/wind/ThesisWind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -230,7 +230,7 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
     if (!problems.empty())
         return problems;
     return WindFieldPtr(
-        std::make_shared<ForestWind>(ForestWind::Array{width, length, std::move(values), origin}));
+        std::make_shared<ThesisWind>(ThesisWind::Array{width, length, std::move(values), origin}));
 }
 
 glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {

@@ -24,7 +24,7 @@ class GustNoise;
 /// above the ground, not on z.
 ///
 ///     GustWind::Parameters gusts;
-///     gusts.mean = windVelocity({8.0, 240.0}, DirectionSense::From);
+///     gusts.mean = windVelocity({8.0, glm::radians(240.0)}, DirectionSense::From);
 ///     gusts.profile = LogProfile{10.0, 0.05};
 ///     if (const auto wind = GustWind::create(gusts))
 ///         report(forest->setWind(wind.value()));
@@ -47,7 +47,6 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
-    KindOfWind kind() const override { return this; }
     WindFieldPtr withoutGusts() const override;
 
 private:

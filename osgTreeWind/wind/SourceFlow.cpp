@@ -76,7 +76,7 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
     constexpr double minSize = 0.001; // metres
     _source.radius = std::max(_source.radius, minSize);
     _source.height = std::max(_source.height, minSize);
-    const double toward = glm::radians(_source.toward), up = glm::radians(_source.elevation);
+    const double toward = static_cast<double>(_source.toward), up = static_cast<double>(_source.elevation);
     _axis = {std::sin(toward) * std::cos(up), std::cos(toward) * std::cos(up), std::sin(up)};
     if (_source.kind == WindSource::Kind::Vehicle) {
         const double speed = glm::length(glm::dvec2(_source.velocity));

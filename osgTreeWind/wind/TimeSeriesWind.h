@@ -43,7 +43,6 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
-    KindOfWind kind() const override { return this; }
 
 private:
     explicit TimeSeriesWind(WindSeries series);

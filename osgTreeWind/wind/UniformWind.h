@@ -15,7 +15,6 @@ public:
     explicit UniformWind(const glm::vec3& velocity);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
-    KindOfWind kind() const override { return this; }
 
     const glm::vec3& velocity() const { return _velocity; } ///< m/s toward.
 

@@ -2,7 +2,6 @@
 #include <osgTreeWind/wind/Wind.h>
 
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/wind/WindFields.h>
 
 #include <string>
 
@@ -10,8 +9,6 @@ namespace osgTreeWind {
 
 Diagnostics check(const Wind& wind) {
     Diagnostics problems;
-    if (wind.canopy)
-        checkFields(*wind.canopy, "wind", problems);
     if (wind.frame < WindFrame::Forest || wind.frame > WindFrame::Geocentric)
         problems.push_back(keyProblem("wind.frame", "expected a value of the enumeration, found " +
                                                         std::to_string(static_cast<int>(wind.frame))));

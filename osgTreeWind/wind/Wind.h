@@ -4,14 +4,12 @@
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindAdjustment.h>
-#include <osgTreeWind/wind/WindCanopy.h>
 #include <osgTreeWind/wind/WindClock.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/wind/WindSource.h>
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,7 +17,6 @@
 namespace osgTreeWind {
 
 struct WindFiles;
-struct WindMap;
 
 /// The coordinate frame of a wind's places and velocities, and its vertical (docs/coordinates.md).
 enum class WindFrame {
@@ -32,7 +29,7 @@ enum class WindFrame {
 /// A wind as a value: a field, and the modifications applied to it in the order of the members.
 ///
 ///     Wind wind(std::make_shared<UniformWind>(glm::vec3(6, 0, 0)));
-///     wind.adjustment.turn = 20.0;
+///     wind.adjustment.turn = glm::radians(20.0f);
 ///     wind.sources.push_back(helicopter);
 ///     report(forest->setWind(wind));
 struct OSGTREEWIND_EXPORT Wind {
@@ -40,10 +37,9 @@ struct OSGTREEWIND_EXPORT Wind {
     WindClock clock;                    ///< Maps scene time to the field's time.
     WindAdjustment adjustment;          ///< Scales and turns velocities.
     WindFrame frame = WindFrame::Scene; ///< The frame of the field and of the sources.
-    /// The effect of the trees on the wind. Unset: as in the forest's previous wind; if that had none either,
-    /// trees do not change the wind.
-    std::optional<WindCanopy> canopy;
-    std::vector<WindSource> sources; ///< Local sources, such as rotors, above and among the trees.
+    std::vector<WindSource> sources;    ///< Local sources, such as rotors, above and among the trees.
+    /// What a reader of files knows of `field`: its files and its map. Ignored once `field` is another one.
+    std::shared_ptr<const WindFiles> files;
 
     Wind() = default; ///< Calm.
     /// A field without modifications.
@@ -53,18 +49,12 @@ struct OSGTREEWIND_EXPORT Wind {
     Wind(std::nullptr_t) {} ///< Calm.
 
     bool isCalm() const { return !field && sources.empty(); } ///< No field and no sources.
-
-private:
-    friend struct WindInternals;
-    WindFieldPtr _fieldFromFiles; ///< The field that `_files` and `_map` belong to.
-    std::shared_ptr<const WindFiles> _files;
-    std::shared_ptr<const WindMap> _map;
 };
 
-/// A wind without the effect of its canopy as a single field, for a forest at the scene's zero; null if calm.
+/// A wind as a single field, for a forest at the scene's zero; null if calm.
 OSGTREEWIND_EXPORT WindFieldPtr asField(const Wind& wind);
 
-/// The problems of a wind's frame and canopy; empty if valid. Adjustments and sources are only clamped.
+/// The problems of a wind's frame; empty if valid. Adjustments and sources are only clamped.
 [[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
 
 } // namespace osgTreeWind

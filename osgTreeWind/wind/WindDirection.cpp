@@ -2,14 +2,13 @@
 #include <osgTreeWind/wind/WindDirection.h>
 
 #include <glm/gtc/constants.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <cmath>
 
 namespace osgTreeWind {
 
 glm::vec3 windVelocity(const WindReading& reading, DirectionSense sense) {
-    const double bearing = glm::radians(reading.direction);
+    const double bearing = reading.direction;
     const double speed = sense == DirectionSense::From ? -reading.speed : reading.speed;
     return {speed * std::sin(bearing), speed * std::cos(bearing), 0.0};
 }
@@ -20,10 +19,10 @@ WindReading windReading(const glm::vec3& velocity, DirectionSense sense) {
     WindReading reading;
     reading.speed = std::hypot(east, north);
     if (reading.speed > 0.0)
-        reading.direction = glm::degrees(std::atan2(toward * east, toward * north));
+        reading.direction = std::atan2(toward * east, toward * north);
     if (reading.direction < 0.0)
-        reading.direction += 360.0;
-    if (reading.direction >= 360.0) // a tiny negative angle rounds up to the full turn
+        reading.direction += glm::two_pi<double>();
+    if (reading.direction >= glm::two_pi<double>()) // a tiny negative angle rounds up to the full turn
         reading.direction = 0.0;
     return reading;
 }

@@ -8,21 +8,11 @@
 
 #include <cstddef>
 #include <memory>
-#include <variant>
 
 namespace osgTreeWind {
 
-class ForestWind;
-class GridWind;
-class GustWind;
-class TimeSeriesWind;
-class UniformWind;
 class WindField;
 using WindFieldPtr = std::shared_ptr<const WindField>;
-
-/// A field as its own class, if forest files can store that class; otherwise as a WindField.
-using KindOfWind = std::variant<const WindField*, const UniformWind*, const GustWind*, const GridWind*,
-                                const ForestWind*, const TimeSeriesWind*>;
 
 /// Base class of all winds: a velocity for every place and time.
 ///
@@ -52,9 +42,6 @@ public:
 
     /// This field without its synthetic turbulence; null if it has none.
     virtual WindFieldPtr withoutGusts() const { return nullptr; }
-
-    /// This field as its own class; see KindOfWind.
-    virtual KindOfWind kind() const { return this; }
 };
 
 } // namespace osgTreeWind

@@ -35,8 +35,8 @@ const Fields& fieldsOf<GridWind::Grid>() {
 }
 
 template <>
-const Fields& fieldsOf<ForestWind::Array>() {
-    using P = ForestWind::Array;
+const Fields& fieldsOf<ThesisWind::Array>() {
+    using P = ThesisWind::Array;
     static const Fields fields = {
         {"width", at<&P::width>, gridPoints, "Number of cells along thesis x (east)"},
         {"length", at<&P::length>, gridPoints, "Number of cells along thesis z (south)"},
@@ -70,8 +70,8 @@ const Fields& fieldsOf<LogProfile>() {
 }
 
 template <>
-const Fields& fieldsOf<WindCanopy>() {
-    using P = WindCanopy;
+const Fields& fieldsOf<CanopySettings>() {
+    using P = CanopySettings;
     static const Fields fields = {
         {"canopy",
          at<&P::source>,

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <osgTreeWind/base/Field.h>
-#include <osgTreeWind/wind/ForestWind.h>
+#include <osgTreeWind/wind/CanopySettings.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LogProfile.h>
+#include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/Wind.h>
 
@@ -22,14 +23,14 @@ const Fields& fieldsOf<GustWind::Parameters>();
 template <>
 const Fields& fieldsOf<GridWind::Grid>();
 template <>
-const Fields& fieldsOf<ForestWind::Array>();
+const Fields& fieldsOf<ThesisWind::Array>();
 /// Without the profile.
 template <>
 const Fields& fieldsOf<WindSeries>();
 template <>
 const Fields& fieldsOf<LogProfile>();
 template <>
-const Fields& fieldsOf<WindCanopy>();
+const Fields& fieldsOf<CanopySettings>();
 /// Without `travel` and `origin`.
 template <>
 const Fields& fieldsOf<WindClock>();

@@ -47,8 +47,8 @@ struct WindSource {
     double radius = 5.0;
     double thrust = 30000.0; ///< Thrust of a rotor, N: the weight of the helicopter. [0, 1e7]
     double speed = 10.0;     ///< At the mouth of a jet; maximum of a vortex, negative: clockwise. [-200, 200]
-    double toward = 0.0;     ///< Direction of a jet, degrees clockwise from north. [-360, 360]
-    double elevation = 0.0;  ///< Angle of a jet above the horizontal, degrees. [-90, 90]
+    float toward = 0.0f;     ///< Direction of a jet, radians clockwise from north; at most a full turn.
+    float elevation = 0.0f;  ///< Angle of a jet above the horizontal, radians. [-pi/2, pi/2]
     double height = 10.0;    ///< Height of a vortex, shelter or vehicle. (0, 10000]
     double length = 16.0;    ///< Length of a vehicle. (0, 1000]
     double dragArea = 6.0;   ///< Drag area Cd A of a vehicle, m^2: 6 for a lorry, 0.7 for a car. [0, 1000]

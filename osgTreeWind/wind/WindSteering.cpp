@@ -4,12 +4,13 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/wind/WindInternals.h>
+#include <osgTreeWind/wind/WindFiles.h>
+
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <variant>
 
 namespace osgTreeWind {
 
@@ -21,24 +22,19 @@ WindSteering steeringOf(const glm::vec3& mean, double gustiness) {
     const WindReading reading = windReading(mean, DirectionSense::From);
     WindSteering steering;
     steering.speed = reading.speed;
-    steering.from = reading.direction;
+    steering.from = glm::degrees(reading.direction);
     steering.gustiness = gustiness;
     return steering;
 }
 
-/// Visitor: the steering of a synthetic field; empty for other fields.
-struct SyntheticSteering {
-    std::optional<WindSteering> operator()(const UniformWind* wind) const {
-        return steeringOf(wind->velocity(), 0.0);
-    }
-    std::optional<WindSteering> operator()(const GustWind* wind) const {
-        return steeringOf(wind->parameters().mean, wind->parameters().intensity);
-    }
-    template <typename Other>
-    std::optional<WindSteering> operator()(const Other*) const {
-        return {};
-    }
-};
+/// The steering of a synthetic field; empty for other fields.
+std::optional<WindSteering> syntheticSteering(const WindField& field) {
+    if (const auto* uniform = dynamic_cast<const UniformWind*>(&field))
+        return steeringOf(uniform->velocity(), 0.0);
+    if (const auto* gusts = dynamic_cast<const GustWind*>(&field))
+        return steeringOf(gusts->parameters().mean, gusts->parameters().intensity);
+    return {};
+}
 
 WindFieldPtr steerSynthetic(const WindFieldPtr& like, const WindSteering& steering) {
     if (!(steering.speed > 0.0))
@@ -46,11 +42,11 @@ WindFieldPtr steerSynthetic(const WindFieldPtr& like, const WindSteering& steeri
     GustWind::Parameters gusts;
     if (!like)
         gusts.profile = overShortGrass;
-    else if (const KindOfWind kind = like->kind(); const auto* before = std::get_if<const GustWind*>(&kind))
-        gusts = (*before)->parameters();
-    gusts.mean = windVelocity({steering.speed, steering.from}, DirectionSense::From);
+    else if (const auto* before = dynamic_cast<const GustWind*>(like.get()))
+        gusts = before->parameters();
+    gusts.mean = windVelocity({steering.speed, glm::radians(steering.from)}, DirectionSense::From);
     gusts.intensity = steering.gustiness;
-    if (like && gusts.intensity == 0.0 && std::holds_alternative<const UniformWind*>(like->kind()))
+    if (like && gusts.intensity == 0.0 && dynamic_cast<const UniformWind*>(like.get()))
         return std::make_shared<UniformWind>(gusts.mean);
     return GustWind::create(gusts).value();
 }
@@ -74,15 +70,13 @@ void WindSteering::changeGustiness(double by) {
 WindSteering steeringOf(const Wind& wind) {
     if (!wind.field)
         return {};
-    const bool isUnmodified =
-        !WindInternals::map(wind) && wind.clock.isIdentity() && wind.adjustment.isIdentity();
-    if (const auto steering =
-            isUnmodified ? std::visit(SyntheticSteering(), wind.field->kind()) : std::nullopt)
+    const bool isUnmodified = !mapOf(wind) && wind.clock.isIdentity() && wind.adjustment.isIdentity();
+    if (const auto steering = isUnmodified ? syntheticSteering(*wind.field) : std::nullopt)
         return *steering;
     WindSteering steering;
     steering.isSynthetic = false;
     steering.strength = wind.adjustment.strength;
-    steering.turn = wind.adjustment.turn;
+    steering.turn = glm::degrees(static_cast<double>(wind.adjustment.turn));
     return steering;
 }
 
@@ -90,7 +84,7 @@ Wind steered(Wind like, const WindSteering& steering) {
     if (steering.isSynthetic)
         like.field = steerSynthetic(like.field, steering);
     else
-        like.adjustment = {steering.strength, steering.turn};
+        like.adjustment = {steering.strength, static_cast<float>(glm::radians(steering.turn))};
     return like;
 }
 

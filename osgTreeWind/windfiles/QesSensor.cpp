@@ -9,6 +9,8 @@
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <pugixml.hpp>
 
 #include <limits>
@@ -122,7 +124,7 @@ private:
                           expectedFound("a later time than in the record before", numberText(time)));
         }
         series.times.push_back(time - _start);
-        series.velocities.push_back(windVelocity({speed, direction}, DirectionSense::From));
+        series.velocities.push_back(windVelocity({speed, glm::radians(direction)}, DirectionSense::From));
     }
 
     std::string_view _text;

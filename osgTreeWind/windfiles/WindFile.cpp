@@ -8,7 +8,7 @@
 #include <osgTreeWind/places/LongitudeWrap.h>
 #include <osgTreeWind/places/MapProgram.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/WindInternals.h>
+#include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
@@ -207,7 +207,8 @@ Result<WindFile> makeGridFile(WindContent&& content, const WindFileOptions& opti
         file.wind.clock.travel.x = content.travelSpeed;
     }
     if (mesh)
-        WindInternals::setMap(file.wind, {mesh, origin, itsOrigin});
+        file.wind.files = std::make_shared<const WindFiles>(
+            WindFiles{file.wind.field, DataTransform{mesh, origin, itsOrigin}});
     return file;
 }
 

@@ -11,6 +11,7 @@
 #include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ Result<WindContent> windFromCells(const MapCells& speed, const MapCells& directi
                                    numberText(s) + " and " + numberText(d) + " in row " +
                                    std::to_string(speed.cells.y - static_cast<int>(i) / speed.cells.x) +
                                    ", column " + std::to_string(static_cast<int>(i) % speed.cells.x + 1));
-        const glm::vec3 v = known ? windVelocity({s, d}, DirectionSense::From) : glm::vec3(noData);
+        const glm::vec3 v =
+            known ? windVelocity({s, glm::radians(d)}, DirectionSense::From) : glm::vec3(noData);
         grid.values.insert(grid.values.end(), {v.x, v.y, v.z});
     }
     content.data = std::move(grid);

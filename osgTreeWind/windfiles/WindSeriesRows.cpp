@@ -6,6 +6,8 @@
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -108,7 +110,7 @@ glm::vec3 WindSeriesRows::velocity(const Row& row) {
         const double d = isMissing(row, _second) ? 0.0
                                                  : number(row, _second, 1.0, -maxDirection, maxDirection,
                                                           "degrees of -360 to 360");
-        return windVelocity({s, d}, _columns.sense);
+        return windVelocity({s, glm::radians(d)}, _columns.sense);
     }
     const double u = speed(row, _first, -maxMeasuredSpeed), v = speed(row, _second, -maxMeasuredSpeed);
     return {u, v, _columns.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};

@@ -74,8 +74,7 @@ bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
 /// of the scene can be used.
 void readForestInto(Forest& forest, const std::string& source, const osgTreeWind::ForestFileOptions& where) {
     std::istringstream document(source);
-    osgTreeWind::Result<osgTreeWind::ForestDescription> description =
-        osgTreeWind::readForest(document, where);
+    osgTreeWind::Result<osgTreeWind::ForestFile> description = osgTreeWind::readForest(document, where);
     report(description ? forest.setDescription(std::move(description.value())) : description.problems());
 }
 

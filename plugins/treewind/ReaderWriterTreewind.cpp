@@ -108,7 +108,7 @@ private:
         return settings;
     }
 
-    static ReadResult makeForestNode(Result<ForestDescription> forest, const std::string& file) {
+    static ReadResult makeForestNode(Result<ForestFile> forest, const std::string& file) {
         if (!forest)
             return ReadResult(toString(forest.problems()));
         const std::vector<std::string> notes = forest.value().notes;

@@ -12,6 +12,8 @@
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <cpl_virtualmem.h>
 #include <cpl_vsi.h>
 
@@ -220,7 +222,7 @@ private:
             else if (std::isnan(a[i]) || std::isnan(b[i]) || std::isnan(w[i]))
                 velocity = glm::vec3(missingValue);
             else if (_choice.isPolar)
-                velocity = windVelocity({a[i], b[i]}, DirectionSense::From);
+                velocity = windVelocity({a[i], glm::radians(b[i])}, DirectionSense::From);
             _grid.values.insert(_grid.values.end(), {velocity.x, velocity.y, velocity.z});
         }
     }

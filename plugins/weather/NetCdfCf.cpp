@@ -9,6 +9,8 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -199,7 +201,7 @@ private:
                        "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a) +
                            " and " + numberText(b));
         return std::isnan(a) || std::isnan(b) ? glm::vec3(std::numeric_limits<float>::quiet_NaN())
-                                              : windVelocity({a, b}, _winds.sense);
+                                              : windVelocity({a, glm::radians(b)}, _winds.sense);
     }
 
     /// Turns velocities from true north to the y axis of the grid, or only adds a note.

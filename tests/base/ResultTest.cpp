@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/BadAccess.h>
 #include <osgTreeWind/base/Result.h>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,7 @@ TEST(Result, HoldsAValueOrItsProblems) {
 }
 
 TEST(Result, ValueOfAnErrorIsDefaultConstructedWithAWarning) {
+    stopAtBadAccess(false);
     testing::internal::CaptureStderr();
     EXPECT_EQ(Result<int>(Diagnostic{"f", 3, 0, {}, "third"}).value(), 0);
     EXPECT_EQ(Result<std::string>(Diagnostics{{"f", 4, 0, {}, "fourth"}}).value(), "");
@@ -45,5 +47,10 @@ TEST(Result, ValueOfAnErrorIsDefaultConstructedWithAWarning) {
               "osgTreeWind: value() of a failed Result: f:3: third\n"
               "osgTreeWind: value() of a failed Result: f:4: fourth\n"
               "osgTreeWind: value() of a failed Result: f:5: fifth\n");
+    stopAtBadAccess();
     EXPECT_TRUE(Result<int>(3).problems().empty());
+}
+
+TEST(Result, ValueOfAnErrorStopsTestsAndTool) {
+    EXPECT_DEATH(Result<int>(Diagnostic{"f", 3, 0, {}, "third"}).value(), "failed Result: f:3: third");
 }

@@ -9,7 +9,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <benchmark/benchmark.h>
@@ -54,14 +54,14 @@ void simulate(benchmark::State& state, Step step) {
     double time = 0.0;
     for (auto _ : state)
         benchmark::DoNotOptimize(step(simulation, time += frame));
-    state.counters["units"] = static_cast<double>(SimulationAccess::forest(simulation).units);
-    state.counters["leaves"] = static_cast<double>(SimulationAccess::forest(simulation).leaves);
+    state.counters["units"] = static_cast<double>(movingForest(simulation).placed().units);
+    state.counters["leaves"] = static_cast<double>(movingForest(simulation).placed().leaves);
 }
 
 /// The first half of a step: the wind at every branch base.
 void sampleWind(benchmark::State& state) {
     simulate(state, [](ForestSimulation& simulation, double time) {
-        return SimulationAccess::beginStep(simulation, time);
+        return movingForest(simulation).beginStep(time);
     });
 }
 

@@ -7,13 +7,12 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/MakeCanopy.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -122,7 +121,7 @@ WindFieldPtr gustsInAWood() {
     std::vector<CanopyTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
-    const std::shared_ptr<CanopyMap> wood = makeCanopy(trees);
+    const std::shared_ptr<CanopyMap> wood = makeCanopyMap(trees);
     wood->setReference(60.0f);
     return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
 }
@@ -182,7 +181,7 @@ void modalPoses(benchmark::State& state) {
     measure(state, posedTrees, [&](double) {
         float result = 0.0f;
         for (std::size_t i = 0; i < posedTrees; ++i)
-            result = simulation->motion(i, values).states[7].x;
+            result = movingForest(*simulation).motion(i, values).states[7].x;
         return result;
     });
 }
@@ -224,7 +223,7 @@ void wood(benchmark::State& state) {
     if (state.range(1) == 1)
         options.executor = runInTurn;
     ForestSimulation simulation(createWood(static_cast<std::size_t>(state.range(0))), options);
-    ModalMotion& motion = *SimulationAccess::modal(simulation);
+    ModalMotion& motion = *movingForest(simulation).modal();
     for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i)
         if (i % 50 != 0)
             motion.setLevel(i, ModalMotion::Level::Far);

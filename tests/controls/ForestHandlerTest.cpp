@@ -187,15 +187,15 @@ TEST_F(ForestHandlerTest, AClickDescribesTheTree) {
                y = static_cast<float>(240.0 * (1.0 + screen.y()));
     click(x, y);
     ASSERT_EQ(handler->getTree(), forest->getTrees()[0]);
-    EXPECT_LT(handler->getUnit(), forest->getUnits(handler->getTree()).size());
+    EXPECT_LT(handler->getUnit(), forest->getUnits(*handler->getTree()).size());
     EXPECT_TRUE(shows("5.0 m high")) << overlayText();
     EXPECT_TRUE(shows(" Hz, leans "));
     click(x, y, 40.0f);
-    EXPECT_NE(handler->getTree(), noTree) << "the camera was turned";
+    EXPECT_TRUE(handler->getTree()) << "the camera was turned";
     click(10.0f, 470.0f);
-    EXPECT_EQ(handler->getTree(), noTree) << "the sky";
+    EXPECT_FALSE(handler->getTree()) << "the sky";
     click(x, y);
-    ASSERT_TRUE(forest->removeTree(handler->getTree()).empty());
+    ASSERT_TRUE(forest->removeTree(*handler->getTree()).empty());
     EXPECT_FALSE(shows("\ntree    "));
 }
 
@@ -329,7 +329,7 @@ TEST_F(ForestHandlerTest, SurvivesTheForest) {
     forest = nullptr;
     EXPECT_FALSE(press(Event::KEY_Up));
     EXPECT_EQ(handler->simulationTime(1.0), 0.0);
-    EXPECT_EQ(handler->getTree(), noTree);
+    EXPECT_FALSE(handler->getTree());
 }
 
 TEST_F(ForestHandlerTest, AcceptsAnEmptyForest) {

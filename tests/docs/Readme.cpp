@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Runs the C++ of README.md beside a file forest.treewind.
-#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 

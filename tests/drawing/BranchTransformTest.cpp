@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ TEST(BranchTransformTest, RotatesAboutItsBase) {
 
 TEST(BranchTransformTest, JointsStayConnectedUnderAnyAngles) {
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     turnAllBranches(tree);
     for (unsigned unit = 1; unit < tree.getNumBranches(); ++unit) {
         const BranchUnit& rest = skeletonOf(tree).units[unit];
@@ -62,7 +63,7 @@ TEST(BranchTransformTest, JointsStayConnectedUnderAnyAngles) {
 
 TEST(BranchTransformTest, RotatingABranchDoesNotMoveItsSiblings) { // Fig 3.10
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     turnAllBranches(tree);
     const std::vector<BranchUnit>& units = skeletonOf(tree).units;
     const unsigned turned = 2; // the first branch on the trunk
@@ -85,7 +86,7 @@ TEST(BranchTransformTest, RotatingABranchDoesNotMoveItsSiblings) { // Fig 3.10
 TEST(BranchTransformTest, HierarchyPosesTheBarkAsTheSimulationDoes) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     updateFrames(*forest, 1, 60);
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     const PosedTree& posed = *tree.getPosedTree();
     const osg::Matrix toTree = osg::Matrix::inverse(worldMatrix(tree));
     double furthest = 0.0, moved = 0.0;

@@ -52,7 +52,7 @@ public:
         if (moved)
             placeLines();
     }
-    void treeChanged(std::size_t) override { placeLines(); }
+    void treeChanged(TreeId) override { placeLines(); }
     void releaseGLObjects(osg::State* state = nullptr) const override {
         ++released;
         ForestTechnique::releaseGLObjects(state);
@@ -68,16 +68,14 @@ private:
     void placeLines() {
         _points->clear();
         const ForestSimulation* trees = getSimulation();
-        for (std::size_t slot = 0; trees && slot < trees->slotCount(); ++slot) {
-            if (!trees->holds(trees->idOf(slot)))
-                continue;
-            const Skeleton& wood = trees->skeleton(trees->modelOf(slot));
+        for (const TreeId tree : trees ? trees->trees() : std::vector<TreeId>()) {
+            const Skeleton& wood = trees->skeleton(*trees->modelOf(tree));
             const auto top = std::max_element(wood.units.begin(), wood.units.end(),
                                               [](const auto& a, const auto& b) { return a.tip.z < b.tip.z; });
             const UnitMotion motion =
-                trees->unitMotion(slot, static_cast<std::size_t>(top - wood.units.begin()));
-            const glm::vec3 tip = motion.pose.apply(trees->scaleOf(slot).axes * top->tip);
-            const TreePlacement placement = trees->placementOf(trees->idOf(slot));
+                trees->unitMotion(tree, static_cast<std::size_t>(top - wood.units.begin()));
+            const glm::vec3 tip = motion.pose.apply(trees->scaleOf(tree).axes * top->tip);
+            const TreePlacement placement = *trees->placementOf(tree);
             const glm::dvec3 foot = placement.position - trees->description().origin;
             const osg::Quat heading(static_cast<double>(placement.heading), osg::Z_AXIS);
             const osg::Vec3 base(osg::Vec3d(foot.x, foot.y, foot.z));

@@ -71,7 +71,7 @@ TEST(CheckForest, ReportsValuesOutOfRangeWithTheirKey) {
               Texts{"tree[0].height: expected a finite number in (0, 150], found -inf"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.origin.y = 1e30; })[0],
               "origin: expected finite numbers in [-100000000, 100000000], found 1e+30");
-    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.wind.canopy.emplace().height = 0.0; }),
+    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.canopy.height = 0.0; }),
               Texts{"wind.canopy_height: expected a finite number in [1, 150], found 0"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.wind.frame = static_cast<WindFrame>(9); }),
               Texts{"wind.frame: expected a value of the enumeration, found 9"});

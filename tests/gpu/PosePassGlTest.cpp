@@ -4,10 +4,10 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/gpu/PosePass.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/GLExtensions>
 
@@ -27,12 +27,12 @@ public:
     }
 
     void requestPose(unsigned frame, std::size_t tree) {
-        const PlacedTree& placed = SimulationAccess::trees(_simulation)[tree];
+        const PlacedTree& placed = movingForest(_simulation).trees()[tree];
         PosePass& passes = *_passes[placed.model];
         rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
             ++fills;
-            passes.fillRequest(*SimulationAccess::modal(_simulation), tree, placed.scale,
-                               Reconfiguration(SimulationAccess::forest(_simulation).speciesOf(placed)),
+            passes.fillRequest(*movingForest(_simulation).modal(), tree, placed.scale,
+                               Reconfiguration(movingForest(_simulation).placed().speciesOf(placed)),
                                request);
         });
     }
@@ -40,8 +40,8 @@ public:
     void drawImplementation(osg::RenderInfo& info) const override {
         osg::State& state = *info.getState();
         for (const auto& [tree, row] : rows) {
-            const PlacedTree& placed = SimulationAccess::trees(_simulation)[tree];
-            const std::size_t units = SimulationAccess::forest(_simulation).unitCount(placed);
+            const PlacedTree& placed = movingForest(_simulation).trees()[tree];
+            const std::size_t units = movingForest(_simulation).placed().unitCount(placed);
             const PoseLayout layout(units);
             if (row.page != _read) { // a page at a time: the next one overwrites its poses
                 _read = row.page;
@@ -95,7 +95,7 @@ protected:
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         passes.clear();
         const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
-        for (const auto& model : SimulationAccess::models(*simulation))
+        for (const auto& model : movingForest(*simulation).models())
             passes.push_back(new PosePass(model->skeleton, programs));
         reader = new PoseReader(*simulation, passes);
         reopen(16, 16);
@@ -106,7 +106,7 @@ protected:
             simulation->advance(i / 25.0);
     }
     void requestAllPoses(unsigned frame) {
-        for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree)
+        for (std::size_t tree = 0; tree < movingForest(*simulation).trees().size(); ++tree)
             reader->requestPose(frame, tree);
     }
     /// Maximum over the vertices of the bark, metres.
@@ -115,11 +115,11 @@ protected:
         float maxMotion = 0.0f; ///< Distance from rest.
     };
     Distances distances(std::size_t tree) {
-        const PlacedTree& placed = SimulationAccess::trees(*simulation)[tree];
-        const TreeMotion motion = simulation->motion(tree);
+        const PlacedTree& placed = movingForest(*simulation).trees()[tree];
+        const TreeMotion motion = movingForest(*simulation).motion(tree);
         const std::vector<UnitPose>& poses = reader->read.at(tree);
         Distances result;
-        for (const SkinVertex& vertex : SimulationAccess::forest(*simulation).modelOf(placed).skin.vertices) {
+        for (const SkinVertex& vertex : movingForest(*simulation).placed().modelOf(placed).skin.vertices) {
             const auto unit = static_cast<std::size_t>(vertex.unit + 0.5f);
             const glm::vec3 cpu = posedSkinPoint(vertex, placed.scale, motion.poses[unit]),
                             rest = posedSkinPoint(vertex, placed.scale, UnitPose());
@@ -130,7 +130,7 @@ protected:
         return result;
     }
     void expectPosesOfTheCpu(float minMotion) {
-        for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
+        for (std::size_t tree = 0; tree < movingForest(*simulation).trees().size(); ++tree) {
             const Distances found = distances(tree);
             ASSERT_LT(found.maxError, 1e-4f) << "tree " << tree;
             ASSERT_GT(found.maxMotion, minMotion)
@@ -165,10 +165,11 @@ TEST_P(PosePassLevelsGlTest, VerticesAgreeWithTheCpu) {
     requestAllPoses(0);
     frame(0.0);
     expectPosesOfTheCpu(0.05f);
-    const glm::vec3 wind = simulation->motion(0).winds[simulation->motion(0).winds.size - 1];
+    const glm::vec3 wind =
+        movingForest(*simulation).motion(0).winds[movingForest(*simulation).motion(0).winds.size - 1];
     EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "wind for the flutter of leaves";
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
-        const TreeMotion motion = simulation->motion(tree);
+    for (std::size_t tree = 0; tree < movingForest(*simulation).trees().size(); ++tree) {
+        const TreeMotion motion = movingForest(*simulation).motion(tree);
         EXPECT_GT(glm::length(glm::vec3(motion.pulls[0])), 0.1f);
         for (std::size_t unit = 0; unit < motion.pulls.size; ++unit)
             ASSERT_LT(glm::length(reader->pulls[tree][unit] - motion.pulls[unit]), 1e-4f)
@@ -179,7 +180,7 @@ TEST_P(PosePassLevelsGlTest, VerticesAgreeWithTheCpu) {
 TEST_P(PosePassLevelsGlTest, FallenTreesAgreeWithTheCpu) {
     startSimulation(mixedForest(25.0f), GetParam());
     advanceSteps(60);
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(*simulation).size(); ++tree) {
+    for (std::size_t tree = 0; tree < movingForest(*simulation).trees().size(); ++tree) {
         const auto angle = 0.3f * static_cast<float>(tree + 1); // about one of the first three units
         TreeFall fall;
         fall.parts[0] = {4, {0.0f, 1.0f}};
@@ -187,7 +188,7 @@ TEST_P(PosePassLevelsGlTest, FallenTreesAgreeWithTheCpu) {
         fall.count = 2;
         fall.isDown = true;
         fall.sway = 0.5f;
-        SimulationAccess::modal(*simulation)->setFall(tree, fall);
+        movingForest(*simulation).modal()->setFall(tree, fall);
     }
     requestAllPoses(0);
     frame(0.0);
@@ -268,8 +269,7 @@ TEST_F(PosePassGlTest, ALargeTreeUsesSeveralRows) {
     description.species[0].tree.wood.ringsPerBranch = 2;
     description.species[0].shapes = 1;
     startSimulation(description);
-    ASSERT_GT(SimulationAccess::forest(*simulation).unitCount(SimulationAccess::trees(*simulation)[0]),
-              2048u);
+    ASSERT_GT(movingForest(*simulation).placed().unitCount(movingForest(*simulation).trees()[0]), 2048u);
     advanceSteps(20);
     requestAllPoses(0);
     frame(0.0);

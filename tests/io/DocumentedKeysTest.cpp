@@ -205,7 +205,7 @@ TEST(DocumentedKeys, ManualMatchesTheFields) {
     addRows<WindClock>(rows, "wind");
     addRows<WindAdjustment>(rows, "wind");
     addRows<WindSource>(rows, "wind.source");
-    addRows<WindCanopy>(rows, "wind");
+    addRows<CanopySettings>(rows, "wind");
     const ForestDescription forest;
     addRows(rows, forestFileFields(), {{"", &forest}});
     addRows<ForestDescription>(rows, "motion");

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -59,7 +61,7 @@ protected:
     ForestDescription again(const std::string& name = "edited.treewind") {
         const auto read = readForestFile((std::filesystem::path(file).parent_path() / name).string());
         EXPECT_TRUE(read) << toString(read.problems());
-        return read ? read.value() : ForestDescription();
+        return read ? read.value() : ForestFile();
     }
 
     TemporaryFolder _folder;
@@ -79,7 +81,7 @@ TEST_F(EditForestTest, changesAValueInPlace) {
 }
 
 TEST_F(EditForestTest, appendsANewKeyToItsTable) {
-    now.wind.adjustment = {1.5, 20.0};
+    now.wind.adjustment = {1.5, glm::radians(20.0f)};
     EXPECT_EQ(edit(), with(document, "direction_from = 270.0\n",
                            "direction_from = 270.0\nstrength = 1.5\nturn = 20\n"));
 }

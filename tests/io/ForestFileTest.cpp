@@ -19,7 +19,7 @@ namespace {
 const std::string examples = OSGTREEWIND_SOURCE_DIR "/examples/";
 
 /// The forest; problems are test failures.
-ForestDescription expectForest(const Result<ForestDescription>& result) {
+ForestFile expectForest(const Result<ForestFile>& result) {
     if (result.ok())
         return result.value();
     for (const Diagnostic& problem : result.problems())
@@ -27,14 +27,14 @@ ForestDescription expectForest(const Result<ForestDescription>& result) {
     return {};
 }
 
-ForestDescription forestOf(const std::string& text, const std::string& folder = "") {
+ForestFile forestOf(const std::string& text, const std::string& folder = "") {
     std::istringstream input("version = 1\n" + text);
     return expectForest(readForest(input, {"test.treewind", folder}));
 }
 
 glm::vec3 windOf(const std::string& lines, const glm::vec3& position = glm::vec3(0.0f), double time = 0.0,
                  const std::string& folder = "") {
-    const ForestDescription forest = forestOf("[[tree]]\nposition = [0, 0]\n[wind]\n" + lines, folder);
+    const ForestFile forest = forestOf("[[tree]]\nposition = [0, 0]\n[wind]\n" + lines, folder);
     return forest.wind.field ? asField(forest.wind)->velocity(position, time) : glm::vec3(NAN);
 }
 
@@ -43,7 +43,7 @@ const std::string treeAtOrigin = "[[tree]]\nposition = [0, 0]\n";
 } // namespace
 
 TEST(ForestFile, ThesisExampleIsOneReferenceTree) {
-    const ForestDescription forest = expectForest(readForestFile(examples + "thesis.treewind"));
+    const ForestFile forest = expectForest(readForestFile(examples + "thesis.treewind"));
     ASSERT_EQ(forest.trees.size(), 1u);
     ASSERT_EQ(forest.species.size(), 1u);
     EXPECT_EQ(forest.law, MotionLaw::Thesis);
@@ -62,7 +62,7 @@ TEST(ForestFile, SeasonIsAWordANumberOrADate) {
     EXPECT_NEAR(forestOf("season = 2024-08-06\n" + treeAtOrigin).season, midsummer, 0.02);
     EXPECT_EQ(forestOf("season = 2024-11-05\n" + treeAtOrigin).season,
               forestOf("season = \"2024-11-05\"\n" + treeAtOrigin).season);
-    const ForestDescription larch =
+    const ForestFile larch =
         forestOf("[[species]]\nname = \"larch\"\nappearance = { leaf_form = \"needles\", evergreen = false, "
                  "autumn_leaves = [0.5, 0.3, 0] }\n" +
                  treeAtOrigin);
@@ -71,7 +71,7 @@ TEST(ForestFile, SeasonIsAWordANumberOrADate) {
 }
 
 TEST(ForestFile, ForestExampleKeepsItsSpacing) {
-    const ForestDescription forest = expectForest(readForestFile(examples + "forest.treewind"));
+    const ForestFile forest = expectForest(readForestFile(examples + "forest.treewind"));
     ASSERT_EQ(forest.trees.size(), 40u);
     ASSERT_EQ(forest.species.size(), 3u);
     std::size_t oaks = 0;
@@ -94,7 +94,7 @@ TEST(ForestFile, ForestExampleKeepsItsSpacing) {
 }
 
 TEST(ForestFile, ScatterIsReproducible) {
-    const ForestDescription forest = forestOf("[scatter]\ncount = 2\narea = [0, 0, 1, 1]\nseed = 0\n");
+    const ForestFile forest = forestOf("[scatter]\ncount = 2\narea = [0, 0, 1, 1]\nseed = 0\n");
     // First two numbers of SplitMix64 from seed 0 (Vigna's reference: e220a8397b1dcdaf, 6e789e6aa1b965f4).
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_DOUBLE_EQ(forest.trees[0].position.x, static_cast<double>(0xe220a8397b1dcdafull >> 11) * 0x1p-53);
@@ -103,7 +103,7 @@ TEST(ForestFile, ScatterIsReproducible) {
 
 TEST(ForestFile, CampusExampleHasMeasuredSizes) {
     REQUIRE_REAL_DATA(csv, "utah_campus/utah_campus_trees.csv");
-    const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
+    const ForestFile forest = expectForest(readForestFile(examples + "campus.treewind"));
     ASSERT_EQ(forest.trees.size(), 1233u);
 
     std::ifstream file(csv);
@@ -128,7 +128,7 @@ TEST(ForestFile, CampusExampleHasMeasuredSizes) {
 
 TEST(ForestFile, CampusWindIsTheRecord) {
     REQUIRE_REAL_DATA(xml, "utah_campus/sensor2015.xml");
-    const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
+    const ForestFile forest = expectForest(readForestFile(examples + "campus.treewind"));
     ASSERT_TRUE(forest.wind.field);
     // First record: 3.1 m/s from 78.4 degrees at 42 m.
     expectNear(asField(forest.wind)->velocity({0, 0, 42}, 0.0), {-3.0367f, -0.6233f, 0.0f}, 1e-3f);
@@ -136,7 +136,7 @@ TEST(ForestFile, CampusWindIsTheRecord) {
 
 TEST(ForestFile, ReadsPlotInventoryWithUnits) {
     REQUIRE_REAL_DATA(csv, "scbi/scbi_joined_xy_height_dbh.csv");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf("[inventory]\nfile = \"" + csv +
                  "\"\ncolumns = { x = \"px\", y = \"py\", height = \"height.m\", "
                  "trunk_diameter = \"dbh_cm\" }\nunits = { trunk_diameter = \"cm\" }\n");
@@ -151,9 +151,9 @@ TEST(ForestFile, InventoryTreesKeepTheirIds) {
     folder.write("a.csv", "x,y,tag\n1,2,T 7\n3,4,\n5,6,0012\n7,8,T 7\n");
     folder.write("b.csv", "x,y,tag\n1,2,T 8\n3,4,0012\n");
     const std::string columns = "columns = { id = \"tag\", x = \"x\", y = \"y\" }\n";
-    const ForestDescription forest = forestOf("[[inventory]]\nfile = \"a.csv\"\n" + columns +
-                                                  "[[inventory]]\nfile = \"b.csv\"\n" + columns,
-                                              folder.path());
+    const ForestFile forest = forestOf("[[inventory]]\nfile = \"a.csv\"\n" + columns +
+                                           "[[inventory]]\nfile = \"b.csv\"\n" + columns,
+                                       folder.path());
     std::vector<std::string> names;
     for (const TreePlacement& tree : forest.trees)
         names.push_back(tree.name);
@@ -170,7 +170,7 @@ TEST(ForestFile, InventoryTreesKeepTheirIds) {
 
 TEST(ForestFile, PlotTreesKeepTheirTags) {
     REQUIRE_REAL_DATA(csv, "scbi/scbi_joined_xy_height_dbh.csv");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf("[inventory]\nfile = \"" + csv + "\"\ncolumns = { id = \"tag\", x = \"px\", y = \"py\" }\n");
     EXPECT_EQ(forest.trees[0].name, "90684");
     EXPECT_EQ(forest.trees[1].name, "111182");
@@ -179,7 +179,7 @@ TEST(ForestFile, PlotTreesKeepTheirTags) {
 TEST(ForestFile, EmptyCellsMeanNotGiven) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,2,\n3,4,30\n");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf("[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n"
                  "units = { height = \"ft\" }\n",
                  folder.path());
@@ -190,8 +190,8 @@ TEST(ForestFile, EmptyCellsMeanNotGiven) {
 }
 
 TEST(ForestFile, LargeCoordinatesGetAnOriginNearTheTrees) {
-    const ForestDescription forest = forestOf("[[tree]]\nposition = [428759.19, 4512931.77, 1423.6]\n"
-                                              "[[tree]]\nposition = [428760.19, 4512933.77, 1424.6]\n");
+    const ForestFile forest = forestOf("[[tree]]\nposition = [428759.19, 4512931.77, 1423.6]\n"
+                                       "[[tree]]\nposition = [428760.19, 4512933.77, 1424.6]\n");
     EXPECT_EQ(forest.origin, glm::dvec3(428760, 4512933, 1423));
 }
 
@@ -200,14 +200,14 @@ TEST(ForestFile, GivenOriginIsKept) {
 }
 
 TEST(ForestFile, AnglesAreDegrees) {
-    const ForestDescription forest = forestOf("[[tree]]\nposition = [0, 0]\nheading = 90\n[[species]]\n"
-                                              "name = \"a\"\n[species.tree]\ninclination = 30\n");
+    const ForestFile forest = forestOf("[[tree]]\nposition = [0, 0]\nheading = 90\n[[species]]\n"
+                                       "name = \"a\"\n[species.tree]\ninclination = 30\n");
     EXPECT_FLOAT_EQ(forest.trees[0].heading, 1.5707964f);
     EXPECT_FLOAT_EQ(forest.species[0].tree.wood.inclination, 0.5235988f);
 }
 
 TEST(ForestFile, SpeciesMayHaveAllFieldsOfBuiltInOnes) {
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf(treeAtOrigin + "[[species]]\nname = \"elm\"\nsource = \"by hand\"\naliases = [\"Ulmus\"]\n"
                                 "[species.habit]\nheight = 26\ntrunk_diameter = "
                                 "0.57\n[species.leaves]\nthin_wood = 0.5\narea = 4000\n"
@@ -242,7 +242,7 @@ TEST(ForestFile, DrawingKeepsDefaultsOfMissingKeys) {
 TEST(ForestFile, FindsPicturesOfASpecies) {
     const TemporaryFolder folder;
     const std::string spray = folder.write("spray.png", "found by name only");
-    const ForestDescription forest = forestOf(
+    const ForestFile forest = forestOf(
         "[[species]]\nname = \"oak\"\nappearance.leaf_image = \"spray.png\"\n[[tree]]\nposition = [0, 0]\n",
         folder.path());
     ASSERT_EQ(forest.species.size(), 1u);
@@ -265,9 +265,9 @@ TEST(ForestFile, SourceAndFolderReadBackAsTheSameForest) {
     folder.write("a.csv", "x,y\n1,2\n3,4\n");
     const std::string path = folder.write("f.treewind", "version = 1\n[inventory]\nfile = \"a.csv\"\n"
                                                         "columns = { x = \"x\", y = \"y\" }\n");
-    const ForestDescription first = expectForest(readForestFile(path));
+    const ForestFile first = expectForest(readForestFile(path));
     std::istringstream again(first.source);
-    const ForestDescription second = expectForest(readForest(again, {"", first.folder}));
+    const ForestFile second = expectForest(readForest(again, {"", first.folder}));
     ASSERT_EQ(second.trees.size(), 2u);
     EXPECT_EQ(second.trees[1].seed, first.trees[1].seed);
     EXPECT_EQ(second.source, first.source);
@@ -285,7 +285,7 @@ TEST(ForestFile, UniformWindSupportsUnitsAndDirections) {
 }
 
 TEST(ForestFile, GridIsInWorldCoordinates) {
-    const ForestDescription forest = forestOf(
+    const ForestFile forest = forestOf(
         "[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"grid\"\norigin = [499990, 4000000, 0]\n"
         "points = [2, 1]\ncell = [20, 20]\nvalues = [1, 0, 0, 3, 0, 0]\n");
     ASSERT_TRUE(forest.wind.field);
@@ -294,7 +294,7 @@ TEST(ForestFile, GridIsInWorldCoordinates) {
 }
 
 TEST(ForestFile, WindSourcesAreInWorldCoordinates) {
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf("[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"uniform\"\nvelocity = [0, 1, "
                  "0]\nturn = 90\n"
                  "[[wind.source]]\nkind = \"jet\"\nposition = [500004, 4000000, 2]\nradius = 0.5\nspeed = 7\n"
@@ -340,7 +340,7 @@ TEST(ForestFile, SeriesReadsNamedColumns) {
 }
 
 TEST(ForestFile, SpeciesAreFoundByAliasInAnyCase) {
-    const ForestDescription forest =
+    const ForestFile forest =
         forestOf("[[tree]]\nposition = [0, 0]\nspecies = \"PINUS nigra\"\n[[species]]\nname = \"a\"\n"
                  "[[species]]\nname = \"b\"\naliases = [\"Pinus nigra\"]\n");
     EXPECT_EQ(forest.trees[0].species, 1u);
@@ -362,8 +362,7 @@ TEST(ForestFile, SettingsOverrideKeysOfTheDocument) {
         std::istringstream input(document);
         return readForest(input, {"my.treewind", "", 100, settings});
     };
-    const ForestDescription forest =
-        expectForest(with({"wind.speed=15", "season=autumn", "motion.gain = 2"}));
+    const ForestFile forest = expectForest(with({"wind.speed=15", "season=autumn", "motion.gain = 2"}));
     expectNear(asField(forest.wind)->velocity({}, 0.0), {15, 0, 0});
     EXPECT_EQ(forest.season, expectForest(with({"season=\"autumn\""})).season);
     EXPECT_NE(forest.season, expectForest(with({})).season);
@@ -383,7 +382,7 @@ TEST(ForestFile, SettingsOverrideKeysOfTheDocument) {
 TEST(ForestFile, RejectsAForestThatDoesNotFitIntoMemory) {
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "100M");
     std::istringstream input("version = 1\n[scatter]\ncount = 1000000\narea = [0, 0, 9000, 9000]\n");
-    const Result<ForestDescription> forest = readForest(input, {"large.treewind", ""});
+    const Result<ForestFile> forest = readForest(input, {"large.treewind", ""});
     ASSERT_FALSE(forest);
     ASSERT_EQ(forest.problems().size(), 1u);
     const std::string text = forest.problems().front().text();

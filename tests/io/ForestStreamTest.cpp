@@ -67,15 +67,15 @@ std::vector<std::string> textsOf(const Diagnostics& problems) {
 TEST(ForestStreamTest, treesEqualThoseReadAtOnce) {
     const TemporaryFolder folder;
     const std::string file = variedFile(folder);
-    const ForestDescription whole = readForestFile(file).value();
+    const ForestFile whole = readForestFile(file).value();
     ASSERT_EQ(whole.trees.size(), 306u);
     for (const std::size_t atOnce : {1u, 7u, 306u, 100000u}) {
         const ForestStream stream = streamOf(file, folder, atOnce);
         ASSERT_EQ(stream.treeCount(), 306u);
-        EXPECT_TRUE(stream.description().trees.empty());
-        EXPECT_EQ(stream.description().origin, whole.origin);
-        EXPECT_EQ(stream.description().notes, whole.notes);
-        ASSERT_EQ(stream.description().species.size(), whole.species.size());
+        EXPECT_TRUE(stream.file().trees.empty());
+        EXPECT_EQ(stream.file().origin, whole.origin);
+        EXPECT_EQ(stream.file().notes, whole.notes);
+        ASSERT_EQ(stream.file().species.size(), whole.species.size());
         std::size_t i = 0;
         for (int pass = 0; pass < 2; ++pass, i = 0) {
             ASSERT_TRUE(stream.visit([&](const std::vector<TreePlacement>& trees) {

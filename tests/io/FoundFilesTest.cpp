@@ -19,20 +19,20 @@ namespace osgTreeWind {
 
 namespace {
 
-ForestDescription forestIn(const std::string& folder, const std::string& text) {
+ForestFile forestIn(const std::string& folder, const std::string& text) {
     std::istringstream input("version = 1\n" + text);
-    Result<ForestDescription> forest = readForest(input, {"f.treewind", folder});
+    Result<ForestFile> forest = readForest(input, {"f.treewind", folder});
     EXPECT_TRUE(forest) << firstProblem(forest);
-    return forest ? std::move(forest.value()) : ForestDescription();
+    return forest ? std::move(forest.value()) : ForestFile();
 }
 
-ForestDescription caseOf(const std::string& file) {
-    Result<ForestDescription> forest = readForestFile(file);
+ForestFile caseOf(const std::string& file) {
+    Result<ForestFile> forest = readForestFile(file);
     EXPECT_TRUE(forest) << firstProblem(forest);
-    return forest ? std::move(forest.value()) : ForestDescription();
+    return forest ? std::move(forest.value()) : ForestFile();
 }
 
-std::string speciesOf(const ForestDescription& forest, std::size_t tree) {
+std::string speciesOf(const ForestFile& forest, std::size_t tree) {
     return forest.species[forest.trees.at(tree).species].name;
 }
 
@@ -53,7 +53,7 @@ TEST(FoundFiles, ReadsATypicalSpreadsheet) {
               << ';' << (i % 4 == 0 ? "0" : "95") << ";6,2\r\n";
     const TemporaryFolder folder;
     folder.write("baeume.csv", table.str());
-    const ForestDescription forest =
+    const ForestFile forest =
         forestIn(folder.path(),
                  "[inventory]\nfile = \"baeume.csv\"\ncolumns = { id = \"Baum-Nr.\", x = \"Rechtswert\", y = "
                  "\"Hochwert\", species = \"Baumart\", height = \"H\xc3\xb6he (m)\", circumference = "
@@ -125,7 +125,7 @@ TEST(FoundFiles, ReadsAPlaceFromOneCell) {
     for (const char* const columns :
          {"columns = { id = \"id\" }\n", "columns = { point = \"geo_point_2d\" }\n",
           "columns = { x = \"geo_point_2d\", y = \"geo_point_2d\" }\n"}) {
-        const ForestDescription forest = forestIn(folder.path(), lines + columns);
+        const ForestFile forest = forestIn(folder.path(), lines + columns);
         EXPECT_EQ(forest.crs, "EPSG:32631");
         ASSERT_EQ(forest.trees.size(), 2u);
         const glm::dvec3 apart = forest.trees[1].position - forest.trees[0].position;
@@ -133,7 +133,7 @@ TEST(FoundFiles, ReadsAPlaceFromOneCell) {
         EXPECT_NEAR(apart.y, 11.1, 0.2);
     }
     folder.write("a.csv", "id,wkt\n1,POINT (2.3007 48.8760)\n2,POINT Z (2.3009 48.8761 30)\n3,nowhere\n");
-    const ForestDescription forest = forestIn(folder.path(), lines + "columns = { id = \"id\" }\n");
+    const ForestFile forest = forestIn(folder.path(), lines + "columns = { id = \"id\" }\n");
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_NEAR(forest.trees[1].position.x - forest.trees[0].position.x, 14.7, 0.2);
     EXPECT_NE(notesOf(forest).find("1 of 3 rows have no place"), std::string::npos) << notesOf(forest);
@@ -151,7 +151,7 @@ TEST(FoundFiles, ReprojectsWebMaps) {
                  "x,y\n261600.8034,6249447.7528\n261752.4828,6249447.7514\n261600.8034,6249599.8763\n");
     const std::string lines =
         "[inventory]\nfile = \"a.csv\"\ncrs = \"EPSG:3857\"\ncolumns = { x = \"x\", y = \"y\" }\n";
-    const ForestDescription forest = forestIn(folder.path(), lines);
+    const ForestFile forest = forestIn(folder.path(), lines);
     EXPECT_EQ(forest.crs, "EPSG:32631");
     ASSERT_EQ(forest.trees.size(), 3u);
     for (std::size_t i = 1; i < 3; ++i)
@@ -160,7 +160,7 @@ TEST(FoundFiles, ReprojectsWebMaps) {
               std::string::npos)
         << notesOf(forest);
 
-    const ForestDescription stated = forestIn(
+    const ForestFile stated = forestIn(
         folder.path(),
         "crs = \"EPSG:3857\"\norigin = [261600.8034, 6249447.7528, 0]\n[[tree]]\nposition = [261600.8034, "
         "6249447.7528]\n[[tree]]\nposition = [261752.4828, 6249447.7514]\n[wind]\nkind = "
@@ -173,7 +173,7 @@ TEST(FoundFiles, ReprojectsWebMaps) {
     ASSERT_EQ(stated.wind.sources.size(), 1u);
     EXPECT_NEAR(glm::length(glm::dvec2(stated.wind.sources[0].position)), 100.0, 0.1);
 
-    const ForestDescription kept = forestIn(folder.path(), "stretched = true\ncrs = \"EPSG:3857\"\n" + lines);
+    const ForestFile kept = forestIn(folder.path(), "stretched = true\ncrs = \"EPSG:3857\"\n" + lines);
     EXPECT_EQ(kept.crs, "EPSG:3857");
     std::ostringstream written;
     EXPECT_TRUE(writeForest(kept, written).empty());
@@ -185,7 +185,7 @@ TEST(FoundFiles, SpacingIsInMetresOnTheGround) {
     const TemporaryFolder folder;
     const std::string scatter = "crs = \"EPSG:3857\"\n[scatter]\narea = [261600, 6249400, 261632, "
                                 "6249432]\ncount = 36\nspacing = 3\n";
-    const auto nearest = [](const ForestDescription& forest) {
+    const auto nearest = [](const ForestFile& forest) {
         double least = 1e9;
         for (const TreePlacement& a : forest.trees)
             for (const TreePlacement& b : forest.trees)
@@ -217,10 +217,10 @@ TEST(FoundFiles, ReadsInventories) {
             .trees.size(),
         2u);
     REQUIRE_REAL_DATA(mercator, "cases/02-web-mercator/trees.treewind");
-    const ForestDescription apart = caseOf(mercator);
+    const ForestFile apart = caseOf(mercator);
     EXPECT_NEAR(glm::distance(apart.trees.at(1).position, apart.trees.at(0).position), 100.0, 0.1);
     REQUIRE_REAL_DATA(plot, "cases/03-decimal-comma/plot.treewind");
-    const ForestDescription commas = caseOf(plot);
+    const ForestFile commas = caseOf(plot);
     EXPECT_EQ(commas.trees.at(1).position, glm::dvec3(2.15, 3.0, 0.0));
     EXPECT_NEAR(commas.trees.at(1).size.trunkDiameter, 0.1225f, 1e-6f);
     REQUIRE_REAL_DATA(header, "cases/04-latin1-table/header.treewind");
@@ -238,7 +238,7 @@ TEST(FoundFiles, ReadsInventories) {
 TEST(FoundFiles, ReadsScans) {
     for (const char* const file : {"cylinder_orphan_txt", "orphan_csv", "orphan_mat", "orphan_swc"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/09-qsm-orphans/") + file + ".treewind");
-        const ForestDescription forest = caseOf(path);
+        const ForestFile forest = caseOf(path);
         const ScanReport& report = forest.species.at(0).tree.scans->at(0).report;
         const bool isSwc = std::string(file) == "orphan_swc"; // its radii are those of the upper ends
         EXPECT_NEAR(report.cylinderVolume, isSwc ? 0.43478 : 0.4388, 2.5e-4) << file;
@@ -246,21 +246,21 @@ TEST(FoundFiles, ReadsScans) {
         EXPECT_NE(notesOf(forest).find("1 branches without a parent"), std::string::npos) << notesOf(forest);
     }
     REQUIRE_REAL_DATA(path, "cases/10-qsm-pytlidar/tree.treewind");
-    const ForestDescription forest = caseOf(path);
+    const ForestFile forest = caseOf(path);
     const ScanReport& report = forest.species.at(0).tree.scans->at(0).report;
     EXPECT_NEAR(report.cylinderVolume, 0.447106097, 1e-6);
     EXPECT_EQ(report.cylinders, 8u);
 }
 
 TEST(FoundFiles, ReadsRecords) {
-    const auto velocity = [](const ForestDescription& forest, double time) {
+    const auto velocity = [](const ForestFile& forest, double time) {
         return asField(forest.wind)->velocity({0.0f, 0.0f, 10.0f}, time);
     };
     REQUIRE_REAL_DATA(commas, "cases/03-decimal-comma/station.treewind");
     EXPECT_NEAR(velocity(caseOf(commas), 0.0).x, 5.25f, 1e-4f);
     for (const char* const file : {"iem", "service", "empty", "sentinel"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/15-station-gaps/") + file + ".treewind");
-        const ForestDescription forest = caseOf(path);
+        const ForestFile forest = caseOf(path);
         EXPECT_NE(notesOf(forest).find("1 of "), std::string::npos) << notesOf(forest);
         EXPECT_LT(glm::length(velocity(forest, 60.0)), 10.0f) << file;
     }

@@ -13,12 +13,12 @@ namespace osgTreeWind {
 
 namespace {
 
-ForestDescription forestIn(const std::string& folder, const std::string& text) {
+ForestFile forestIn(const std::string& folder, const std::string& text) {
     std::istringstream input("version = 1\n" + text);
     const auto forest = readForest(input, {"test.treewind", folder});
     for (const Diagnostic& problem : forest.problems())
         ADD_FAILURE() << problem.text();
-    return forest ? forest.value() : ForestDescription();
+    return forest ? forest.value() : ForestFile();
 }
 
 const std::string ground = "[ground]\nfile = \"a.tif\"\n";
@@ -39,7 +39,7 @@ TEST(GroundSection, PlacesOnlyTreesWithoutAHeight) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     folder.write("a.csv", "x,y,z\n50,50,7\n50,50,\n");
-    const ForestDescription forest = forestIn(
+    const ForestFile forest = forestIn(
         folder.path(), "[[tree]]\nposition = [20, 50]\n" + thin + "[[tree]]\nposition = [20, 50, 3]\n" +
                            thin + "[[scatter]]\ncount = 5\narea = [10, 10, 90, 90]\n" + thin +
                            "[[inventory]]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", z = \"z\" }\n"
@@ -83,7 +83,7 @@ TEST(GroundSection, ReadsOneBandOfSeveral) {
 TEST(GroundSection, FootIsAtTheLowestPointOfTheTrunk) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestIn(folder.path(),
                  "[[tree]]\nposition = [20, 50]\ntrunk_diameter = 0.8\nheight = 15\n"
                  "[[tree]]\nposition = [20, 50]\nheight = 15\n[[tree]]\nposition = [20, 50]\nheight = 30\n" +
@@ -96,7 +96,7 @@ TEST(GroundSection, FootIsAtTheLowestPointOfTheTrunk) {
 }
 
 TEST(GroundSection, NoneMeansFlat) {
-    const ForestDescription forest = forestIn("/", "[[tree]]\nposition = [2, 3]\n[ground]\nnone = true\n");
+    const ForestFile forest = forestIn("/", "[[tree]]\nposition = [2, 3]\n[ground]\nnone = true\n");
     EXPECT_FALSE(forest.ground);
     EXPECT_EQ(forest.trees.at(0).position, glm::dvec3(2, 3, 0));
 }
@@ -106,7 +106,7 @@ TEST(GroundSection, GeometryWithAHeightKeepsIt) {
     slope().write(folder.path() + "/a.tif");
     folder.write("a.geojson",
                  geoJson(point("20, 50, 77") + "," + point("20, 50"), "urn:ogc:def:crs:EPSG::25832"));
-    const ForestDescription forest =
+    const ForestFile forest =
         inventoryOf(folder.path(), "file = \"a.geojson\"\n" + ground + "crs = \"EPSG:25832\"\n");
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_EQ(forest.trees[0].position.z, 77.0);
@@ -119,7 +119,7 @@ TEST(GroundSection, SetsTheCrsOfTheForestUnlessItHasOne) {
     file.crs = "EPSG:25832";
     file.write(folder.path() + "/a.tif");
     const std::string tree = "[[tree]]\nposition = [20, 50]\n";
-    ForestDescription forest = forestIn(folder.path(), tree + ground);
+    ForestFile forest = forestIn(folder.path(), tree + ground);
     EXPECT_EQ(forest.crs, "EPSG:25832");
     EXPECT_TRUE(forest.crsFromInventory);
     forest = forestIn(folder.path(), "crs = \"EPSG:25832\"\n" + tree + ground);
@@ -137,7 +137,7 @@ TEST(GroundSection, SetsTheCrsOfTheForestUnlessItHasOne) {
 TEST(GroundSection, ReadsBackAfterWriting) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestIn(folder.path(), "crs = \"EPSG:25832\"\n[scatter]\ncount = 9\narea = [10, 10, 90, 90]\n" +
                                     ground + "crs = \"EPSG:25832\"\n");
     std::ostringstream output;
@@ -156,7 +156,7 @@ TEST(GroundSection, ReadsBackAfterWriting) {
 }
 
 TEST(GroundSection, CallableCannotBeWritten) {
-    ForestDescription forest;
+    ForestFile forest;
     forest.species.emplace_back().name = "oak";
     forest.ground = std::make_shared<FunctionGround>([](double x, double) { return x; });
     std::ostringstream output;
@@ -167,7 +167,7 @@ TEST(GroundSection, CallableCannotBeWritten) {
 }
 
 TEST(StandOnGround, SupportsCallableGrounds) {
-    ForestDescription forest;
+    ForestFile forest;
     forest.species.emplace_back().name = "oak";
     forest.trees.resize(3);
     forest.trees[1].position = {10, 0, 5};
@@ -187,7 +187,7 @@ TEST(StandOnGround, SupportsCallableGrounds) {
 
 TEST(GroundSection, PlacesScatteredTreesOnTheModelOfMissoula) {
     REQUIRE_REAL_DATA(path, "place/dem.tif");
-    const ForestDescription forest =
+    const ForestFile forest =
         forestIn("/", "[scatter]\ncount = 500\narea = [726400, 5209000, 729400, 5213800]\n" + thin +
                           "[ground]\nfile = \"" + path + "\"\n");
     ASSERT_EQ(forest.trees.size(), 500u);

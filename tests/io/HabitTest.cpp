@@ -16,7 +16,7 @@
 namespace osgTreeWind {
 namespace {
 
-Result<ForestDescription> readHabitFile(const std::string& text) {
+Result<ForestFile> readHabitFile(const std::string& text) {
     std::istringstream input("version = 1\n" + text + "[[tree]]\nposition = [0, 0]\n");
     return readForest(input, {"a.treewind", "/nowhere"});
 }

@@ -24,7 +24,7 @@ const std::string featureColumns =
     "circumference = \"girth\" }\n"
     "units = { trunk_diameter = \"cm\", circumference = \"cm\" }\n";
 
-void expectThreeTrees(const ForestDescription& forest) {
+void expectThreeTrees(const ForestFile& forest) {
     ASSERT_EQ(forest.trees.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         expectAt(forest.trees[i], 565000.0 + 10.0 * static_cast<double>(i), 5934000.0);
@@ -47,7 +47,7 @@ void expectThreeTrees(const ForestDescription& forest) {
 TEST(InventoryFeatures, AllFormatsGiveTheSameTrees) {
     const TemporaryFolder folder;
     folder.write("a.geojson", trees);
-    const ForestDescription first = inventoryOf(folder.path(), "file = \"a.geojson\"\n" + featureColumns);
+    const ForestFile first = inventoryOf(folder.path(), "file = \"a.geojson\"\n" + featureColumns);
     expectThreeTrees(first);
     EXPECT_EQ(first.trees[2].position.z, 3.5);
     REQUIRE_PROGRAM("ogr2ogr");
@@ -55,7 +55,7 @@ TEST(InventoryFeatures, AllFormatsGiveTheSameTrees) {
         SCOPED_TRACE(name);
         convert(folder, "a.geojson", name,
                 name == std::string("b.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // keeps the order
-        const ForestDescription forest =
+        const ForestFile forest =
             inventoryOf(folder.path(), "file = \"" + std::string(name) + "\"\n" + featureColumns);
         expectThreeTrees(forest);
         ASSERT_FALSE(HasFailure());
@@ -71,7 +71,7 @@ TEST(InventoryFeatures, SelectsALayerAndFilters) {
     convert(folder, "a.geojson", "a.gpkg", "-nln standing");
     convert(folder, "a.geojson", "a.gpkg", "-update -nln felled");
     for (const std::string file : {"file = \"a.gpkg\"\nlayer = \"standing\"\n", "file = \"a.geojson\"\n"}) {
-        const ForestDescription forest =
+        const ForestFile forest =
             inventoryOf(folder.path(), file + "filter = \"h >= 9 AND kind <> 'oak'\"\n" + featureColumns);
         ASSERT_EQ(forest.trees.size(), 1u);
         EXPECT_EQ(forest.trees[0].name, "a 3");
@@ -82,7 +82,7 @@ TEST(InventoryFeatures, SelectsALayerAndFilters) {
 TEST(InventoryFeatures, ConvertsUnitsOfColumns) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h,d,g,c\n1000,0,100,10,,30\n0,0,,,100,\n");
-    const ForestDescription forest = inventoryOf(
+    const ForestFile forest = inventoryOf(
         folder.path(),
         "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", trunk_diameter = \"d\", "
         "circumference = \"g\", crown_width = \"c\" }\nunits = { x = \"us-ft\", height = \"us-ft\", "
@@ -102,7 +102,7 @@ TEST(InventoryFeatures, OutlinesGiveCrownWidthsInMetres) {
         geoJson(feature(R"({"type": "Polygon", "coordinates": [[[8.9999283,59.9999731],[9.0000717,59.9999731],
 [9.0000717,60.0000269],[8.9999283,60.0000269],[8.9999283,59.9999731]]]})",
                         R"("w": null)")));
-    const ForestDescription forest = inventoryOf(folder.path(), "file = \"a.geojson\"\n");
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"a.geojson\"\n");
     ASSERT_EQ(forest.trees.size(), 1u);
     expectAt(forest.trees[0], 500000.0, 6651411.19, 0.01); // pyproj: EPSG:4326 to EPSG:32632
     EXPECT_NEAR(forest.trees[0].size.crownWidth, 7.0f, 0.02f);
@@ -122,7 +122,7 @@ TEST(InventoryFeatures, ShapefilesWithoutAProjectionAreInMetres) {
     folder.write("a.geojson", trees);
     convert(folder, "a.geojson", "a.shp");
     std::filesystem::remove(folder.path() + "/a.prj");
-    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.shp\"\n" + featureColumns);
+    ForestFile forest = inventoryOf(folder.path(), "file = \"a.shp\"\n" + featureColumns);
     expectThreeTrees(forest);
     EXPECT_EQ(forest.crs, "");
     forest = inventoryOf(folder.path(), "file = \"a.shp\"\ncrs = \"EPSG:25832\"\n" + featureColumns);
@@ -134,11 +134,11 @@ TEST(InventoryFeatures, ShapefilesWithoutAProjectionAreInMetres) {
 TEST(InventoryFeatures, ShapefileOfTheCampusEqualsItsTable) {
     REQUIRE_REAL_DATA(shapes, "utah_campus/EngQuad_AlEqTreeCleaned.shp");
     REQUIRE_REAL_DATA(table, "utah_campus/utah_campus_trees.csv");
-    const ForestDescription outlines =
+    const ForestFile outlines =
         inventoryOf("", "file = \"" + shapes +
                             "\"\ncolumns = { species = \"AESciName\", height = \"H\", "
                             "trunk_diameter = \"dbh\" }\n");
-    const ForestDescription points =
+    const ForestFile points =
         inventoryOf("", "file = \"" + table +
                             "\"\ncolumns = { x = \"x\", y = \"y\", species = \"AESciName\", "
                             "height = \"H\", trunk_diameter = \"dbh\", crown_width = \"crown_d\" }\n");
@@ -176,7 +176,7 @@ TEST(InventoryFeatures, OpenStreetMapNeedsNoColumns) {
                 "," + point("9.002, 0.0", R"("@id": "node/13", "natural": "peak")")));
     for (const std::string name : {"a.osm", "a.geojson"}) {
         SCOPED_TRACE(name);
-        const ForestDescription forest = inventoryOf(folder.path(), "file = \"" + name + "\"\n");
+        const ForestFile forest = inventoryOf(folder.path(), "file = \"" + name + "\"\n");
         ASSERT_EQ(forest.trees.size(), 2u);
         const TreePlacement& oak = forest.trees[0];
         expectAt(oak, 500000.0, 0.0);
@@ -204,7 +204,7 @@ TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
 "t2": {"type": "SolitaryVegetationObject", "attributes": {"species": "Fagus sylvatica"}, "geometry":
 [{"type": "GeometryInstance", "template": 0, "boundaries": [3], "transformationMatrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]}]}
 }})");
-    const ForestDescription forest = inventoryOf(folder.path(), "file = \"city.json\"\n");
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"city.json\"\n");
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_EQ(forest.crs, "EPSG:28992") << "the horizontal part of a compound CRS";
     expectAt(forest.trees[0], 100002.0, 400001.0);
@@ -224,7 +224,7 @@ TEST(InventoryFeatures, ThousandsOfUnknownNamesGiveOneNote) {
     for (int i = 0; i < 3000; ++i)
         rows += "1,2,weed " + std::to_string(i) + "\n3,4,bush\n";
     folder.write("a.csv", rows);
-    const ForestDescription forest =
+    const ForestFile forest =
         inventoryOf(folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", species = \"s\" }\n");
     ASSERT_EQ(forest.notes.size(), 2u) << "the other is about sizes";
     EXPECT_NE(forest.notes[0].find("read as \"beech\": bush (3000), no name (2), weed 0 (1), "),

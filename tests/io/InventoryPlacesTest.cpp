@@ -33,7 +33,7 @@ void expectAllAt(const ForestDescription& forest, const std::vector<glm::dvec2>&
 TEST(InventoryCrs, TreesOfCuestaMatchCs2cs) {
     REQUIRE_REAL_DATA(file, "place/cuesta_trees.geojson");
     REQUIRE_PROGRAM("cs2cs");
-    const ForestDescription forest = inventoryOf(
+    const ForestFile forest = inventoryOf(
         "", "file = \"" + file + "\"\ncolumns = { id = \"tree_id\", species = \"scientific_name\" }\n");
     std::ifstream text(file);
     std::string places; // latitude first, the axis order of EPSG:4326
@@ -49,7 +49,7 @@ TEST(InventoryCrs, TreesOfCuestaMatchCs2cs) {
     EXPECT_EQ(forest.trees[0].name, "46");
     expectAllAt(forest, cs2cs("EPSG:4326", "EPSG:32610", places), 0.001);
     // On another map with another datum.
-    const ForestDescription state = inventoryOf("", "file = \"" + file + "\"\n", "crs = \"EPSG:26943\"");
+    const ForestFile state = inventoryOf("", "file = \"" + file + "\"\n", "crs = \"EPSG:26943\"");
     EXPECT_FALSE(state.crsFromInventory);
     expectAllAt(state, cs2cs("EPSG:4326", "EPSG:26943", places), 0.1);
 }
@@ -61,7 +61,7 @@ TEST(InventoryCrs, TablesInDegreesAreStatedOrDetectedByColumnNames) {
     for (const std::string& lines :
          {"file = \"a.csv\"\ncrs = \"EPSG:4326\"\n" + xy,
           std::string("file = \"b.csv\"\ncolumns = { x = \"Longitude\", y = \"LAT\" }\n")}) {
-        const ForestDescription forest = inventoryOf(folder.path(), lines);
+        const ForestFile forest = inventoryOf(folder.path(), lines);
         EXPECT_EQ(forest.crs, "EPSG:32632");
         ASSERT_EQ(forest.trees.size(), 2u);
         expectAt(forest.trees[0], 500000.0, 0.0);
@@ -73,12 +73,11 @@ TEST(InventoryCrs, TablesInDegreesAreStatedOrDetectedByColumnNames) {
 TEST(InventoryCrs, WithoutACrsCoordinatesAreUnchanged) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y\n9.0,0.5\n");
-    const ForestDescription forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy);
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy);
     EXPECT_EQ(forest.crs, "");
     EXPECT_FALSE(forest.crsFromInventory);
     EXPECT_EQ(forest.trees[0].position, glm::dvec3(9.0, 0.5, 0.0));
-    const ForestDescription known =
-        inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy, "crs = \"EPSG:25832\"");
+    const ForestFile known = inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy, "crs = \"EPSG:25832\"");
     EXPECT_EQ(known.trees[0].position, glm::dvec3(9.0, 0.5, 0.0));
     EXPECT_EQ(known.crs, "EPSG:25832");
 }
@@ -108,7 +107,7 @@ TEST(InventoryCrs, ReprojectsMapsInFeet) {
     folder.write("a.csv", "x,y\n985000,200000\n985100,200000\n");
     const std::string lines = "file = \"a.csv\"\ncrs = \"EPSG:2263\"\n" + xy;
     const std::string places = "985000 200000\n985100 200000\n";
-    const ForestDescription forest = inventoryOf(folder.path(), lines);
+    const ForestFile forest = inventoryOf(folder.path(), lines);
     EXPECT_EQ(forest.crs, "EPSG:32618");
     expectAllAt(forest, cs2cs("EPSG:2263", "EPSG:32618", places), 0.001);
     EXPECT_NEAR(forest.trees[1].position.x - forest.trees[0].position.x, 30.48, 0.02);
@@ -128,7 +127,7 @@ TEST(InventoryCrs, IgnoresTheAxisOrderOfTheAuthority) {
                "</ogr:FeatureCollection>\n";
     };
     folder.write("a.gml", gml("4326", "0.0001 9.0"));
-    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.gml\"\ncolumns = { height = \"h\" }\n");
+    ForestFile forest = inventoryOf(folder.path(), "file = \"a.gml\"\ncolumns = { height = \"h\" }\n");
     ASSERT_EQ(forest.trees.size(), 1u);
     EXPECT_EQ(forest.crs, "EPSG:32632");
     expectAt(forest.trees[0], 500000.0, 11.053, 0.01);
@@ -145,7 +144,7 @@ TEST(InventoryCrs, ColumnNamesImplyDegreesForAnyGeometry) {
     const TemporaryFolder folder;
     folder.write("a.geojson", geoJson(point("565000, 5934000", R"("lon": 9.0, "lat": 0.0)"),
                                       "urn:ogc:def:crs:EPSG::25832"));
-    const ForestDescription forest =
+    const ForestFile forest =
         inventoryOf(folder.path(), "file = \"a.geojson\"\ncolumns = { x = \"lon\", y = \"lat\" }\n");
     EXPECT_EQ(forest.crs, "EPSG:32632");
     expectAt(forest.trees[0], 500000.0, 0.0);
@@ -154,8 +153,7 @@ TEST(InventoryCrs, ColumnNamesImplyDegreesForAnyGeometry) {
 TEST(InventoryCrs, StatedCrsOverridesTheFile) {
     const TemporaryFolder folder;
     folder.write("a.geojson", geoJson(point("565000, 5934000"))); // not in degrees as GeoJSON requires
-    const ForestDescription forest =
-        inventoryOf(folder.path(), "file = \"a.geojson\"\ncrs = \"EPSG:25832\"\n");
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"a.geojson\"\ncrs = \"EPSG:25832\"\n");
     EXPECT_EQ(forest.crs, "EPSG:25832");
     expectAt(forest.trees[0], 565000.0, 5934000.0);
 }

@@ -82,8 +82,7 @@ TEST(InventorySizes, EstimatesAreNoted) {
 TEST(InventorySizes, EstimatesAreWrittenAsSuch) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
-    const ForestDescription forest =
-        inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns));
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns));
     std::stringstream text;
     ASSERT_TRUE(writeForest(forest, text).empty());
     const auto again = readForest(text);
@@ -124,7 +123,7 @@ TEST(InventorySizes, FollowTheShapeWithoutLaws) {
 TEST(InventorySizes, SizesFarAboveTheRecordOfASpeciesAreUnknown) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,s\na,1,2,60,Tilia cordata\nb,1,3,75,Tilia cordata\nc,1,9,75,Sequoia\n");
-    const ForestDescription forest =
+    const ForestFile forest =
         inventoryOf(folder.path(),
                     "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", "
                     "species = \"s\" }\n",
@@ -175,7 +174,7 @@ TEST(InventorySizes, ImpossibleSizesCountAsNotGiven) {
     const std::string lines =
         "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", trunk_diameter = "
         "\"d\" }\nunits = { trunk_diameter = \"cm\" }\n";
-    const ForestDescription forest = inventoryOf(folder.path(), lines + "missing = [77]\n");
+    const ForestFile forest = inventoryOf(folder.path(), lines + "missing = [77]\n");
     ASSERT_EQ(forest.trees.size(), 7u) << "impossible sizes do not remove trees";
     EXPECT_TRUE(forest.trees[1].estimated.height);
     EXPECT_TRUE(forest.trees[5].estimated.trunkDiameter);
@@ -209,7 +208,7 @@ TEST(InventorySkip, SkipsAndCountsRowsWithoutAPlace) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,1,9\n2,,8\n,,9\n4,4,7\n5,5,6\n");
     const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
-    const ForestDescription forest = inventoryOf(folder.path(), lines);
+    const ForestFile forest = inventoryOf(folder.path(), lines);
     EXPECT_EQ(forest.trees.size(), 3u);
     EXPECT_NE(notesOf(forest).find("a.csv: 2 of 5 rows have no place and are left out, the first: "),
               std::string::npos)

@@ -6,8 +6,8 @@
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/species/SpeciesFields.h>
-#include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
@@ -43,12 +43,12 @@ public:
         for (int i = 0, count = whole(0, 4); i < count; ++i)
             forest.trees.push_back(tree(forest, i));
         forest.wind = wind();
-        fill(forest.wind.canopy.emplace());
+        fill(forest.canopy);
         forest.wind.frame = static_cast<WindFrame>(whole(0, 2));
         if (forest.wind.field && maybe(0.3))
             forest.wind.clock = {number(within(-1e12, 1e12)), number(within(-1e6, 1e6))};
         if (forest.wind.field && maybe(0.3))
-            forest.wind.adjustment = {number(within(0, 10)), number(within(-360, 360))};
+            fill(forest.wind.adjustment);
         if (maybe(0.3)) {
             std::vector<WindSource> sources(static_cast<std::size_t>(whole(1, 3)));
             for (WindSource& source : sources)

@@ -32,7 +32,7 @@ ForestDescription variedForest(int count) {
                             "[wind]\nkind = \"uniform\"\nvelocity = [6.0, 0.0, 0.0]\n"
                             "[[scatter]]\ncount = 1\narea = [690000.0, 5334000.0, 690001.0, 5334001.0]\n"
                             "species = [\"oak\", \"birch\", \"Norway spruce\"]\n");
-    ForestDescription forest = readForest(text).value();
+    ForestFile forest = readForest(text).value();
     std::istringstream all("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0.0, 0.0]\n"
                            "[[tree]]\nspecies = \"Norway spruce\"\nposition = [0.0, 0.0]\n");
     forest.species = readForest(all).value().species;

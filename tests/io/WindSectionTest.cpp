@@ -16,13 +16,13 @@ namespace osgTreeWind {
 
 namespace {
 
-Result<ForestDescription> readWith(const std::string& wind, const std::string& origin = "") {
+Result<ForestFile> readWith(const std::string& wind, const std::string& origin = "") {
     std::istringstream document("version = 1\n" + origin + "[[tree]]\nposition = [1000, 2000]\n[wind]\n" +
                                 wind);
     return readForest(document, {"f.treewind", std::string(OSGTREEWIND_TEST_DATA) + "/wind"});
 }
 
-glm::vec3 windOf(const Result<ForestDescription>& forest, const glm::vec3& position, double time = 0.0) {
+glm::vec3 windOf(const Result<ForestFile>& forest, const glm::vec3& position, double time = 0.0) {
     EXPECT_TRUE(forest) << firstProblem(forest);
     return forest && forest.value().wind.field ? asField(forest.value().wind)->velocity(position, time)
                                                : glm::vec3(-999.0f);
@@ -188,7 +188,7 @@ TEST(WindSection, RefusesAWindOfAnotherCountry) {
 
 TEST(WindSection, NotesTreesOutsideTheGrid) {
     const std::string file = "file = \"vectors.vtk\"\n"; // x 100 to 120, y 200 to 220; the tree at 1000, 2000
-    const auto lastNote = [](const Result<ForestDescription>& forest) {
+    const auto lastNote = [](const Result<ForestFile>& forest) {
         EXPECT_TRUE(forest) << firstProblem(forest);
         return forest && !forest.value().notes.empty() ? forest.value().notes.back() : std::string();
     };

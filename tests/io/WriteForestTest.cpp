@@ -68,8 +68,6 @@ struct Differences {
             fields("wind.source", a.sources[i], b.sources[i]);
         if (!a.isCalm())
             compare("wind.frame", a.frame, b.frame);
-        const WindCanopy defaults;
-        fields("wind", a.canopy.value_or(defaults), b.canopy.value_or(defaults));
     }
     void field(const WindFieldPtr& a, const WindFieldPtr& b) {
         if (!a || !b)
@@ -82,7 +80,7 @@ struct Differences {
             optionalFields("wind", x->parameters().profile, y->parameters().profile);
         } else if (const GridWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->grid(), y->grid());
-        } else if (const ForestWind * x, *y; areBoth(a, b, x, y)) {
+        } else if (const ThesisWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->array(), y->array());
         } else if (const TimeSeriesWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->series(), y->series());
@@ -129,7 +127,7 @@ ForestDescription read(const std::string& document) {
     const auto forest = readForest(input, {"forest", "/"});
     for (const Diagnostic& problem : forest ? Diagnostics() : forest.problems())
         ADD_FAILURE() << problem.text() << "\n" << document.substr(0, 20000);
-    return forest ? forest.value() : ForestDescription();
+    return forest ? forest.value() : ForestFile();
 }
 
 /// The first problem that keeps a forest from being written.

@@ -33,7 +33,7 @@ std::vector<std::string> legacyGrowthNotes(const std::vector<std::string>& speci
 
 /// Reads a forest. @param notes that are expected.
 ForestDescription writtenForest(const std::string& name, const std::vector<std::string>& notes = {}) {
-    const Result<ForestDescription> forest = readForestFile(folder + name);
+    const Result<ForestFile> forest = readForestFile(folder + name);
     EXPECT_TRUE(forest) << toString(forest.problems());
     EXPECT_EQ(forest.value().notes, notes) << name;
     return forest.value();
@@ -53,8 +53,8 @@ void expectEverything(const ForestDescription& forest) {
     EXPECT_TRUE(forest.damage);
     EXPECT_EQ(forest.noiseExponent, 1.5f);
     EXPECT_EQ(forest.wind.frame, WindFrame::Scene);
-    EXPECT_EQ(forest.wind.canopy->source, CanopySource::Forest);
-    EXPECT_EQ(forest.wind.canopy->reference, 55.0);
+    EXPECT_EQ(forest.canopy.source, CanopySource::Forest);
+    EXPECT_EQ(forest.canopy.reference, 55.0);
     EXPECT_EQ(forest.drawing.full, 700.0f);
     EXPECT_EQ(forest.drawing.reduced, 200.0f);
     EXPECT_EQ(forest.drawing.impostor, 60.0f);

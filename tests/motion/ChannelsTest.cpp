@@ -2,8 +2,7 @@
 // Several processes show one forest at different frame rates, some of them started later.
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <gtest/gtest.h>
 
@@ -33,8 +32,8 @@ std::vector<glm::vec2> leans(ModalLevel level, int framesASecond, double started
     for (int i = 0; i <= static_cast<int>((now - started) * framesASecond); ++i)
         simulation.advance(started + i / static_cast<double>(framesASecond));
     std::vector<glm::vec2> all;
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
-        all.push_back(SimulationAccess::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < movingForest(simulation).trees().size(); ++slot)
+        all.push_back(movingForest(simulation).modal()->lean(slot));
     return all;
 }
 

@@ -87,7 +87,7 @@ TEST(ForestBytes, AddingAndRemovingTreesDoesNotLeak) {
     if (!allocatorReportsUse())
         GTEST_SKIP() << "the allocator does not report its memory use";
     const std::unique_ptr<ForestSimulation> simulation = mixedWood(2000);
-    const TreePlacement tree = simulation->placementOf(TreeId(0));
+    const TreePlacement tree = *simulation->placementOf(TreeId(0));
     const auto churn = [&] {
         std::vector<TreeId> ids;
         ids.reserve(1000);

@@ -5,8 +5,7 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -50,11 +49,11 @@ TreePlacement inWorld(const ForestSimulation& simulation, TreePlacement tree) {
 TEST(ForestChanges, TreesOfTheDescriptionHaveTheirIndexAsId) {
     const ForestSimulation simulation(windySaplings(4));
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(simulation.idOf(i), TreeId(i));
+        EXPECT_EQ(movingForest(simulation).placed().idOf(i), TreeId(i));
         EXPECT_TRUE(simulation.holds(TreeId(i)));
     }
     EXPECT_FALSE(simulation.holds(TreeId(4)));
-    EXPECT_FALSE(simulation.holds(noTree));
+    EXPECT_FALSE(simulation.holds(TreeId(99)));
 }
 
 TEST(ForestChanges, AnAddedTreeSways) {
@@ -62,22 +61,22 @@ TEST(ForestChanges, AnAddedTreeSways) {
     run(simulation, 30);
     const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f))).value();
     ASSERT_TRUE(simulation.holds(tree));
-    const PlacedTree& placed = SimulationAccess::trees(simulation)[simulation.slotOf(tree)];
+    const PlacedTree& placed = movingForest(simulation).trees()[slotOfTree(tree)];
     EXPECT_TRUE(placed.alive);
     EXPECT_EQ(placed.position, glm::vec3(77, 154, 10));
     run(simulation, 60, 1.0);
-    EXPECT_GT(glm::length(SimulationAccess::modal(simulation)->lean(simulation.slotOf(tree))), 0.001f);
-    EXPECT_GT(simulation.motion(simulation.slotOf(tree)).poses.size, 0u);
+    EXPECT_GT(glm::length(movingForest(simulation).modal()->lean(slotOfTree(tree))), 0.001f);
+    EXPECT_GT(movingForest(simulation).motion(slotOfTree(tree)).poses.size, 0u);
 }
 
 TEST(ForestChanges, IdsAreStableAndNeverReused) {
     ForestSimulation simulation(windySaplings(3));
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
-    EXPECT_FALSE(SimulationAccess::trees(simulation)[1].alive);
+    EXPECT_FALSE(movingForest(simulation).trees()[1].alive);
     EXPECT_FALSE(simulation.removeTree(TreeId(1)).empty());
-    EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "the slot is empty";
+    EXPECT_EQ(movingForest(simulation).motion(1).poses.size, 0u) << "the slot is empty";
     const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0))).value();
-    EXPECT_EQ(simulation.slotOf(next), 1u) << "the slot is reused";
+    EXPECT_EQ(slotOfTree(next), 1u) << "the slot is reused";
     EXPECT_FALSE(simulation.holds(TreeId(1)));
     EXPECT_FALSE(simulation.changeTree(TreeId(1), treeAt(3.0)).empty());
     EXPECT_TRUE(simulation.holds(next));
@@ -91,7 +90,7 @@ TEST(ForestChanges, APlacementIsReturnedAsGiven) {
     given.leaves = 0.5f;
     given.size = {7.0f, 0.2f, 3.0f};
     const TreeId tree = simulation.addTree(given).value();
-    const TreePlacement back = simulation.placementOf(tree);
+    const TreePlacement back = *simulation.placementOf(tree);
     EXPECT_EQ(back.species, 1u);
     EXPECT_EQ(back.position, given.position);
     EXPECT_EQ(back.heading, 0.4f);
@@ -106,15 +105,15 @@ TEST(ForestChanges, APlacementIsReturnedAsGiven) {
 TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
     ForestSimulation simulation(windySaplings(2));
     run(simulation, 40);
-    const TreeScale scale = SimulationAccess::trees(simulation)[1].scale;
-    const std::vector<float> amplitudes = SimulationAccess::modal(simulation)->amplitudes(1);
-    TreePlacement moved = simulation.placementOf(TreeId(1));
+    const TreeScale scale = movingForest(simulation).trees()[1].scale;
+    const std::vector<float> amplitudes = movingForest(simulation).modal()->amplitudes(1);
+    TreePlacement moved = *simulation.placementOf(TreeId(1));
     moved.position.x += 30.0;
     ASSERT_TRUE(simulation.changeTree(TreeId(1), moved).empty());
-    EXPECT_EQ(SimulationAccess::trees(simulation)[1].scale.axes, scale.axes);
-    EXPECT_EQ(SimulationAccess::trees(simulation)[1].scale.radius, scale.radius);
-    EXPECT_EQ(SimulationAccess::trees(simulation)[1].position.x, 31.0f);
-    EXPECT_EQ(SimulationAccess::modal(simulation)->amplitudes(1), amplitudes);
+    EXPECT_EQ(movingForest(simulation).trees()[1].scale.axes, scale.axes);
+    EXPECT_EQ(movingForest(simulation).trees()[1].scale.radius, scale.radius);
+    EXPECT_EQ(movingForest(simulation).trees()[1].position.x, 31.0f);
+    EXPECT_EQ(movingForest(simulation).modal()->amplitudes(1), amplitudes);
     EXPECT_TRUE(simulation.holds(TreeId(1))) << "under the same id";
 }
 
@@ -124,15 +123,15 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
     ForestSimulation simulation(expected);
     run(simulation, 20);
     ASSERT_TRUE(simulation.changeTree(TreeId(0), inWorld(simulation, treeAt(0.0, 9.0f, 1))).empty());
-    EXPECT_EQ(SimulationAccess::trees(simulation)[0].species, 1u);
-    EXPECT_NEAR(simulation.placementOf(TreeId(0)).size.height, 9.0f, 0.05f);
+    EXPECT_EQ(movingForest(simulation).trees()[0].species, 1u);
+    EXPECT_NEAR(simulation.placementOf(TreeId(0))->size.height, 9.0f, 0.05f);
     run(simulation, 6000, 1.0);
     expected.trees[0].species = 1;
     expected.trees[0].size.height = 9.0f;
     ForestSimulation fresh(expected);
     run(fresh, 6020);
-    EXPECT_NEAR(SimulationAccess::modal(simulation)->lean(0).x, SimulationAccess::modal(fresh)->lean(0).x,
-                0.02f * SimulationAccess::modal(fresh)->lean(0).x);
+    EXPECT_NEAR(movingForest(simulation).modal()->lean(0).x, movingForest(fresh).modal()->lean(0).x,
+                0.02f * movingForest(fresh).modal()->lean(0).x);
 }
 
 TEST(ForestChanges, InvalidChangesAreRefused) {
@@ -149,7 +148,7 @@ TEST(ForestChanges, InvalidChangesAreRefused) {
     EXPECT_EQ(modal.changeTree(TreeId(0), treeAt(1.0, 5.0f, 7)).front().text(), unknown);
     EXPECT_EQ(modal.removeTree(TreeId(1)).front().text(),
               "tree: no tree has this id; it may have been removed");
-    EXPECT_EQ(SimulationAccess::trees(modal).size(), 1u);
+    EXPECT_EQ(movingForest(modal).trees().size(), 1u);
 }
 
 TEST(ForestChanges, TreesAreFoundByName) {
@@ -169,7 +168,7 @@ TEST(ForestChanges, TreesAreFoundByName) {
     EXPECT_FALSE(simulation.findTree("oak 7"));
     const TreeId other = simulation.addTree(inWorld(simulation, treeAt(1.0, 5.0f, 0, "oak 7"))).value();
     EXPECT_EQ(simulation.findTree("oak 7"), other);
-    TreePlacement renamed = simulation.placementOf(TreeId(2));
+    TreePlacement renamed = *simulation.placementOf(TreeId(2));
     renamed.name = "elm";
     EXPECT_TRUE(simulation.changeTree(TreeId(2), renamed).empty());
     EXPECT_EQ(simulation.findTree("elm"), TreeId(2));
@@ -186,19 +185,18 @@ TEST(ForestChanges, CloneAtRestHasThePresentTreesAndSharesTheShapes) {
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
     std::shared_ptr<ForestSimulation> again = simulation.cloneAtRest();
-    EXPECT_EQ(SimulationAccess::models(*again), SimulationAccess::models(simulation));
-    EXPECT_EQ(&SimulationAccess::modal(*again)->archetype(1),
-              &SimulationAccess::modal(simulation)->archetype(1));
+    EXPECT_EQ(movingForest(*again).models(), movingForest(simulation).models());
+    EXPECT_EQ(&movingForest(*again).modal()->archetype(1), &movingForest(simulation).modal()->archetype(1));
     EXPECT_TRUE(again->holds(added));
     EXPECT_FALSE(again->holds(TreeId(0)));
-    EXPECT_EQ(SimulationAccess::modal(*again)->lean(1), glm::vec2(0.0f));
+    EXPECT_EQ(movingForest(*again).modal()->lean(1), glm::vec2(0.0f));
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_TRUE(again->holds(TreeId(1))) << "the simulations are independent";
     EXPECT_TRUE(again->addTree(inWorld(*again, treeAt(2.0))));
-    EXPECT_EQ(SimulationAccess::modal(*again)->archetypeCount(),
-              SimulationAccess::modal(simulation)->archetypeCount());
+    EXPECT_EQ(movingForest(*again).modal()->archetypeCount(),
+              movingForest(simulation).modal()->archetypeCount());
     run(*again, 50);
-    EXPECT_EQ(SimulationAccess::modal(*again)->lean(2), SimulationAccess::modal(simulation)->lean(2))
+    EXPECT_EQ(movingForest(*again).modal()->lean(2), movingForest(simulation).modal()->lean(2))
         << "in the same wind";
 }
 
@@ -208,10 +206,10 @@ TEST(ForestChanges, CloneAtRestWorksUnderBranchwiseLaws) {
     ForestSimulation simulation(forest);
     run(simulation, 20);
     const std::shared_ptr<ForestSimulation> again = simulation.cloneAtRest();
-    EXPECT_EQ(again->motion(1).states[3], glm::vec4(0.0f));
+    EXPECT_EQ(movingForest(*again).motion(1).states[3], glm::vec4(0.0f));
     run(*again, 20);
-    EXPECT_EQ(again->motion(1).states[3], simulation.motion(1).states[3]);
-    EXPECT_EQ(again->motion(1).leaves[0], simulation.motion(1).leaves[0]);
+    EXPECT_EQ(movingForest(*again).motion(1).states[3], movingForest(simulation).motion(1).states[3]);
+    EXPECT_EQ(movingForest(*again).motion(1).leaves[0], movingForest(simulation).motion(1).leaves[0]);
 }
 
 TEST(ForestChanges, CloneAtRestSharesShapesAndArchetypes) {
@@ -220,9 +218,9 @@ TEST(ForestChanges, CloneAtRestSharesShapesAndArchetypes) {
     const ForestSimulation simulation(std::move(forest));
     const std::shared_ptr<const ForestSimulation> again = simulation.cloneAtRest();
     for (std::size_t tree = 0; tree < 20; ++tree)
-        EXPECT_EQ(&SimulationAccess::modal(*again)->archetype(tree),
-                  &SimulationAccess::modal(simulation)->archetype(tree));
-    EXPECT_EQ(SimulationAccess::models(*again), SimulationAccess::models(simulation));
+        EXPECT_EQ(&movingForest(*again).modal()->archetype(tree),
+                  &movingForest(simulation).modal()->archetype(tree));
+    EXPECT_EQ(movingForest(*again).models(), movingForest(simulation).models());
 }
 
 TEST(ForestChanges, DescribeReturnsThePresentForest) {
@@ -234,12 +232,11 @@ TEST(ForestChanges, DescribeReturnsThePresentForest) {
     given.drawing.reduced = 100.0f;
     given.trees[2].name = "oak 2";
     given.trees[3].name = "oak 3";
-    given.source = "version = 1";
     ForestSimulation simulation(given);
     EXPECT_TRUE(simulation.removeTree(TreeId(0)).empty());
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     ASSERT_TRUE(simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late")))); // reuses a slot
-    TreePlacement moved = simulation.placementOf(TreeId(3));
+    TreePlacement moved = *simulation.placementOf(TreeId(3));
     moved.position.x += 5.0;
     EXPECT_TRUE(simulation.changeTree(TreeId(3), moved).empty());
     EXPECT_TRUE(simulation.setSeason(midwinter).empty());
@@ -247,7 +244,6 @@ TEST(ForestChanges, DescribeReturnsThePresentForest) {
     EXPECT_TRUE(simulation.setWind(storm).empty());
 
     const ForestDescription now = simulation.describe();
-    EXPECT_EQ(now.source, "") << "it has no source file";
     EXPECT_EQ(now.wind.field, storm);
     EXPECT_EQ(now.season, midwinter);
     EXPECT_EQ(now.origin, given.origin);
@@ -282,7 +278,7 @@ TEST(ForestChanges, ManyChangesKeepEveryTreesState) {
     Random random(2);
     std::map<TreeId, glm::vec3> there;
     for (std::size_t i = 0; i < 10; ++i)
-        there[simulation.idOf(i)] = SimulationAccess::trees(simulation)[i].position;
+        there[movingForest(simulation).placed().idOf(i)] = movingForest(simulation).trees()[i].position;
     for (int i = 0; i < 2000; ++i) {
         const double x = 100.0 * static_cast<double>(random.uniform());
         const TreePlacement tree =
@@ -295,17 +291,17 @@ TEST(ForestChanges, ManyChangesKeepEveryTreesState) {
         } else {
             const TreeId id = simulation.addTree(tree).value();
             ASSERT_EQ(there.count(id), 0u) << "ids are unique";
-            there[id] = SimulationAccess::trees(simulation)[simulation.slotOf(id)].position;
+            there[id] = movingForest(simulation).trees()[slotOfTree(id)].position;
         }
         simulation.advance(i / 60.0);
     }
     std::size_t alive = 0;
-    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
+    for (const PlacedTree& tree : movingForest(simulation).trees())
         alive += tree.alive;
     EXPECT_EQ(alive, there.size());
     for (const auto& [id, position] : there) {
         ASSERT_TRUE(simulation.holds(id));
-        EXPECT_EQ(SimulationAccess::trees(simulation)[simulation.slotOf(id)].position, position);
+        EXPECT_EQ(movingForest(simulation).trees()[slotOfTree(id)].position, position);
     }
 }
 
@@ -323,7 +319,7 @@ TEST(ForestChanges, ASpeciesCanBeAddedToARunningForest) {
     EXPECT_EQ(index.value(), simulation.description().species.size() - 1);
     EXPECT_EQ(simulation.description().species.back().name, "larch");
     EXPECT_EQ(before->description().species.size(), index.value()) << "copies do not change";
-    TreePlacement place = simulation.placementOf(TreeId(0));
+    TreePlacement place = *simulation.placementOf(TreeId(0));
     place.species = index.value();
     EXPECT_TRUE(simulation.changeTree(TreeId(0), place).empty());
     place.position.x += 5.0;
@@ -331,7 +327,7 @@ TEST(ForestChanges, ASpeciesCanBeAddedToARunningForest) {
     ASSERT_TRUE(added) << toString(added.problems());
     run(simulation, 50, 1.0);
     EXPECT_NE(tip(simulation, 1),
-              SimulationAccess::models(simulation)[simulation.modelOf(0)]->skeleton.units[1].tip);
+              movingForest(simulation).models()[*simulation.modelOf(TreeId(0))]->skeleton.units[1].tip);
 
     const ForestDescription now = simulation.describe();
     EXPECT_EQ(now.species[now.trees.back().species].name, "larch");
@@ -339,7 +335,8 @@ TEST(ForestChanges, ASpeciesCanBeAddedToARunningForest) {
     run(first, 20);
     const auto again = simulation.cloneAtRest();
     run(*again, 20);
-    const Span<UnitPose> one = first.motion(0).poses, other = again->motion(0).poses;
+    const Span<UnitPose> one = movingForest(first).motion(0).poses,
+                         other = movingForest(*again).motion(0).poses;
     ASSERT_EQ(one.size, other.size);
     for (std::size_t i = 0; i < one.size; ++i)
         EXPECT_EQ(one[i].translation, other[i].translation) << i;

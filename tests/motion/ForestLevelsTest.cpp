@@ -4,8 +4,7 @@
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -31,11 +30,12 @@ TEST(ForestLevels, FarTreesTakeLessMemory) {
     options.leaves = false;
     ForestSimulation simulation(std::move(forest), options);
     const auto bytesPerTree = [&] {
-        return SimulationAccess::modal(simulation)->stateBytes() / SimulationAccess::trees(simulation).size();
+        return movingForest(simulation).modal()->stateBytes() / movingForest(simulation).trees().size();
     };
     EXPECT_LE(bytesPerTree(), 300u);
-    for (std::size_t i = 0; i < SimulationAccess::trees(simulation).size(); ++i)
-        SimulationAccess::modal(simulation)
+    for (std::size_t i = 0; i < movingForest(simulation).trees().size(); ++i)
+        movingForest(simulation)
+            .modal()
             ->setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
     EXPECT_LE(bytesPerTree(), 200u);
 }
@@ -45,18 +45,18 @@ TEST(ForestLevels, ATreeThatComesNearKeepsItsModes) {
     forest.wind = std::make_shared<UniformWind>(glm::vec3(8.0f, 2.0f, 0.0f));
     ForestSimulation simulation(std::move(forest));
     for (const auto level : {ModalMotion::Level::Far, ModalMotion::Level::Near}) {
-        SimulationAccess::modal(simulation)->setLevel(2, level);
+        movingForest(simulation).modal()->setLevel(2, level);
         run(simulation, 30, level == ModalMotion::Level::Far ? 0.0 : 1.0);
     }
-    SimulationAccess::modal(simulation)->setLevel(2, ModalMotion::Level::Far);
+    movingForest(simulation).modal()->setLevel(2, ModalMotion::Level::Far);
     run(simulation, 30, 2.0); // with the other near trees of its block
-    const std::vector<float> far = SimulationAccess::modal(simulation)->amplitudes(2);
-    SimulationAccess::modal(simulation)->setLevel(2, ModalMotion::Level::Near);
-    const std::vector<float> near = SimulationAccess::modal(simulation)->amplitudes(2);
+    const std::vector<float> far = movingForest(simulation).modal()->amplitudes(2);
+    movingForest(simulation).modal()->setLevel(2, ModalMotion::Level::Near);
+    const std::vector<float> near = movingForest(simulation).modal()->amplitudes(2);
     ASSERT_GT(near.size(), far.size());
     for (std::size_t k = 0; k < far.size(); ++k)
         EXPECT_EQ(near[k], far[k]) << k;
     run(simulation, 30, 3.0);
-    for (const float amplitude : SimulationAccess::modal(simulation)->amplitudes(2))
+    for (const float amplitude : movingForest(simulation).modal()->amplitudes(2))
         EXPECT_TRUE(std::isfinite(amplitude));
 }

@@ -3,8 +3,8 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <gtest/gtest.h>
 
@@ -48,8 +48,8 @@ std::vector<glm::vec2> leansOf(const ForestDescription& forest) {
     ForestSimulation simulation(forest);
     run(simulation, 40, 0.0, 0.05);
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
-        leans.push_back(SimulationAccess::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < movingForest(simulation).trees().size(); ++slot)
+        leans.push_back(movingForest(simulation).modal()->lean(slot));
     return leans;
 }
 

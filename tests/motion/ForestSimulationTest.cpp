@@ -2,9 +2,9 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
@@ -26,10 +26,10 @@ glm::vec3 turned(const glm::vec3& v, float heading) {
 
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
-    ASSERT_EQ(SimulationAccess::branches(simulation)->poses().size(), 14u);
-    ASSERT_EQ(SimulationAccess::branches(simulation)->leafStates().size(), 24u);
+    ASSERT_EQ(movingForest(simulation).branches()->poses().size(), 14u);
+    ASSERT_EQ(movingForest(simulation).branches()->leafStates().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_EQ(tip(simulation, unit), SimulationAccess::models(simulation)[0]->skeleton.units[unit].tip);
+        EXPECT_EQ(tip(simulation, unit), movingForest(simulation).models()[0]->skeleton.units[unit].tip);
 }
 
 TEST(ForestSimulation, CallsOnTreePlacedForEachTree) {
@@ -65,17 +65,16 @@ TEST(ForestSimulation, JointsStayConnected) {
     forest.trees[0].size = {11.0f, 0.5f, 9.0f};
     ForestSimulation simulation(forest);
     run(simulation, 100);
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[0];
-    const Skeleton& skeleton = SimulationAccess::models(simulation)[tree.model]->skeleton;
+    const PlacedTree& tree = movingForest(simulation).trees()[0];
+    const Skeleton& skeleton = movingForest(simulation).models()[tree.model]->skeleton;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const int parent = skeleton.units[i].parent;
         const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
-        const glm::vec3 below = parent < 0 ? joint
-                                           : SimulationAccess::branches(simulation)
-                                                 ->poses()[static_cast<std::size_t>(parent)]
-                                                 .apply(joint);
-        EXPECT_LT(glm::length(below - SimulationAccess::branches(simulation)->poses()[i].apply(joint)),
-                  1e-4f);
+        const glm::vec3 below =
+            parent < 0
+                ? joint
+                : movingForest(simulation).branches()->poses()[static_cast<std::size_t>(parent)].apply(joint);
+        EXPECT_LT(glm::length(below - movingForest(simulation).branches()->poses()[i].apply(joint)), 1e-4f);
     }
 }
 
@@ -86,7 +85,7 @@ TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
         [](const glm::vec3&, double t) { return glm::vec3(40 * std::sin(t), 40 * std::cos(3 * t), 0); });
     ForestSimulation simulation(forest);
     run(simulation, 300);
-    for (const glm::vec4& state : SimulationAccess::branches(simulation)->states()) {
+    for (const glm::vec4& state : movingForest(simulation).branches()->states()) {
         EXPECT_LE(std::abs(state.x), 0.3f);
         EXPECT_LE(std::abs(state.y), 0.3f);
     }
@@ -102,7 +101,7 @@ TEST(ForestSimulation, TreesComeToRestInCalm) {
         ForestSimulation simulation(forest);
         const auto largestAngle = [&] {
             float largest = 0.0f;
-            for (const glm::vec4& state : simulation.motion(0).states)
+            for (const glm::vec4& state : movingForest(simulation).motion(0).states)
                 largest = std::max({largest, std::abs(state.x), std::abs(state.y)});
             return largest;
         };
@@ -126,10 +125,9 @@ TEST(ForestSimulation, ARotatedTreeInARotatedWindHasTheRotatedPose) {
     run(other, 20);
     for (std::size_t i = 0; i < 14; ++i) {
         EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
-        EXPECT_LT(
-            glm::length(turned(SimulationAccess::branches(straight)->windPlaces()[i].position, heading) -
-                        SimulationAccess::branches(other)->windPlaces()[i].position),
-            1e-4f);
+        EXPECT_LT(glm::length(turned(movingForest(straight).branches()->windPlaces()[i].position, heading) -
+                              movingForest(other).branches()->windPlaces()[i].position),
+                  1e-4f);
     }
 }
 
@@ -142,12 +140,11 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     ForestSimulation simulation(forest);
     simulation.advance(0.0);
     simulation.advance(2.0);
-    const auto& units = SimulationAccess::models(simulation)[0]->skeleton.units;
+    const auto& units = movingForest(simulation).models()[0]->skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
-        EXPECT_LT(glm::length(SimulationAccess::branches(simulation)->windPlaces()[i].position - base),
-                  1e-4f);
-        EXPECT_LT(glm::length(SimulationAccess::branches(simulation)->winds()[i] - base - glm::vec3(0, 0, 2)),
+        EXPECT_LT(glm::length(movingForest(simulation).branches()->windPlaces()[i].position - base), 1e-4f);
+        EXPECT_LT(glm::length(movingForest(simulation).branches()->winds()[i] - base - glm::vec3(0, 0, 2)),
                   1e-4f);
     }
 }
@@ -168,7 +165,7 @@ TEST(ForestSimulation, WindDependsOnTheHeightAboveTheFootOfATree) {
         forest.trees[2].position.z = -50.0;
         ForestSimulation simulation(forest);
         simulation.advance(4.0);
-        const std::vector<glm::vec3>& winds = SimulationAccess::branches(simulation)->winds();
+        const std::vector<glm::vec3>& winds = movingForest(simulation).branches()->winds();
         const std::size_t units = winds.size() / 3;
         EXPECT_GT(glm::length(winds[units - 1]), 1.0f);
         for (std::size_t i = 0; i < units; ++i)
@@ -184,8 +181,8 @@ TEST(ForestSimulation, StateContainsTheWindInTheTreesThesisAxes) {
     forest.wind = uniform({3, 5, 0});
     ForestSimulation simulation(forest);
     run(simulation, 1);
-    EXPECT_NEAR(SimulationAccess::branches(simulation)->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
-    EXPECT_NEAR(SimulationAccess::branches(simulation)->states()[0].w, 3.0f,
+    EXPECT_NEAR(movingForest(simulation).branches()->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
+    EXPECT_NEAR(movingForest(simulation).branches()->states()[0].w, 3.0f,
                 1e-5f); // east is the tree's -y, thesis z
 }
 
@@ -195,14 +192,14 @@ TEST(ForestSimulation, ResetReturnsToRest) {
     ForestSimulation simulation(forest), fresh(forest);
     run(simulation, 20);
     simulation.reset();
-    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->poses(),
-                         SimulationAccess::branches(fresh)->poses()));
+    EXPECT_TRUE(
+        sameBits(movingForest(simulation).branches()->poses(), movingForest(fresh).branches()->poses()));
     run(simulation, 20);
     run(fresh, 20);
-    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->states(),
-                         SimulationAccess::branches(fresh)->states()));
-    EXPECT_TRUE(sameBits(SimulationAccess::branches(simulation)->leafStates(),
-                         SimulationAccess::branches(fresh)->leafStates()));
+    EXPECT_TRUE(
+        sameBits(movingForest(simulation).branches()->states(), movingForest(fresh).branches()->states()));
+    EXPECT_TRUE(sameBits(movingForest(simulation).branches()->leafStates(),
+                         movingForest(fresh).branches()->leafStates()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -214,10 +211,9 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     ForestSimulation a(forest), b(forest);
     run(a, 50);
     run(b, 50);
-    EXPECT_TRUE(sameBits(SimulationAccess::branches(a)->states(), SimulationAccess::branches(b)->states()));
-    EXPECT_TRUE(
-        sameBits(SimulationAccess::branches(a)->leafStates(), SimulationAccess::branches(b)->leafStates()));
-    EXPECT_TRUE(sameBits(SimulationAccess::branches(a)->poses(), SimulationAccess::branches(b)->poses()));
+    EXPECT_TRUE(sameBits(movingForest(a).branches()->states(), movingForest(b).branches()->states()));
+    EXPECT_TRUE(sameBits(movingForest(a).branches()->leafStates(), movingForest(b).branches()->leafStates()));
+    EXPECT_TRUE(sameBits(movingForest(a).branches()->poses(), movingForest(b).branches()->poses()));
 }
 
 TEST(ForestSimulation, LeavesFlutterIndependently) {
@@ -227,10 +223,10 @@ TEST(ForestSimulation, LeavesFlutterIndependently) {
     forest.trees[1].seed = 3; // the same shape
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = SimulationAccess::branches(simulation)->leafStates();
-    EXPECT_EQ(SimulationAccess::trees(simulation)[0].model, SimulationAccess::trees(simulation)[1].model);
+    const auto& leaves = movingForest(simulation).branches()->leafStates();
+    EXPECT_EQ(movingForest(simulation).trees()[0].model, movingForest(simulation).trees()[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
-    EXPECT_NE(leaves[0].x, leaves[SimulationAccess::trees(simulation)[1].firstLeaf].x);
+    EXPECT_NE(leaves[0].x, leaves[movingForest(simulation).trees()[1].firstLeaf].x);
     EXPECT_NE(leaves[0].x, leaves[0].y);
 }
 
@@ -238,11 +234,10 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = SimulationAccess::branches(simulation)->leafStates();
+        const auto before = movingForest(simulation).branches()->leafStates();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(SimulationAccess::branches(simulation)->leafStates()[i].x - before[i].x),
-                      0.05f);
+            ASSERT_LT(std::abs(movingForest(simulation).branches()->leafStates()[i].x - before[i].x), 0.05f);
     }
 }
 
@@ -255,10 +250,10 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     for (std::uint32_t i = 0; i < 9; ++i)
         forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, 1.0f, i};
     const ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationAccess::models(simulation).size(), 6u);
-    EXPECT_EQ(SimulationAccess::trees(simulation)[3].model, 1u);
-    EXPECT_EQ(SimulationAccess::trees(simulation)[6].model, 2u + 6u % 4u);
-    EXPECT_EQ(SimulationAccess::trees(simulation)[8].firstUnit, 8u * 14u);
+    EXPECT_EQ(movingForest(simulation).models().size(), 6u);
+    EXPECT_EQ(movingForest(simulation).trees()[3].model, 1u);
+    EXPECT_EQ(movingForest(simulation).trees()[6].model, 2u + 6u % 4u);
+    EXPECT_EQ(movingForest(simulation).trees()[8].firstUnit, 8u * 14u);
 }
 
 TEST(ForestSimulation, CreateReturnsTheProblems) {
@@ -269,7 +264,7 @@ TEST(ForestSimulation, CreateReturnsTheProblems) {
     EXPECT_EQ(refused.problems().front().key, "tree[0].species");
     const auto empty = ForestSimulation::create(ForestDescription());
     ASSERT_TRUE(empty);
-    EXPECT_EQ(empty.value()->slotCount(), 0u);
+    EXPECT_EQ(empty.value()->trees().size(), 0u);
     wrong.species.emplace_back();
     wrong.trees.front().species = 0;
     const auto one = ForestSimulation::create(wrong);
@@ -287,7 +282,7 @@ TEST(ForestSimulation, AnInvalidDescriptionMakesItEmptyWithAMessageToStderr) {
         testing::internal::GetCapturedStderr(),
         "osgTreeWind: the forest is left empty: tree[0].species: there is no species 7; the forest has 1, "
         "from 0 on\n");
-    EXPECT_EQ(simulation.slotCount(), 0u);
+    EXPECT_EQ(simulation.trees().size(), 0u);
 }
 
 TEST(ForestSimulation, DescriptionHasNoTrees) {
@@ -322,13 +317,13 @@ TEST(ForestSimulation, RecoversFromAnInvalidWind) {
     for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e30f}) {
         EXPECT_TRUE(simulation.setWind(uniform(glm::vec3(bad))).empty());
         run(simulation, 3, 1.0);
-        for (const UnitPose& pose : SimulationAccess::branches(simulation)->poses())
+        for (const UnitPose& pose : movingForest(simulation).branches()->poses())
             ASSERT_TRUE(std::isfinite(glm::length(pose.translation)) &&
                         std::isfinite(glm::length(pose.rotation)));
     }
     EXPECT_TRUE(simulation.setWind(uniform({-3, 0, 0})).empty());
     run(simulation, 200, 2.0);
-    EXPECT_FLOAT_EQ(SimulationAccess::branches(simulation)->states()[13].x, -0.5f);
+    EXPECT_FLOAT_EQ(movingForest(simulation).branches()->states()[13].x, -0.5f);
 }
 
 TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
@@ -342,9 +337,9 @@ TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
     });
     for (int frame = 0; frame < 500; ++frame) {
         simulation.advance(frame / 60.0);
-        const glm::vec3 first = SimulationAccess::branches(simulation)->winds()[0];
+        const glm::vec3 first = movingForest(simulation).branches()->winds()[0];
         for (const glm::vec3& sample :
-             SimulationAccess::branches(simulation)->winds()) // a step uses one field for all branches
+             movingForest(simulation).branches()->winds()) // a step uses one field for all branches
             ASSERT_EQ(sample, first);
     }
     done = true;
@@ -355,12 +350,13 @@ TEST(ForestSimulation, UnderModalComputesPosesOnRequest) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationAccess::branches(simulation), nullptr);
-    ASSERT_NE(SimulationAccess::modal(simulation), nullptr);
+    EXPECT_EQ(movingForest(simulation).branches(), nullptr);
+    ASSERT_NE(movingForest(simulation).modal(), nullptr);
     run(simulation, 60);
     UnitValues values;
-    const TreeMotion once = simulation.motion(0), again = simulation.motion(0, values);
-    ASSERT_EQ(once.poses.size, SimulationAccess::models(simulation)[0]->skeleton.units.size());
+    const TreeMotion once = movingForest(simulation).motion(0),
+                     again = movingForest(simulation).motion(0, values);
+    ASSERT_EQ(once.poses.size, movingForest(simulation).models()[0]->skeleton.units.size());
     for (std::size_t unit = 0; unit < once.poses.size; ++unit) {
         EXPECT_EQ(once.states[unit], again.states[unit]);
         EXPECT_EQ(once.poses[unit].translation, again.poses[unit].translation);
@@ -372,10 +368,10 @@ TEST(ForestSimulation, UnderModalTheValuesOfATreeStayInPlace) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation simulation(forest);
-    const TreeMotion before = simulation.motion(0);
+    const TreeMotion before = movingForest(simulation).motion(0);
     const glm::vec4 rest = before.states[0];
     run(simulation, 60);
-    EXPECT_EQ(simulation.motion(0).states.data, before.states.data);
+    EXPECT_EQ(movingForest(simulation).motion(0).states.data, before.states.data);
     EXPECT_NE(before.states[0], rest);
 }
 
@@ -384,7 +380,7 @@ TEST(ForestSimulation, WithoutLeavesHasNoLeafStates) {
     options.leaves = false;
     ForestSimulation simulation(oneTree(MotionLaw::Modal), options);
     run(simulation, 2);
-    EXPECT_EQ(simulation.motion(0).leaves.size, 0u);
+    EXPECT_EQ(movingForest(simulation).motion(0).leaves.size, 0u);
 }
 
 TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
@@ -403,7 +399,7 @@ TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
     run(own, 30);
     EXPECT_GT(jobs, 30u);
     for (std::size_t tree = 0; tree < 100; ++tree)
-        EXPECT_EQ(lent.motion(tree).states[5], own.motion(tree).states[5]);
+        EXPECT_EQ(movingForest(lent).motion(tree).states[5], movingForest(own).motion(tree).states[5]);
 }
 
 TEST(ForestSimulation, UnderModalABareTreeSwaysLess) {
@@ -414,6 +410,6 @@ TEST(ForestSimulation, UnderModalABareTreeSwaysLess) {
     ForestSimulation bare(forest);
     run(leafy, 600);
     run(bare, 600);
-    const float rest = SimulationAccess::models(leafy)[0]->skeleton.units[1].tip.x;
+    const float rest = movingForest(leafy).models()[0]->skeleton.units[1].tip.x;
     EXPECT_GT(tip(leafy, 1).x - rest, 1.5f * (tip(bare, 1).x - rest));
 }

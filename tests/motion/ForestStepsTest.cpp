@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/motion/OneTree.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@ TEST(ForestSteps, CalmAfterWindFreezesTheThesisLaw) {
     forest.wind = uniform({2, 1, 0});
     ForestSimulation simulation(forest);
     run(simulation, 20);
-    const auto poses = SimulationAccess::branches(simulation)->poses();
+    const auto poses = movingForest(simulation).branches()->poses();
     EXPECT_TRUE(simulation.setWind(nullptr).empty());
     run(simulation, 60, 1.0);
-    EXPECT_GT(SimulationAccess::branches(simulation)->states()[5].x, 0.01f);
-    EXPECT_TRUE(sameBits(poses, SimulationAccess::branches(simulation)->poses()));
+    EXPECT_GT(movingForest(simulation).branches()->states()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, movingForest(simulation).branches()->poses()));
 }
 
 TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
@@ -31,8 +31,7 @@ TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 30, 0.0, 1.0 / 30.0);
     run(fast, 60, 0.0, 1.0 / 60.0);
-    EXPECT_NEAR(SimulationAccess::branches(fast)->states()[8].x /
-                    SimulationAccess::branches(slow)->states()[8].x,
+    EXPECT_NEAR(movingForest(fast).branches()->states()[8].x / movingForest(slow).branches()->states()[8].x,
                 2.0f, 0.02f);
 }
 
@@ -43,11 +42,11 @@ TEST(ForestSteps, AReplacedWindActsFromTheNextStep) {
     run(simulation, 3);
     EXPECT_TRUE(simulation.setWind(uniform({0, -4, 0})).empty());
     simulation.advance(1.0);
-    for (const glm::vec3& sample : SimulationAccess::branches(simulation)->winds())
+    for (const glm::vec3& sample : movingForest(simulation).branches()->winds())
         EXPECT_EQ(sample, glm::vec3(0, -4, 0));
     EXPECT_TRUE(simulation.setWind(nullptr).empty());
     simulation.advance(1.1);
-    EXPECT_EQ(SimulationAccess::branches(simulation)->winds()[3], glm::vec3(0.0f));
+    EXPECT_EQ(movingForest(simulation).branches()->winds()[3], glm::vec3(0.0f));
 }
 
 TEST(ForestSteps, FirstCallPauseAndEarlierTimesKeepTheState) {
@@ -55,15 +54,15 @@ TEST(ForestSteps, FirstCallPauseAndEarlierTimesKeepTheState) {
     forest.wind = uniform({2, 0, 0});
     ForestSimulation simulation(forest);
     EXPECT_FALSE(simulation.advance(5.0));
-    EXPECT_EQ(SimulationAccess::branches(simulation)->states()[3], glm::vec4(0.0f));
+    EXPECT_EQ(movingForest(simulation).branches()->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
-    const auto states = SimulationAccess::branches(simulation)->states();
-    const auto leaves = SimulationAccess::branches(simulation)->leafStates();
+    const auto states = movingForest(simulation).branches()->states();
+    const auto leaves = movingForest(simulation).branches()->leafStates();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
-    EXPECT_TRUE(sameBits(states, SimulationAccess::branches(simulation)->states()));
-    EXPECT_TRUE(sameBits(leaves, SimulationAccess::branches(simulation)->leafStates()));
+    EXPECT_TRUE(sameBits(states, movingForest(simulation).branches()->states()));
+    EXPECT_TRUE(sameBits(leaves, movingForest(simulation).branches()->leafStates()));
     EXPECT_TRUE(simulation.advance(2.1)); // continues from the earlier time
 }
 
@@ -74,9 +73,8 @@ TEST(ForestSteps, AJumpIsOneStep) {
     run(one, 1);
     jump.advance(0.0);
     jump.advance(1.0e6);
-    EXPECT_NEAR(SimulationAccess::branches(jump)->states()[9].x,
-                SimulationAccess::branches(one)->states()[9].x,
-                0.2f * SimulationAccess::branches(one)->states()[9].x);
+    EXPECT_NEAR(movingForest(jump).branches()->states()[9].x, movingForest(one).branches()->states()[9].x,
+                0.2f * movingForest(one).branches()->states()[9].x);
 }
 
 TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
@@ -170,8 +168,8 @@ TEST(ForestSteps, AReplacedWindIsInterpolatedWithinTheStep) {
     EXPECT_TRUE(rising.setWind(forest.wind).empty());
     for (ForestSimulation* simulation : {&rising, &steady})
         simulation->advance(0.1);
-    EXPECT_GT(SimulationAccess::modal(rising)->lean(0).x, 0.0f);
-    EXPECT_LT(SimulationAccess::modal(rising)->lean(0).x, 0.5f * SimulationAccess::modal(steady)->lean(0).x);
+    EXPECT_GT(movingForest(rising).modal()->lean(0).x, 0.0f);
+    EXPECT_LT(movingForest(rising).modal()->lean(0).x, 0.5f * movingForest(steady).modal()->lean(0).x);
 }
 
 TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
@@ -180,7 +178,7 @@ TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 90, 0.0, 1.0 / 30.0);
     run(fast, 720, 0.0, 1.0 / 240.0);
-    const float lean = tip(fast, 0).x - SimulationAccess::models(fast)[0]->skeleton.units[0].tip.x;
+    const float lean = tip(fast, 0).x - movingForest(fast).models()[0]->skeleton.units[0].tip.x;
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
 }
 

@@ -6,8 +6,7 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -36,8 +35,8 @@ ForestDescription saplingWood(std::size_t trees) {
 
 std::vector<glm::vec2> leansOf(const ForestSimulation& simulation) {
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(simulation).size(); ++slot)
-        leans.push_back(SimulationAccess::modal(simulation)->lean(slot));
+    for (std::size_t slot = 0; slot < movingForest(simulation).trees().size(); ++slot)
+        leans.push_back(movingForest(simulation).modal()->lean(slot));
     return leans;
 }
 

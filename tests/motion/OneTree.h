@@ -4,7 +4,7 @@
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <cstring>
 #include <functional>
@@ -43,9 +43,9 @@ inline void run(ForestSimulation& simulation, int frames, double start = 0.0, do
 
 /// Tip of a unit, tree frame.
 inline glm::vec3 tip(const ForestSimulation& simulation, std::size_t unit) {
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[0];
-    const BranchUnit& branch = SimulationAccess::models(simulation)[tree.model]->skeleton.units[unit];
-    return simulation.motion(0).poses[unit].apply(tree.scale.axes * branch.tip);
+    const PlacedTree& tree = movingForest(simulation).trees()[0];
+    const BranchUnit& branch = movingForest(simulation).models()[tree.model]->skeleton.units[unit];
+    return movingForest(simulation).motion(0).poses[unit].apply(tree.scale.axes * branch.tip);
 }
 
 template <typename T>

@@ -96,7 +96,7 @@ public:
             {"wind/FunctionWind.h", {&C::setFunctionWind}},
             {"wind/GustWind.h", {&C::setGusts}},
             {"wind/LogProfile.h", {&C::setGusts, &C::setSeries}},
-            {"wind/ForestWind.h", {&C::setThesisGrid}},
+            {"wind/ThesisWind.h", {&C::setThesisGrid}},
             {"wind/GridWind.h", {&C::setGrid, &C::setThesisGrid}},
             {"wind/StreamedWind.h", {&C::stream}},
             {"wind/TimeSeriesWind.h", {&C::setSeries}},
@@ -150,10 +150,8 @@ private:
         expectFinite(_forest->getSimulation());
     }
     void expectFinite(const ForestSimulation& simulation) {
-        if (simulation.slotCount() == 0)
-            return;
         UnitValues values;
-        for (const UnitPose& pose : simulation.motion(any.below(simulation.slotCount()), values).poses)
+        for (const UnitPose& pose : simulation.motion(TreeId(any.below(4)), values).poses)
             for (int i = 0; i < 3; ++i)
                 ASSERT_TRUE(std::isfinite(pose.apply(glm::vec3(1.0f))[i])) << _header;
     }
@@ -250,7 +248,7 @@ private:
         if (any.oneIn(4))
             any.corrupt(forest.drawing);
         if (any.oneIn(4))
-            any.corrupt(forest.wind.canopy.emplace());
+            any.corrupt(forest.canopy);
         if (any.oneIn(6))
             forest.noiseExponent = any.number<float>();
         if (any.oneIn(6))
@@ -284,12 +282,17 @@ private:
         const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<ArbitraryWind>(any);
         Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.integer() : int(any.below(3))));
         if (any.oneIn(3))
-            any.corrupt(given.canopy.emplace());
+            expect(_forest->setCanopy(anyCanopy()));
         given.clock = {any.number<double>(), any.number<double>()};
         given.clock.travel = {any.number<double>(), any.number<double>()};
         given.clock.origin = {any.number<double>(), any.number<double>()};
-        given.adjustment = {any.number<double>(), any.number<double>()};
+        given.adjustment = {any.number<double>(), any.number<float>()};
         expectChange(_forest->setWind(given), before);
+    }
+    CanopySettings anyCanopy() {
+        CanopySettings canopy;
+        any.corrupt(canopy);
+        return canopy;
     }
     void setSeason() {
         const ForestDescription before = _forest->getSimulation().describe();
@@ -313,7 +316,7 @@ private:
         const ForestDescription before = _forest->getSimulation().describe();
         expectChange(_forest->removeTree(tree()), before);
     }
-    void findTree() { EXPECT_EQ(_forest->findTree(any.text() + "?"), noTree); }
+    void findTree() { EXPECT_FALSE(_forest->findTree(any.text() + "?")); }
     void queryTrees() {
         _forest->getPlacement(tree());
         _forest->getUnits(tree());
@@ -365,7 +368,7 @@ private:
         if (!_simulation)
             return;
         _simulation->advance(any.oneIn(2) ? any.number<double>() : nextTime());
-        _simulation->spinUp({TreeId(0), noTree, tree()});
+        _simulation->spinUp({TreeId(0), TreeId(any.count()), tree()});
         expect(_simulation->setSeason(any.number<float>()));
         expect(_simulation->addSpecies(species()));
         expect(_simulation->addTree(placement()));
@@ -374,7 +377,13 @@ private:
         EXPECT_TRUE(
             _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<ArbitraryWind>(any)).empty());
         _simulation->setExecutor(nullptr);
-        _simulation->motion(any.count());
+        expect(_simulation->setCanopy(anyCanopy()));
+        const TreeId asked = any.oneIn(2) ? tree() : TreeId(any.count());
+        _simulation->motion(asked);
+        _simulation->unitMotion(asked, any.count());
+        _simulation->scaleOf(asked);
+        EXPECT_EQ(_simulation->modelOf(asked).has_value(), _simulation->holds(asked));
+        EXPECT_EQ(_simulation->placementOf(asked).has_value(), _simulation->holds(asked));
         if (any.oneIn(3))
             _simulation->reset();
     }
@@ -414,13 +423,13 @@ private:
     }
     void useTechnique() {
         ForestTechnique* technique = _forest->getTechnique();
-        technique->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
+        technique->treeChanged(any.oneIn(2) ? tree() : TreeId(any.count()));
         technique->releaseBranch(tree(), unit());
         const osg::ref_ptr<ForestTechnique> copy = osg::clone(technique);
         copy->seasonChanged();
-        copy->treeChanged(any.count());
+        copy->treeChanged(TreeId(any.count()));
         copy->setSimulation(any.oneIn(3) ? nullptr : std::make_shared<ForestSimulation>(description()));
-        copy->followBranch(tree(), unit());
+        copy->branch(tree(), unit());
         copy->releaseBranch(tree(), unit());
     }
     void setTechnique() {
@@ -440,7 +449,7 @@ private:
     }
     void hit() {
         const osg::ref_ptr<TreeHit> met =
-            new TreeHit(_forest->getSimulation(), any.oneIn(2) ? any.below(5) : any.count());
+            new TreeHit(_forest->getSimulation(), any.oneIn(2) ? tree() : TreeId(any.count()));
         met->getUnit(any.count());
         met->isLeaf(any.count());
     }
@@ -616,7 +625,7 @@ TEST(AnyCallsTest, EveryPublicHeaderIsCoveredOrExempt) {
         "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h", "growth/GrowthGoal.h",
         "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h", "model/PalmParameters.h",
         "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h", "motion/damage/TreeDamage.h",
-        "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h", "wind/WindCanopy.h",
+        "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h", "wind/CanopySettings.h",
         "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
         // Macros.
         "base/Export.h", "base/Version.h",

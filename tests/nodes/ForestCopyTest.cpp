@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <tests/NamesInOrder.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -59,12 +59,11 @@ TEST_P(ForestCopyTest, SharesImmutableData) {
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
     forest->getInstanced()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
-    EXPECT_EQ(SimulationAccess::models(copy->getSimulation()),
-              SimulationAccess::models(forest->getSimulation()));
-    EXPECT_EQ(&SimulationAccess::modal(copy->getSimulation())->archetype(0),
-              &SimulationAccess::modal(forest->getSimulation())->archetype(0));
-    const InstancedResources &one = InstancedParts::trees(*forest->getInstanced())->resources(),
-                             &other = InstancedParts::trees(*copy->getInstanced())->resources();
+    EXPECT_EQ(movingForest(copy->getSimulation()).models(), movingForest(forest->getSimulation()).models());
+    EXPECT_EQ(&movingForest(copy->getSimulation()).modal()->archetype(0),
+              &movingForest(forest->getSimulation()).modal()->archetype(0));
+    const InstancedResources &one = forest->getInstanced()->getTrees()->resources(),
+                             &other = copy->getInstanced()->getTrees()->resources();
     EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].hostLeaves, own);

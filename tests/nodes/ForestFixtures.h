@@ -7,7 +7,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -65,9 +65,9 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
 /// TreeMotion::states of all units of all trees.
 inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec4> states;
-    for (std::size_t tree = 0; tree < osgTreeWind::SimulationAccess::trees(forest.getSimulation()).size();
+    for (std::size_t tree = 0; tree < osgTreeWind::movingForest(forest.getSimulation()).trees().size();
          ++tree)
-        for (const glm::vec4& state : forest.getSimulation().motion(tree).states)
+        for (const glm::vec4& state : movingForest(forest.getSimulation()).motion(tree).states)
             states.push_back(state);
     return states;
 }
@@ -75,9 +75,9 @@ inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
 /// TreeMotion::winds of all units of all trees.
 inline std::vector<glm::vec3> windsOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec3> winds;
-    for (std::size_t tree = 0; tree < osgTreeWind::SimulationAccess::trees(forest.getSimulation()).size();
+    for (std::size_t tree = 0; tree < osgTreeWind::movingForest(forest.getSimulation()).trees().size();
          ++tree)
-        for (const glm::vec3& wind : forest.getSimulation().motion(tree).winds)
+        for (const glm::vec3& wind : movingForest(forest.getSimulation()).motion(tree).winds)
             winds.push_back(wind);
     return winds;
 }

@@ -3,8 +3,8 @@
 #include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osg/LOD>
@@ -36,7 +36,7 @@ ForestDescription forestInWind(const WindFieldPtr& wind) {
 }
 
 glm::vec2 leanOf(const Forest& forest, std::size_t tree) {
-    return SimulationAccess::modal(forest.getSimulation())->lean(tree);
+    return movingForest(forest.getSimulation()).modal()->lean(tree);
 }
 
 osg::ref_ptr<osg::MatrixTransform> placeBelow(const osg::Matrix& place, osg::Node* node) {

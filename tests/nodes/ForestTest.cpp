@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <tests/EnvironmentVariable.h>
 #include <tests/MessageCollector.h>
+#include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -40,7 +43,7 @@ struct CountedForest {
     /// Samples per branch unit.
     int samples() const {
         return *calls /
-               static_cast<int>(SimulationAccess::branches(forest->getSimulation())->windPlaces().size());
+               static_cast<int>(movingForest(forest->getSimulation()).branches()->windPlaces().size());
     }
 };
 
@@ -113,7 +116,7 @@ TEST(ForestTest, ANewDescriptionReplacesTheTreesAndKeepsTheHostsChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    const osg::ref_ptr<InstancedTrees> former = InstancedParts::trees(*forest->getInstanced());
+    const osg::ref_ptr<InstancedTrees> former = forest->getInstanced()->getTrees();
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2).value();
     EXPECT_TRUE(forest->setDescription(smallForest(5)).empty());
     EXPECT_EQ(forest->getNumTrees(), 5u);
@@ -136,7 +139,7 @@ TEST(ForestTest, ANewDescriptionMayChangeTheLaw) {
     EXPECT_EQ(forest->getInstanced(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
     EXPECT_EQ(forest->branch(TreeId(1), 2).value(),
-              BranchwiseParts::tree(*forest->getBranchwise(), 1)->getBranch(2));
+              forest->getBranchwise()->getTrees()->nodes()[1]->getBranch(2));
     EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     updateFrames(*forest, 1, 5);
@@ -263,6 +266,22 @@ TEST(ForestTest, CreateReturnsProblems) {
         << tooLarge.problems().front().text();
 }
 
+TEST(ForestTest, ReadReturnsTheForestOfAFileOrItsProblems) {
+    TemporaryFolder folder;
+    const std::string species = "version = 1\n[[species]]\nname = \"a\"\n";
+    const auto good =
+        Forest::read(folder.write("good.treewind", species + "[[tree]]\nposition = [1, 2, 0]\n"));
+    ASSERT_TRUE(good) << toString(good.problems());
+    EXPECT_EQ(good.value()->getNumTrees(), 1u);
+    const auto bad = Forest::read(folder.write("bad.treewind", species + "[[tree]]\nposition = [1, 2]\n"));
+    ASSERT_FALSE(bad);
+    EXPECT_EQ(bad.problems().front().line, 5);
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1");
+    const auto large = Forest::read(folder.path() + "/good.treewind");
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.problems().front().file, folder.path() + "/good.treewind");
+}
+
 TEST(ForestTest, ADefaultForestIsEmptyAndRuns) {
     osg::ref_ptr<Forest> forest = new Forest;
     updateFrames(*forest, 1, 3);
@@ -281,7 +300,7 @@ TEST(ForestTest, AnUpdateWithoutFrameStampDoesNothing) {
 TEST(ForestTest, TreesOfASpeciesShareTheirShapes) {
     const auto geometries = [](int trees) {
         osg::ref_ptr<Forest> forest = new Forest(smallForest(trees));
-        return SimulationAccess::models(forest->getSimulation()).size();
+        return movingForest(forest->getSimulation()).models().size();
     };
     EXPECT_EQ(geometries(2), 2u);
     EXPECT_EQ(geometries(40), 2u) << "memory grows with shapes, not trees";
@@ -297,8 +316,8 @@ TEST(ForestTest, MotionIsTheSameFarFromTheWorldOrigin) {
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
-        EXPECT_EQ(SimulationAccess::trees(there->getSimulation())[i].position,
-                  SimulationAccess::trees(here->getSimulation())[i].position);
+        EXPECT_EQ(movingForest(there->getSimulation()).trees()[i].position,
+                  movingForest(here->getSimulation()).trees()[i].position);
     EXPECT_EQ(there->getBound().center(), here->getBound().center());
     EXPECT_EQ(statesOf(*there), statesOf(*here));
 }

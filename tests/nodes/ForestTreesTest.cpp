@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Adding, removing and changing trees, and transforms of branches, while a forest runs.
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 
 #include <osg/ComputeBoundsVisitor>
@@ -44,7 +44,7 @@ TEST(ForestTreesTest, IdsAreNeverUsedAgain) {
     }
     for (std::size_t tree = 0; tree < 4; ++tree)
         EXPECT_TRUE(forest->getSimulation().holds(TreeId(tree)));
-    EXPECT_LE(SimulationAccess::trees(forest->getSimulation()).size(), 5u) << "slots are used again";
+    EXPECT_LE(movingForest(forest->getSimulation()).trees().size(), 5u) << "slots are used again";
 }
 
 TEST(ForestTreesTest, ATreeOfAnUnknownSpeciesIsRejected) {
@@ -55,7 +55,7 @@ TEST(ForestTreesTest, ATreeOfAnUnknownSpeciesIsRejected) {
     ASSERT_FALSE(added);
     EXPECT_EQ(added.problems().front().text(), "species: there is no species 9; the forest has 1, from 0 on");
     EXPECT_FALSE(forest->changeTree(TreeId(0), stranger).empty());
-    EXPECT_FALSE(forest->removeTree(noTree).empty());
+    EXPECT_FALSE(forest->removeTree(TreeId(99)).empty());
     EXPECT_EQ(forest->getNumTrees(), 1u);
 }
 
@@ -64,13 +64,13 @@ TEST(ForestTreesTest, FindsATreeByName) {
     description.trees[1].name = "old oak";
     osg::ref_ptr<Forest> forest = new Forest(description);
     EXPECT_EQ(forest->findTree("old oak"), TreeId(1));
-    EXPECT_EQ(forest->findTree("nobody"), noTree);
+    EXPECT_FALSE(forest->findTree("nobody"));
     TreePlacement named = treeAt(30.0);
     named.name = "sapling";
     const TreeId added = forest->addTree(named).value();
     EXPECT_EQ(forest->findTree("sapling"), added);
     EXPECT_TRUE(forest->removeTree(added).empty());
-    EXPECT_EQ(forest->findTree("sapling"), noTree);
+    EXPECT_FALSE(forest->findTree("sapling"));
 }
 
 TEST(ForestTreesTest, BoundsFollowTheTrees) {
@@ -95,18 +95,18 @@ TEST(ForestTreesTest, ATreeThatChangesInEveryFrameHasOneTransform) {
         update(*forest, frame, frame / 25.0);
         EXPECT_TRUE(forest->removeTree(other).empty());
     }
-    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 5u);
+    EXPECT_LE(forest->getInstanced()->getTrees()->nearTreeCount(), 5u);
 }
 
 TEST(ForestTreesTest, AMovedTreeKeepsSwaying) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 40);
-    const glm::vec2 lean = SimulationAccess::modal(forest->getSimulation())->lean(1);
+    const glm::vec2 lean = movingForest(forest->getSimulation()).modal()->lean(1);
     ASSERT_GT(glm::length(lean), 0.01f);
-    TreePlacement there = forest->getSimulation().placementOf(TreeId(1));
+    TreePlacement there = *forest->getSimulation().placementOf(TreeId(1));
     there.position.x += 100.0;
     EXPECT_TRUE(forest->changeTree(TreeId(1), there).empty());
-    EXPECT_LT(glm::distance(SimulationAccess::modal(forest->getSimulation())->lean(1), lean), 1e-5f);
+    EXPECT_LT(glm::distance(movingForest(forest->getSimulation()).modal()->lean(1), lean), 1e-5f);
 }
 
 TEST(ForestTreesTest, ChangesDoNotAffectOtherTrees) {
@@ -120,8 +120,8 @@ TEST(ForestTreesTest, ChangesDoNotAffectOtherTrees) {
     updateFrames(*one, 41, 60);
     updateFrames(*other, 41, 60);
     for (std::size_t tree = 0; tree < 4; ++tree)
-        EXPECT_EQ(SimulationAccess::modal(one->getSimulation())->lean(tree),
-                  SimulationAccess::modal(other->getSimulation())->lean(tree))
+        EXPECT_EQ(movingForest(one->getSimulation()).modal()->lean(tree),
+                  movingForest(other->getSimulation()).modal()->lean(tree))
             << tree;
 }
 
@@ -134,14 +134,14 @@ TEST(ForestTreesTest, BranchTransformsUseTheFrameOfTheTree) {
               "unit: there is no unit 1000; the tree has 14, from 0 on");
     EXPECT_EQ(toString(forest->branch(TreeId(77), 0).problems()),
               "tree: no tree has this id; it may have been removed");
-    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[2];
+    const PlacedTree& placed = movingForest(forest->getSimulation()).trees()[2];
     const BranchUnit& rest =
-        SimulationAccess::forest(forest->getSimulation()).modelOf(placed).skeleton.units[11];
+        movingForest(forest->getSimulation()).placed().modelOf(placed).skeleton.units[11];
     const osg::Matrix before = branch->getMatrix();
     for (unsigned frame = 1; frame <= 30; ++frame) {
         update(*forest, frame, frame / 25.0);
         const glm::vec3 tip = placed.scale.axes * rest.tip;
-        const UnitPose pose = forest->getSimulation().motion(2).poses[11];
+        const UnitPose pose = movingForest(forest->getSimulation()).motion(2).poses[11];
         const glm::vec3 expected =
             rotateAboutZ(pose.apply(tip), std::sin(placed.heading), std::cos(placed.heading)) +
             placed.position;
@@ -157,11 +157,11 @@ TEST(ForestTreesTest, ABranchTransformAgreesWithThePosedTree) {
         branches.emplace_back(forest->branch(TreeId(2), unit).value());
     ASSERT_GT(branches.size(), 10u);
     updateFrames(*forest, 1, 30);
-    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[2];
+    const PlacedTree& placed = movingForest(forest->getSimulation()).trees()[2];
     const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                                  osg::Matrix::translate(toOsg(placed.position));
     UnitValues values;
-    const TreeMotion whole = forest->getSimulation().motion(2, values);
+    const TreeMotion whole = movingForest(forest->getSimulation()).motion(2, values);
     for (std::size_t unit = 0; unit < branches.size(); ++unit) {
         EXPECT_EQ(branches[unit]->getMatrix(),
                   osg::Matrix::rotate(toOsg(whole.poses[unit].rotation)) *
@@ -195,8 +195,8 @@ TEST(ForestTreesTest, UnitsAreWhereTheTreeIs) {
     const std::vector<TreeUnit> rest = forest->getUnits(TreeId(1));
     updateFrames(*forest, 1, 30);
     const std::vector<TreeUnit> units = forest->getUnits(TreeId(1));
-    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[1];
-    ASSERT_EQ(units.size(), SimulationAccess::forest(forest->getSimulation()).unitCount(placed));
+    const PlacedTree& placed = movingForest(forest->getSimulation()).trees()[1];
+    ASSERT_EQ(units.size(), movingForest(forest->getSimulation()).placed().unitCount(placed));
     EXPECT_LT((units[0].base - toOsg(placed.position)).length(), 1e-5f) << "the foot of the trunk";
     EXPECT_EQ(units[0].parent, -1);
     float moved = 0.0f, highest = 0.0f;
@@ -273,7 +273,7 @@ TEST(ForestTreesTest, ABranchTransformKeepsItsPositionWhenItsTreeIsRemoved) {
     const osg::Matrix last = branch->getMatrix();
     EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
     const TreeId next = forest->addTree(treeAt(40.0)).value();
-    EXPECT_EQ(forest->getSimulation().slotOf(next), 1u);
+    EXPECT_EQ(slotOfTree(next), 1u);
     updateFrames(*forest, 31, 60);
     EXPECT_EQ(branch->getMatrix(), last);
     EXPECT_NE(forest->branch(next, 9).value(), branch);
@@ -330,12 +330,12 @@ TEST(ForestTreesTest, AHiddenTreeWithABranchTransformStepsInEveryFrame) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 0u);
+    ASSERT_EQ(forest->getInstanced()->getTrees()->nearTreeCount(), 0u);
     EXPECT_TRUE(forest->branch(TreeId(5), 0));
-    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTreeCount(), 1u);
+    EXPECT_EQ(forest->getInstanced()->getTrees()->nearTreeCount(), 1u);
     updateFrames(*forest, 1, 200);
-    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);
-    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->level(6), ModalMotion::Level::Far);
+    EXPECT_EQ(movingForest(forest->getSimulation()).modal()->level(5), ModalMotion::Level::Near);
+    EXPECT_EQ(movingForest(forest->getSimulation()).modal()->level(6), ModalMotion::Level::Far);
 }
 
 TEST(ForestTreesTest, ThousandsOfChangesUseNoMoreMemory) {
@@ -351,9 +351,8 @@ TEST(ForestTreesTest, ThousandsOfChangesUseNoMoreMemory) {
         EXPECT_TRUE(forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height)).empty());
         EXPECT_TRUE(forest->removeTree(tree).empty());
         if (i == 0)
-            archetypes = SimulationAccess::modal(forest->getSimulation())->archetypeCount();
+            archetypes = movingForest(forest->getSimulation()).modal()->archetypeCount();
     }
-    EXPECT_LE(SimulationAccess::trees(forest->getSimulation()).size(), 3001u);
-    EXPECT_EQ(SimulationAccess::modal(forest->getSimulation())->archetypeCount(), archetypes)
-        << "flat memory";
+    EXPECT_LE(movingForest(forest->getSimulation()).trees().size(), 3001u);
+    EXPECT_EQ(movingForest(forest->getSimulation()).modal()->archetypeCount(), archetypes) << "flat memory";
 }

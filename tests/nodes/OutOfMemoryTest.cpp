@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Single allocations fail: the host survives.
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/Culling.h>
@@ -147,7 +148,7 @@ TEST_F(OutOfMemoryTest, AFailedUpdateStopsTheForest) {
 TEST_F(OutOfMemoryTest, AFailedCullRestoresItsVisitor) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(8));
     updateFrames(*forest, 1, 2);
-    InstancedTrees* const trees = InstancedParts::trees(*forest->getInstanced());
+    InstancedTrees* const trees = forest->getInstanced()->getTrees();
     osg::ref_ptr<osgUtil::CullVisitor> visitor = new osgUtil::CullVisitor;
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     visitor->setFrameStamp(stamp);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Forests of the same trees share their parts, for hosts that read each object by itself.
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -19,16 +21,16 @@ namespace {
 using Forests = std::vector<osg::ref_ptr<Forest>>;
 
 const InstancedResources& resourcesOf(const Forest& forest) {
-    return InstancedParts::trees(*forest.getInstanced())->resources();
+    return forest.getInstanced()->getTrees()->resources();
 }
 
 /// All parts that take time to make or much memory.
 std::set<const void*> partsOf(const Forest& forest) {
     std::set<const void*> parts;
-    for (const auto& model : SimulationAccess::models(forest.getSimulation()))
+    for (const auto& model : movingForest(forest.getSimulation()).models())
         parts.insert(model.get());
     for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
-        parts.insert(&SimulationAccess::modal(forest.getSimulation())->archetype(tree));
+        parts.insert(&movingForest(forest.getSimulation()).modal()->archetype(tree));
     for (osg::Object* object : resourcesOf(forest).glObjects()) {
         if (osg::StateSet* state = object->asStateSet()) {
             for (const auto& [key, attribute] : state->getAttributeList())
@@ -66,15 +68,14 @@ TEST(SharedForests, DoNotShareDifferentLooksOrMotion) {
     const osg::ref_ptr<Forest> one = new Forest(description);
     description.species[0].appearance.bark.r += 0.125f;
     const osg::ref_ptr<Forest> brown = new Forest(description);
-    EXPECT_EQ(SimulationAccess::models(one->getSimulation()),
-              SimulationAccess::models(brown->getSimulation()));
+    EXPECT_EQ(movingForest(one->getSimulation()).models(), movingForest(brown->getSimulation()).models());
     EXPECT_NE(resourcesOf(*one).models[0]->impostor(Tier::Impostor),
               resourcesOf(*brown).models[0]->impostor(Tier::Impostor));
     EXPECT_EQ(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*brown).models[0]->bark(Tier::Full));
     description.species[0].wood.density *= 2.0f;
     const osg::ref_ptr<Forest> heavy = new Forest(description);
-    EXPECT_NE(&SimulationAccess::modal(one->getSimulation())->archetype(0),
-              &SimulationAccess::modal(heavy->getSimulation())->archetype(0));
+    EXPECT_NE(&movingForest(one->getSimulation()).modal()->archetype(0),
+              &movingForest(heavy->getSimulation()).modal()->archetype(0));
 }
 
 TEST(SharedForests, ShareRegardlessOfTheSpeciesName) {
@@ -103,7 +104,7 @@ TEST(SharedForests, KeepNothingAfterTheLastForest) {
     osg::observer_ptr<osg::Geometry> bark;
     {
         const osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-        model = SimulationAccess::models(forest->getSimulation())[0];
+        model = movingForest(forest->getSimulation()).models()[0];
         bark = resourcesOf(*forest).models[0]->bark(Tier::Full);
     }
     EXPECT_TRUE(model.expired());
@@ -114,10 +115,9 @@ TEST(SharedForests, ShareUnderABranchLawToo) {
     ForestDescription description = smallForest(2);
     description.law = MotionLaw::ThesisSmooth;
     const osg::ref_ptr<Forest> one = new Forest(description), other = new Forest(description);
-    EXPECT_EQ(SimulationAccess::models(one->getSimulation()),
-              SimulationAccess::models(other->getSimulation()));
-    EXPECT_EQ(BranchwiseParts::buffers(*one->getBranchwise(), 0).skin(),
-              BranchwiseParts::buffers(*other->getBranchwise(), 0).skin());
+    EXPECT_EQ(movingForest(one->getSimulation()).models(), movingForest(other->getSimulation()).models());
+    EXPECT_EQ(one->getBranchwise()->getTrees()->buffers(0).skin(),
+              other->getBranchwise()->getTrees()->buffers(0).skin());
 }
 
 TEST(SharedForests, ParallelLoadsMakeEachPartOnce) {

@@ -98,8 +98,7 @@ protected:
         description.gain = static_cast<float>(uniform(0.0, 4.0));
         description.season = static_cast<float>(uniform(0.0, 4.0));
         description.wind = randomWind();
-        description.wind.canopy.emplace().source =
-            randomBelow(3) == 0 ? CanopySource::Forest : CanopySource::None;
+        description.canopy.source = randomBelow(3) == 0 ? CanopySource::Forest : CanopySource::None;
         description.drawing.tiers = randomBelow(4) > 0;
         description.drawing.budget = randomBelow(4) == 0 ? 5.0f : 0.0f;
         return description;
@@ -107,12 +106,12 @@ protected:
 
     TreeId randomTree() {
         const std::vector<TreeId> trees = forest->getTrees();
-        return trees.empty() ? noTree : trees[randomBelow(static_cast<unsigned>(trees.size()))];
+        return trees.empty() ? TreeId(~0ull) : trees[randomBelow(static_cast<unsigned>(trees.size()))];
     }
 
     void followRandomBranch() {
         const TreeId tree = randomTree();
-        const std::size_t units = tree == noTree ? 0 : forest->getUnits(tree).size();
+        const std::size_t units = forest->getUnits(tree).size();
         if (units == 0)
             return;
         const unsigned unit = randomBelow(static_cast<unsigned>(units));

@@ -3,8 +3,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/TileReader.h>
 #include <tests/MessageCollector.h>
 #include <tests/nodes/FileServer.h>
@@ -37,13 +36,13 @@ TEST(TilePagerTest, LoadsOnlyTreesInRange) {
 TEST(TilePagerTest, ReloadedTreesAreTheSame) {
     TiledWorld world;
     world.frames(world.at(50.0, 50.0), settleFrames);
-    const std::optional<TreePlacement> before = world.forest().getPlacement(world.forest().findTree("2/1"));
+    const std::optional<TreePlacement> before = world.forest().getPlacement(*world.forest().findTree("2/1"));
     ASSERT_TRUE(before);
     world.frames(world.at(950.0, 950.0), settleFrames);
     EXPECT_EQ(world.names().count("2/1"), 0u);
-    EXPECT_NE(world.forest().findTree("29/29"), noTree);
+    EXPECT_TRUE(world.forest().findTree("29/29"));
     world.frames(world.at(50.0, 50.0), settleFrames);
-    const std::optional<TreePlacement> after = world.forest().getPlacement(world.forest().findTree("2/1"));
+    const std::optional<TreePlacement> after = world.forest().getPlacement(*world.forest().findTree("2/1"));
     ASSERT_TRUE(after);
     EXPECT_EQ(after->position, before->position);
     EXPECT_EQ(after->seed, before->seed);
@@ -54,7 +53,9 @@ TEST(TilePagerTest, ReloadedTreesAreTheSame) {
 TEST(TilePagerTest, AShortWayBackReloadsNothing) {
     TiledWorld world;
     world.frames(world.at(550.0, 450.0), settleFrames);
-    const TreeId tree = world.forest().findTree("15/12");
+    const std::optional<TreeId> found = world.forest().findTree("15/12");
+    ASSERT_TRUE(found);
+    const TreeId tree = *found;
     world.frames(world.at(950.0, 450.0), 20);
     world.frames(world.at(550.0, 450.0), 20);
     EXPECT_EQ(world.forest().findTree("15/12"), tree) << "it was not unloaded";
@@ -113,7 +114,7 @@ TEST(TilePagerTest, TreesOfTheHostStay) {
     ASSERT_TRUE(world.forest().addTree(own));
     world.frames(world.at(550.0, 450.0), settleFrames);
     world.frames(world.at(950.0, 950.0), settleFrames);
-    EXPECT_NE(world.forest().findTree("mine"), noTree);
+    EXPECT_TRUE(world.forest().findTree("mine"));
     const ForestDescription now = world.forest().getSimulation().describe();
     ASSERT_EQ(now.trees.size(), 1u) << "trees of tiles are not listed";
     EXPECT_TRUE(now.tiles);
@@ -128,7 +129,7 @@ TEST(TilePagerTest, ALoadedTreeSwaysAsIfItHadBeenThere) {
     world.frames(world.at(950.0, 950.0), 500);
     world.frames(world.at(250.0, 250.0), 5);
 
-    Result<ForestDescription> all = readForestFile(world.folder().path() + "/world.treewind");
+    Result<ForestFile> all = readForestFile(world.folder().path() + "/world.treewind");
     ASSERT_TRUE(loadTiles(all.value()));
     all.value().wind = gusts;
     SimulationOptions far;
@@ -140,8 +141,8 @@ TEST(TilePagerTest, ALoadedTreeSwaysAsIfItHadBeenThere) {
     for (const TreeId tree : world.forest().getTrees()) {
         const std::string name = world.forest().getSimulation().nameOf(tree);
         const ForestSimulation& here = world.forest().getSimulation();
-        const glm::vec2 lean = SimulationAccess::modal(here)->lean(here.slotOf(tree)),
-                        expected = SimulationAccess::modal(whole)->lean(whole.slotOf(*whole.findTree(name)));
+        const glm::vec2 lean = movingForest(here).modal()->lean(slotOfTree(tree)),
+                        expected = movingForest(whole).modal()->lean(slotOfTree(*whole.findTree(name)));
         difference += static_cast<double>(glm::dot(lean - expected, lean - expected));
         sway += static_cast<double>(glm::dot(expected, expected));
     }
@@ -155,7 +156,7 @@ TEST(TilePagerTest, LoadsFromAServer) {
     world.readFrom(server.url() + "/tiles");
     world.frames(world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(world.names().size(), 81u);
-    EXPECT_NE(world.forest().findTree("15/12"), noTree);
+    EXPECT_TRUE(world.forest().findTree("15/12"));
 }
 
 TEST(TilePagerTest, RetriesAServerThatFailsSometimes) {
@@ -178,7 +179,7 @@ TEST(TilePagerTest, ASilentServerTimesOut) {
     osgDB::Registry::instance()->setOptions(options);
     world.readFrom(server.url() + "/tiles");
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(world.forest().findTree("5_4/1"), noTree);
+    EXPECT_FALSE(world.forest().findTree("5_4/1"));
     osgDB::Registry::instance()->setOptions(nullptr);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }

@@ -25,21 +25,22 @@ void unloadAndReload(TiledWorld& world) {
 TEST(TiledEditsTest, ARemovedTreeDoesNotComeBack) {
     TiledWorld world;
     world.frames(world.at(550.0, 450.0), settleFrames);
-    ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
+    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(near)).empty());
     unloadAndReload(world);
     EXPECT_EQ(world.names().size(), 80u);
     EXPECT_EQ(world.names().count(near), 0u);
-    EXPECT_EQ(world.forest().findTree(near), noTree);
+    EXPECT_FALSE(world.forest().findTree(near));
 }
 
 TEST(TiledEditsTest, FindsATreeInATileThatIsNotLoaded) {
     TiledWorld world;
-    const TreeId tree = world.forest().findTree(near);
-    ASSERT_NE(tree, noTree);
+    const std::optional<TreeId> found = world.forest().findTree(near);
+    ASSERT_TRUE(found);
+    const TreeId tree = *found;
     EXPECT_EQ(world.names().size(), 9u) << "with its tile";
     EXPECT_EQ(world.forest().getPlacement(tree)->seed, 30u * 15 + 12);
     ASSERT_TRUE(world.forest().removeTree(tree).empty());
-    EXPECT_EQ(world.forest().findTree("nobody"), noTree);
+    EXPECT_FALSE(world.forest().findTree("nobody"));
     world.frames(world.at(50.0, 50.0), settleFrames);
     EXPECT_EQ(world.names().size(), 36u) << "the tile of the removed tree is unloaded again";
     world.frames(world.at(550.0, 450.0), settleFrames);
@@ -51,16 +52,19 @@ TEST(TiledEditsTest, FindsATreeWithoutANameByItsTile) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(forest, folder.path()));
     const osg::ref_ptr<Forest> world = new Forest(readForestFile(folder.path() + "/world.treewind").value());
-    const TreeId tree = world->findTree("0_0/7");
-    ASSERT_NE(tree, noTree);
+    const std::optional<TreeId> found = world->findTree("0_0/7");
+    ASSERT_TRUE(found);
+    const TreeId tree = *found;
     EXPECT_EQ(world->getPlacement(tree)->seed, 7u);
     for (const char* name : {"0_0/12", "1_0/0", "0_0/", "0_0/7x", "0_0", "-1_0/0", ""})
-        EXPECT_EQ(world->findTree(name), noTree) << name;
+        EXPECT_FALSE(world->findTree(name)) << name;
 }
 
 TEST(TiledEditsTest, AChangedTreeStaysChanged) {
     TiledWorld world;
-    const TreeId tree = world.forest().findTree(near);
+    const std::optional<TreeId> found = world.forest().findTree(near);
+    ASSERT_TRUE(found);
+    const TreeId tree = *found;
     TreePlacement taller = *world.forest().getPlacement(tree);
     taller.position.x += 2.0;
     taller.size = {};
@@ -76,10 +80,10 @@ TEST(TiledEditsTest, AChangedTreeStaysChanged) {
 TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
     TiledWorld world;
     Forest& forest = world.forest();
-    ASSERT_TRUE(forest.removeTree(forest.findTree("0/0")).empty());
-    TreePlacement moved = *forest.getPlacement(forest.findTree(near));
+    ASSERT_TRUE(forest.removeTree(*forest.findTree("0/0")).empty());
+    TreePlacement moved = *forest.getPlacement(*forest.findTree(near));
     moved.position.x += 5.0;
-    ASSERT_TRUE(forest.changeTree(forest.findTree(near), moved).empty());
+    ASSERT_TRUE(forest.changeTree(*forest.findTree(near), moved).empty());
     TreePlacement own = moved;
     own.position = {333.0, 333.0, 0.0};
     own.name = "mine";
@@ -89,15 +93,15 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
     for (const std::string& folder : {world.folder().path(), elsewhere.path()}) {
         const std::string file = folder + "/edited.treewind";
         ASSERT_TRUE(writeForestFile(forest.getSimulation().describe(), file).empty());
-        Result<ForestDescription> edited = readForestFile(file);
+        Result<ForestFile> edited = readForestFile(file);
         ASSERT_TRUE(edited) << edited.problems().front().text();
         EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", near}));
         ASSERT_TRUE(loadTiles(edited.value()));
         EXPECT_EQ(edited.value().trees.size(), 900u) << "one removed, one added";
         EXPECT_TRUE(world.forest().setDescription(readForestFile(file).value()).empty());
-        EXPECT_EQ(world.forest().findTree("0/0"), noTree);
-        EXPECT_NE(world.forest().findTree("mine"), noTree);
-        EXPECT_EQ(world.forest().getPlacement(world.forest().findTree(near))->position, moved.position);
+        EXPECT_FALSE(world.forest().findTree("0/0"));
+        EXPECT_TRUE(world.forest().findTree("mine"));
+        EXPECT_EQ(world.forest().getPlacement(*world.forest().findTree(near))->position, moved.position);
     }
     std::ifstream written(world.folder().path() + "/edited.treewind");
     const std::string text{std::istreambuf_iterator<char>(written), {}};
@@ -107,7 +111,7 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
 TEST(TiledEditsTest, ACopyHasTheEdits) {
     TiledWorld world;
     world.frames(world.at(550.0, 450.0), settleFrames);
-    ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
+    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(near)).empty());
     const osg::ref_ptr<Forest> copy = osg::clone(&world.forest(), osg::CopyOp::DEEP_COPY_ALL);
     world.frames(*copy, world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(TiledWorld::namesOf(*copy).size(), 80u);
@@ -117,12 +121,12 @@ TEST(TiledEditsTest, AnUnreadableTileGivesAWarningAndNoTree) {
     TiledWorld world;
     std::filesystem::remove(world.tile("5_4"));
     const ScopedMessages messages;
-    EXPECT_EQ(world.forest().findTree(near), noTree);
+    EXPECT_FALSE(world.forest().findTree(near));
     EXPECT_NE(messages.take().find("5_4.trees"), std::string::npos);
     for (const auto& file : std::filesystem::directory_iterator(world.folder().path() + "/tiles"))
         if (file.path().extension() == ".ids")
             std::filesystem::remove(file.path());
-    EXPECT_EQ(world.forest().findTree("0/0"), noTree);
+    EXPECT_FALSE(world.forest().findTree("0/0"));
     EXPECT_NE(messages.take().find(".ids"), std::string::npos);
 }
 

@@ -52,7 +52,7 @@ public:
         options.size = 100.0;
         options.range = 100.0;
         EXPECT_TRUE(writeTiledForest(forest, _folder.path(), options));
-        Result<ForestDescription> world = readForestFile(_folder.path() + "/world.treewind");
+        Result<ForestFile> world = readForestFile(_folder.path() + "/world.treewind");
         EXPECT_TRUE(world);
         _forest = new Forest(std::move(world.value()));
         _pager->setTargetMaximumNumberOfPageLOD(0);
@@ -62,7 +62,7 @@ public:
     Forest& forest() { return *_forest; }
     /// Loads the tiles from a URL from now on.
     void readFrom(const std::string& url) {
-        Result<ForestDescription> world = readForestFile(_folder.path() + "/world.treewind");
+        Result<ForestFile> world = readForestFile(_folder.path() + "/world.treewind");
         world.value().tiles->folder = url;
         EXPECT_TRUE(_forest->setDescription(std::move(world.value())).empty());
     }

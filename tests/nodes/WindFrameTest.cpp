@@ -2,8 +2,7 @@
 // The frames of a wind, for forests at different places.
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <osg/CoordinateSystemNode>
@@ -50,7 +49,7 @@ std::vector<glm::vec2> leansAt(const osg::Matrixd& place, Forest& forest) {
     updateFrames(*scene, 1, 50);
     std::vector<glm::vec2> leans;
     for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
-        leans.push_back(SimulationAccess::modal(forest.getSimulation())->lean(tree));
+        leans.push_back(movingForest(forest.getSimulation()).modal()->lean(tree));
     return leans;
 }
 
@@ -128,10 +127,10 @@ TEST(WindFrameTest, ACanopyDoesNotWeakenSourcesAtAnyPlace) {
         jet.radius = 2.0;
         jet.speed = 30.0;
         jet.turbulence = 0.0;
-        jet.toward = osg::RadiansToDegrees(std::atan2(way.x(), way.y()));
+        jet.toward = static_cast<float>(std::atan2(way.x(), way.y()));
         ForestDescription description = smallForest(3);
         description.wind = nullptr;
-        description.wind.canopy.emplace().source = CanopySource::Given;
+        description.canopy.source = CanopySource::Given;
         const osg::ref_ptr<Forest> forest = new Forest(description);
         Wind wind(std::make_shared<UniformWind>(glm::vec3(0.0f, 0.0f, 0.0f)));
         wind.sources = {jet};

@@ -5,7 +5,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -150,12 +150,12 @@ TEST_P(ForestSerializerTest, KeepsTheHostsChildren) {
 
 TEST_P(ForestSerializerTest, RestoresAForestMadeInCode) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
-    const TreeId second = forest->getSimulation().idOf(1);
-    TreePlacement moved = forest->getSimulation().placementOf(second);
+    const TreeId second = TreeId(1);
+    TreePlacement moved = *forest->getSimulation().placementOf(second);
     moved.position.x += 20.0;
     moved.name = "moved";
     EXPECT_TRUE(forest->changeTree(second, moved).empty());
-    EXPECT_TRUE(forest->removeTree(forest->getSimulation().idOf(0)).empty());
+    EXPECT_TRUE(forest->removeTree(TreeId(0)).empty());
     EXPECT_TRUE(forest->addTree(moved));
     EXPECT_TRUE(forest->setSeason(5.0f).empty()); // spring, again
     EXPECT_TRUE(forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0))).empty());
@@ -168,9 +168,9 @@ TEST_P(ForestSerializerTest, RestoresAForestMadeInCode) {
     const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind().field);
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
-    const PlacedTree& tree = SimulationAccess::trees(
-        back->getSimulation())[back->getSimulation().slotOf(*back->getSimulation().findTree("moved"))];
-    const PlacedTree& was = SimulationAccess::trees(forest->getSimulation())[1];
+    const PlacedTree& tree =
+        movingForest(back->getSimulation()).trees()[slotOfTree(*back->getSimulation().findTree("moved"))];
+    const PlacedTree& was = movingForest(forest->getSimulation()).trees()[1];
     EXPECT_EQ(tree.position, was.position);
     EXPECT_EQ(tree.scale.axes, was.scale.axes) << "exactly";
     EXPECT_EQ(tree.scale.radius, was.scale.radius);

@@ -4,7 +4,8 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osgDB/ReadFile>
@@ -50,7 +51,7 @@ TEST_F(ReaderWriterTreewindTest, ReadsTheReferenceTree) {
     EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin has a second Forest class";
     EXPECT_EQ(forest->getNumTrees(), 1u);
     EXPECT_EQ(forest->getName(), "thesis.treewind") << "for messages";
-    EXPECT_EQ(BranchwiseParts::tree(*forest->getBranchwise(), 0)->getNumBranches(), 122u);
+    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getNumBranches(), 122u);
     EXPECT_EQ(messages(), "");
 }
 

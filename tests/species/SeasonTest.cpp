@@ -3,8 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -43,8 +42,8 @@ ForestDescription wood(float season, MotionLaw law = MotionLaw::Modal) {
 /// Largest difference between the poses and angles of two forests, metres and radians.
 float largestDifference(const ForestSimulation& a, const ForestSimulation& b) {
     float most = 0.0f;
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(a).size(); ++tree) {
-        const TreeMotion ma = a.motion(tree), mb = b.motion(tree);
+    for (std::size_t tree = 0; tree < movingForest(a).trees().size(); ++tree) {
+        const TreeMotion ma = movingForest(a).motion(tree), mb = movingForest(b).motion(tree);
         for (std::size_t unit = 0; unit < ma.poses.size; ++unit)
             most = std::max(most, glm::length(ma.poses[unit].translation - mb.poses[unit].translation) +
                                       glm::length(ma.states[unit] - mb.states[unit]));
@@ -135,7 +134,7 @@ TEST(Season, ChangedForestEqualsOneMadeInTheSeason) {
         EXPECT_TRUE(changed.setSeason(midwinter).empty());
         EXPECT_EQ(changed.season(), midwinter);
         for (std::size_t i = 0; i < 4; ++i)
-            EXPECT_EQ(SimulationAccess::trees(changed)[i].leaves, SimulationAccess::trees(made)[i].leaves);
+            EXPECT_EQ(movingForest(changed).trees()[i].leaves, movingForest(made).trees()[i].leaves);
         for (ForestSimulation* forest : {&changed, &made, &summer})
             for (int frame = 0; frame <= 90; ++frame)
                 forest->advance(frame / 30.0);
@@ -144,7 +143,7 @@ TEST(Season, ChangedForestEqualsOneMadeInTheSeason) {
             EXPECT_GT(largestDifference(changed, summer), 1e-3f);
         }
         EXPECT_TRUE(changed.setSeason(midsummer).empty());
-        EXPECT_EQ(SimulationAccess::trees(changed)[2].leaves, 0.8f);
+        EXPECT_EQ(movingForest(changed).trees()[2].leaves, 0.8f);
     }
 }
 
@@ -160,8 +159,8 @@ TEST(Season, LargeForestUpdatesInStepsToTheSameResult) {
     };
     ForestSimulation changed(large(midsummer)), made(large(midwinter));
     EXPECT_TRUE(changed.setSeason(midwinter).empty());
-    EXPECT_EQ(SimulationAccess::trees(changed)[996].leaves, 0.0f) << "at once";
-    const std::size_t archetypes = SimulationAccess::modal(changed)->archetypeCount();
+    EXPECT_EQ(movingForest(changed).trees()[996].leaves, 0.0f) << "at once";
+    const std::size_t archetypes = movingForest(changed).modal()->archetypeCount();
     EXPECT_TRUE(changed.removeTree(TreeId(999)).empty());
     EXPECT_TRUE(made.removeTree(TreeId(999)).empty());
     const std::shared_ptr<ForestSimulation> copy = changed.cloneAtRest();
@@ -172,12 +171,10 @@ TEST(Season, LargeForestUpdatesInStepsToTheSameResult) {
         for (int frame = 0; frame <= 20; ++frame)
             forest->advance(frame / 30.0);
     }
-    EXPECT_GT(SimulationAccess::modal(changed)->archetypeCount(), archetypes) << "made in steps";
+    EXPECT_GT(movingForest(changed).modal()->archetypeCount(), archetypes) << "made in steps";
     for (std::size_t slot = 0; slot < 999; ++slot) {
-        ASSERT_EQ(SimulationAccess::modal(changed)->lean(slot), SimulationAccess::modal(made)->lean(slot))
-            << slot;
-        ASSERT_EQ(SimulationAccess::modal(*copy)->lean(slot), SimulationAccess::modal(made)->lean(slot))
-            << slot;
+        ASSERT_EQ(movingForest(changed).modal()->lean(slot), movingForest(made).modal()->lean(slot)) << slot;
+        ASSERT_EQ(movingForest(*copy).modal()->lean(slot), movingForest(made).modal()->lean(slot)) << slot;
     }
 }
 
@@ -186,12 +183,12 @@ TEST(Season, AppliesToAddedTreesAndCopies) {
     TreePlacement tree;
     tree.leaves = 0.5f;
     const TreeId oak = forest.addTree(tree).value();
-    EXPECT_EQ(SimulationAccess::trees(forest)[forest.slotOf(oak)].leaves, 0.0f);
-    EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
+    EXPECT_EQ(movingForest(forest).trees()[slotOfTree(oak)].leaves, 0.0f);
+    EXPECT_EQ(forest.placementOf(oak)->leaves, 0.5f);
     EXPECT_TRUE(forest.setSeason(midsummer).empty());
     const auto copy = forest.cloneAtRest();
     EXPECT_EQ(copy->season(), midsummer);
-    EXPECT_EQ(SimulationAccess::trees(*copy)[copy->slotOf(oak)].leaves, 0.5f);
+    EXPECT_EQ(movingForest(*copy).trees()[slotOfTree(oak)].leaves, 0.5f);
     EXPECT_TRUE(copy->setSeason(midwinter).empty());
     EXPECT_EQ(forest.season(), midsummer);
 }
@@ -200,9 +197,9 @@ TEST(Season, ChangesWithoutAJumpOfSwayingTrees) {
     ForestSimulation forest(wood(midsummer));
     for (int frame = 0; frame <= 60; ++frame)
         forest.advance(frame / 30.0);
-    const glm::vec2 before = SimulationAccess::modal(forest)->lean(0);
+    const glm::vec2 before = movingForest(forest).modal()->lean(0);
     EXPECT_TRUE(forest.setSeason(midautumn).empty());
-    EXPECT_LT(glm::distance(SimulationAccess::modal(forest)->lean(0), before), 0.1f * glm::length(before));
+    EXPECT_LT(glm::distance(movingForest(forest).modal()->lean(0), before), 0.1f * glm::length(before));
     EXPECT_GT(glm::length(before), 0.01f);
 }
 

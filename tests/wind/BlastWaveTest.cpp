@@ -3,8 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/BlastWave.h>
 
 #include <gtest/gtest.h>
@@ -62,7 +61,7 @@ float maxLean(double step, double phase, ModalLevel level) {
     float farthest = 0.0f;
     for (double time = phase * step; time < 6.0; time += step) {
         simulation.advance(time);
-        farthest = std::max(farthest, glm::length(SimulationAccess::modal(simulation)->lean(0)));
+        farthest = std::max(farthest, glm::length(movingForest(simulation).modal()->lean(0)));
     }
     return farthest;
 }

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ WindSource fan() {
     source.position = {5.0, 0.0, 3.0};
     source.radius = 0.5;
     source.speed = 20.0;
-    source.toward = 90.0; // east
+    source.toward = glm::half_pi<float>(); // east
     source.turbulence = 0.0;
     return source;
 }
@@ -115,8 +116,8 @@ TEST(SourceFlow, JetDecaysAndSpreadsLikeARoundJet) {
 
 TEST(SourceFlow, JetFollowsItsDirectionAndElevation) {
     WindSource source = fan();
-    source.toward = 180.0;
-    source.elevation = 30.0;
+    source.toward = glm::pi<float>();
+    source.elevation = glm::radians(30.0f);
     const glm::dvec3 along(0.0, -std::sqrt(0.75), 0.5);
     const glm::dvec3 wind = at(source, glm::vec3(source.position + 3.0 * along));
     EXPECT_LT(glm::length(wind - 20.0 * along), 0.1);
@@ -316,8 +317,9 @@ TEST(SourceFlow, IsFiniteForAnySourceAndPlace) {
             source.kind = kind;
             expectFiniteEverywhere(withSources(std::make_shared<UniformWind>(glm::vec3(1.0f)), {source}));
             source.position = source.velocity = glm::dvec3(number);
-            source.radius = source.thrust = source.speed = source.toward = source.elevation = source.height =
-                source.share = source.turbulence = number;
+            source.toward = source.elevation = static_cast<float>(number);
+            source.radius = source.thrust = source.speed = source.height = source.share = source.turbulence =
+                number;
             expectFiniteEverywhere(withSources(nullptr, {source}));
         }
 }

@@ -2,11 +2,13 @@
 #include <tests/wind/Winds.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/wind/SourceGrid.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <cmath>
 #include <limits>
@@ -32,7 +34,7 @@ std::vector<WindSource> manySources(std::size_t count) {
         source.charge = 0.01;
         source.radius = 0.5;
         source.speed = 6.0f * random.symmetric();
-        source.toward = 180.0f * random.symmetric();
+        source.toward = glm::pi<float>() * random.symmetric();
         source.time = 20.0f * random.uniform();
     }
     return sources;
@@ -86,7 +88,7 @@ TEST(SourceGrid, SourcesFadeOutAtTheirReach) {
         WindSource source;
         source.kind = static_cast<WindSource::Kind>(kind);
         source.position.z = source.kind == WindSource::Kind::Rotor ? 20.0 : 0.0;
-        source.toward = 90.0;
+        source.toward = glm::half_pi<float>();
         source.velocity.x = source.kind == WindSource::Kind::Vehicle ? -20.0 : 0.0;
         source.turbulence = 0.0;
         source.speed = 20.0;

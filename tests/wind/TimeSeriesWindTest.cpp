@@ -6,6 +6,8 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <functional>
 
 using namespace osgTreeWind;
@@ -64,8 +66,8 @@ TEST(TimeSeriesWind, ARepeatedSingleRecordIsConstant) {
 TEST(TimeSeriesWind, InterpolatesComponentsNotDirections) {
     WindSeries series;
     series.times = {0, 1};
-    series.velocities = {windVelocity({5, 350}, DirectionSense::From),
-                         windVelocity({5, 10}, DirectionSense::From)};
+    series.velocities = {windVelocity({5, glm::radians(350.0)}, DirectionSense::From),
+                         windVelocity({5, glm::radians(10.0)}, DirectionSense::From)};
     const glm::vec3 halfway = made(series)->velocity({}, 0.5);
     EXPECT_NEAR(halfway.x, 0.0f, 1e-5f);
     EXPECT_NEAR(halfway.y, -5.0f * std::cos(10.0f * 3.14159265f / 180.0f), 1e-5f);

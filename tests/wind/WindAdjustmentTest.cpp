@@ -7,6 +7,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <limits>
 
@@ -19,8 +20,8 @@ WindFieldPtr toward(const glm::vec3& velocity) {
 }
 
 TEST(WindAdjustment, TurnsANortherlyIntoAnEasterly) {
-    const WindSampler wind =
-        withAdjustment(toward({0.0f, -4.0f, 1.0f}), {1.5, 90.0}); // clockwise from above, as a compass
+    const WindSampler wind = withAdjustment(
+        toward({0.0f, -4.0f, 1.0f}), {1.5, glm::half_pi<float>()}); // clockwise from above, as a compass
     expectNear(wind.velocity({}, 0.0), {-6.0f, 0.0f, 1.5f});
 }
 
@@ -34,8 +35,8 @@ TEST(WindAdjustment, DoesNotMovePlaces) {
 
 TEST(WindAdjustment, ClampsValuesAndStaysFinite) {
     GustWind::Parameters gusts;
-    expectFiniteEverywhere(withAdjustment(GustWind::create(gusts).value(), {10.0, -360.0}));
-    expectFiniteEverywhere(withAdjustment(nullptr, {1e300, std::numeric_limits<double>::quiet_NaN()}));
+    expectFiniteEverywhere(withAdjustment(GustWind::create(gusts).value(), {10.0, -99.0f}));
+    expectFiniteEverywhere(withAdjustment(nullptr, {1e300, std::numeric_limits<float>::quiet_NaN()}));
     EXPECT_EQ(WindAdjustment({-1.0, 0.0}).matrix(), glm::mat3(0.0f));
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+
 #include <cmath>
 
 using namespace osgTreeWind;
@@ -36,14 +39,14 @@ void expectHorizontal(const glm::vec3& actual, const glm::vec3& expected) {
 TEST(WindDirection, FromIsWhereTheWindComesFrom) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
-        expectHorizontal(windVelocity({10.0, c.from}, DirectionSense::From), c.velocity);
+        expectHorizontal(windVelocity({10.0, glm::radians(c.from)}, DirectionSense::From), c.velocity);
     }
 }
 
 TEST(WindDirection, TowardIsTheOppositeOfFrom) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
-        expectHorizontal(windVelocity({10.0, c.from}, DirectionSense::Toward), -c.velocity);
+        expectHorizontal(windVelocity({10.0, glm::radians(c.from)}, DirectionSense::Toward), -c.velocity);
     }
 }
 
@@ -52,9 +55,9 @@ TEST(WindDirection, ReadingsLieWithinOneTurn) {
         SCOPED_TRACE(c.from);
         const WindReading from = windReading(c.velocity, DirectionSense::From);
         EXPECT_NEAR(from.speed, 10.0, 1e-5);
-        EXPECT_NEAR(from.direction, std::fmod(c.from + 360.0, 360.0), 1e-4);
+        EXPECT_NEAR(glm::degrees(from.direction), std::fmod(c.from + 360.0, 360.0), 1e-4);
         const WindReading toward = windReading(c.velocity, DirectionSense::Toward);
-        EXPECT_NEAR(toward.direction, std::fmod(c.from + 540.0, 360.0), 1e-4);
+        EXPECT_NEAR(glm::degrees(toward.direction), std::fmod(c.from + 540.0, 360.0), 1e-4);
     }
 }
 
@@ -67,5 +70,5 @@ TEST(WindDirection, DirectionOfACalmIsZero) {
 TEST(WindDirection, AlmostNorthDoesNotRoundUpToAFullTurn) {
     const WindReading reading = windReading({-1e-30f, 1.0f, 0.0f}, DirectionSense::Toward);
     EXPECT_GE(reading.direction, 0.0);
-    EXPECT_LT(reading.direction, 360.0);
+    EXPECT_LT(reading.direction, glm::two_pi<double>());
 }

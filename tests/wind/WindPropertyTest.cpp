@@ -11,6 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -41,8 +42,8 @@ WindSource anySource() {
     source.velocity = *within(5.0, -1.0, 1.0);
     source.radius = *number(0.1, 20.0);
     source.speed = *number(-50.0, 50.0);
-    source.toward = *number(-360.0, 360.0);
-    source.elevation = *number(-90.0, 90.0);
+    source.toward = static_cast<float>(glm::radians(*number(-360.0, 360.0)));
+    source.elevation = static_cast<float>(glm::radians(*number(-90.0, 90.0)));
     source.height = *number(0.1, 40.0);
     source.turbulence = *number(0.0, 1.0);
     return source;
@@ -93,7 +94,8 @@ RC_GTEST_PROP(WindProperty, TurnedSourceTurnsItsFlow, ()) {
     const glm::dvec3 before(withSources(nullptr, {source}).velocity(place, time));
     source.position = turned(source.position);
     source.velocity = turned(source.velocity);
-    source.toward = std::remainder(source.toward + degrees, 360.0);
+    source.toward =
+        std::remainder(source.toward + static_cast<float>(glm::radians(degrees)), glm::two_pi<float>());
     const WindPlace there(glm::vec3(turned(place.position)), 0.0f);
     RC_ASSERT(near(withSources(nullptr, {source}).velocity(there, time), glm::vec3(turned(before)), 2e-2f));
 }
@@ -121,8 +123,8 @@ RC_GTEST_PROP(WindProperty, GridStaysWithinTheRangeOfItsPoints, ()) {
 
 RC_GTEST_PROP(WindProperty, AdjustmentsCombine, ()) {
     const auto wind = std::make_shared<UniformWind>(glm::vec3(*within(30.0, -5.0, 5.0)));
-    const WindAdjustment first{*number(0.0, 3.0), *number(-180.0, 180.0)},
-        second{*number(0.0, 3.0), *number(-180.0, 180.0)};
+    const auto halfTurns = [] { return glm::radians(static_cast<float>(*number(-180.0, 180.0))); };
+    const WindAdjustment first{*number(0.0, 3.0), halfTurns()}, second{*number(0.0, 3.0), halfTurns()};
     const WindPlace place = anyPlace();
     const WindSampler both =
                           withAdjustment(wind, {first.strength * second.strength, first.turn + second.turn}),

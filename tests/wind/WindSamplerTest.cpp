@@ -3,11 +3,10 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindInternals.h>
+#include <osgTreeWind/wind/WindFiles.h>
 
 #include <gtest/gtest.h>
 
@@ -102,14 +101,15 @@ TEST(WindSampler, DegenerateMatrixDoesNotTurn) {
 
 TEST(WindSampler, ReplacingTheFieldDropsFilesAndMap) {
     Wind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)));
-    WindFiles files;
+    WindFiles files{wind.field, DataTransform()};
     files.files = {"a.asc"};
-    WindInternals::setFiles(wind, files);
-    EXPECT_TRUE(WindInternals::files(wind));
-    EXPECT_TRUE(WindInternals::files(Wind(wind))) << "a copy";
+    wind.files = std::make_shared<const WindFiles>(files);
+    EXPECT_TRUE(filesOf(wind));
+    EXPECT_TRUE(filesOf(Wind(wind))) << "a copy";
+    EXPECT_TRUE(mapOf(wind));
     wind.field = std::make_shared<UniformWind>(glm::vec3(4, 5, 6));
-    EXPECT_FALSE(WindInternals::files(wind));
-    EXPECT_FALSE(WindInternals::map(wind));
+    EXPECT_FALSE(filesOf(wind));
+    EXPECT_FALSE(mapOf(wind));
 }
 
 TEST(WindSampler, TurnedForestLeansLikeTurnedTrees) {
@@ -131,8 +131,8 @@ TEST(WindSampler, TurnedForestLeansLikeTurnedTrees) {
         for (ForestSimulation* simulation : {&inFrame, &inWorld})
             simulation->advance(i / 60.0);
     for (std::size_t tree = 0; tree < 3; ++tree) {
-        const glm::vec2 a = SimulationAccess::modal(inFrame)->lean(tree),
-                        b = SimulationAccess::modal(inWorld)->lean(tree);
+        const glm::vec2 a = movingForest(inFrame).modal()->lean(tree),
+                        b = movingForest(inWorld).modal()->lean(tree);
         EXPECT_LT(glm::distance(glm::vec2(-a.y, a.x), b), 1e-3f * glm::length(b)) << tree;
     }
 }

@@ -40,9 +40,7 @@ inline WindSampler withAdjustment(WindFieldPtr field, const WindAdjustment& adju
 inline WindSampler inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
     auto map = std::make_shared<CanopyMap>(stand);
     map->setReference(reference);
-    Wind wind(std::move(field));
-    wind.canopy.emplace().seed = seed;
-    return sampler(std::move(wind), glm::dmat4(1.0), map);
+    return WindSampler(std::make_shared<const Wind>(std::move(field)), glm::dmat4(1.0), map, seed);
 }
 
 } // namespace osgTreeWind

@@ -9,6 +9,7 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/model/CrownShade.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -44,7 +45,7 @@ struct Recording {
             throwIfAny(simulation.setWind(winds.at(static_cast<int>(step))));
             simulation.advance(static_cast<double>(step) / 60.0);
             std::vector<osg::Quat> turns;
-            for (const glm::quat& turn : simulation.motion(0).rotations)
+            for (const glm::quat& turn : movingForest(simulation).motion(0).rotations)
                 turns.push_back(toOsg(turn));
             steps.push_back(std::move(turns));
         }

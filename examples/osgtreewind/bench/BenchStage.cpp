@@ -5,7 +5,8 @@
 #include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>
 
@@ -71,7 +72,7 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
-        TreeNode& tree = *BranchwiseParts::tree(*forest.getBranchwise(), i);
+        TreeNode& tree = *forest.getBranchwise()->getTrees()->nodes()[i].get();
         osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
         tree.traverse(picking);
         for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit) {

@@ -6,10 +6,9 @@
 #include <examples/osgtreewind/scene/DefaultView.h>
 
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <cmath>
@@ -67,8 +66,8 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
         result.forestBytes = allocatedBytes() - before;
     const ForestSimulation& simulation = forest->getSimulation();
     result.trees = forest->getNumTrees();
-    result.shapes = SimulationAccess::models(simulation).size();
-    if (const ModalMotion* modal = SimulationAccess::modal(simulation)) {
+    result.shapes = movingForest(simulation).models().size();
+    if (const ModalMotion* modal = movingForest(simulation).modal()) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
         const BenchClock clock;
@@ -120,7 +119,7 @@ BenchView runBenchView(const std::string& name, const std::function<ForestDescri
             viewer.measure(Full, time);
     }
     if (forest->getInstanced())
-        result.tiers = InstancedParts::trees(*forest->getInstanced())->treesByTier();
+        result.tiers = forest->getInstanced()->getTrees()->treesByTier();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);

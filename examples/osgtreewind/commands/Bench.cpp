@@ -101,7 +101,7 @@ ForestDescription load(const BenchOptions& options) {
         throw CommandError{BadInput,
                            "--stage " + (drawn ? viewStage : worldStage) + ": expected --forest FILE"};
     if (!flown)
-        return drawn ? loadForest(options.forest, {}, true) : ForestDescription();
+        return drawn ? loadForest(options.forest, {}, true) : ForestFile();
     ForestDescription world = valueOrThrow(readForestFile(options.forest));
     if (!world.tiles || options.stages.size() > 1)
         throw CommandError{

@@ -76,7 +76,7 @@ Json boundsOf(const ForestDescription& forest) {
 }
 
 /// Map projection of the forest, and whether it was chosen from the data.
-Json crsOf(const ForestDescription& forest) {
+Json crsOf(const ForestFile& forest) {
     const Result<Crs> crs = Crs::parseMap(forest.crs);
     if (forest.crs.empty() || !crs)
         return nullptr;
@@ -145,7 +145,7 @@ std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
     return counts;
 }
 
-Json describe(const ForestDescription& forest) {
+Json describe(const ForestFile& forest) {
     Json species = Json::array();
     TreeCounts all, shapes;
     const std::vector<SpeciesCounts> counts = countSpecies(forest);
@@ -237,7 +237,7 @@ void addInfoCommand(CLI::App& app) {
     addTilesOption(*command, *tiles);
     command->footer("Example: osgtreewind info forest.treewind --json");
     command->callback([=] {
-        const ForestDescription forest = loadForest(*file, *tiles);
+        const ForestFile forest = loadForest(*file, *tiles);
         const Json info = describe(forest);
         if (*json)
             std::cout << info.dump(2) << '\n';

@@ -10,7 +10,8 @@
 #include <examples/osgtreewind/scene/FeetGround.h>
 #include <examples/osgtreewind/scene/Setting.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -114,7 +115,7 @@ void checkOutput(const RenderOptions& options) {
 /// Keeps trees drawn by their stand-ins in the next frame; these have the shading of the crown.
 void keepStandIns(const BranchwiseForest& forest) {
     for (unsigned i = 0; i < forest.getNumTrees(); ++i)
-        BranchwiseParts::tree(forest, i)->getLod()->takeFullRequest();
+        forest.getTrees()->nodes()[i]->getLod()->takeFullRequest();
 }
 
 /// @param posed forest that shaders pose in all frames; may be null.

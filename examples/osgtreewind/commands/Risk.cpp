@@ -10,6 +10,8 @@
 #include <osgTreeWind/places/PointTable.h>
 #include <osgTreeWind/wind/WindDirection.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <osgDB/FileNameUtils>
 
 #include <cstdio>
@@ -44,7 +46,7 @@ Risk riskOf(const RiskOptions& options, const PlacedForest& forest, std::size_t 
     std::vector<double> speeds(std::begin(stormSpeeds), std::end(stormSpeeds));
     if (options.speed)
         speeds.push_back(*options.speed);
-    const glm::vec3 toward = windVelocity({1.0, options.direction}, DirectionSense::From);
+    const glm::vec3 toward = windVelocity({1.0, glm::radians(options.direction)}, DirectionSense::From);
     const ForestStorm storm(forest, toward, ThreadPool::executor(), count);
     Risk risk{std::vector<MomentsBySpeed>(count), std::vector<MomentsBySpeed>(count), storm.topWinds()};
     Progress progress("storms", speeds.size());

@@ -6,7 +6,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 
 #include <glm/gtc/quaternion.hpp>
@@ -32,10 +32,9 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t 
                 bool tips) {
     UnitValues values;
     for (std::size_t t = 0; t < count; ++t) {
-        const PlacedTree& tree = SimulationAccess::trees(simulation)[t];
-        const std::vector<BranchUnit>& units =
-            SimulationAccess::models(simulation)[tree.model]->skeleton.units;
-        const TreeMotion motion = simulation.motion(t, values);
+        const PlacedTree& tree = movingForest(simulation).trees()[t];
+        const std::vector<BranchUnit>& units = movingForest(simulation).models()[tree.model]->skeleton.units;
+        const TreeMotion motion = movingForest(simulation).motion(t, values);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {
             const glm::vec3& wind = motion.winds[u];
@@ -66,12 +65,12 @@ const char* wordOf(DamageKind kind) {
 
 void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time) {
     for (const TreeDamage& damage : simulation.damage()) {
-        if (simulation.slotOf(damage.tree) >= count)
+        if (slotOfTree(damage.tree) >= count)
             continue;
-        const PlacedTree& tree = SimulationAccess::trees(simulation)[simulation.slotOf(damage.tree)];
-        std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
-                     simulation.slotOf(damage.tree), csvCell(simulation.nameOf(damage.tree)).c_str(),
-                     csvCell(SimulationAccess::forest(simulation).speciesOf(tree).name).c_str(),
+        const PlacedTree& tree = movingForest(simulation).trees()[slotOfTree(damage.tree)];
+        std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time, slotOfTree(damage.tree),
+                     csvCell(simulation.nameOf(damage.tree)).c_str(),
+                     csvCell(movingForest(simulation).placed().speciesOf(tree).name).c_str(),
                      wordOf(damage.kind), damage.unit, static_cast<double>(damage.moment),
                      static_cast<double>(damage.limit), static_cast<double>(damage.wind.x),
                      static_cast<double>(damage.wind.y), static_cast<double>(damage.wind.z));
@@ -80,7 +79,7 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t
 
 void simulate(const SimulateOptions& options) {
     auto [description, requested] = loadPart(options.file, options.tiles);
-    if (description.wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
+    if (description.canopy.source != CanopySource::Forest)
         description.trees.resize(requested); // further trees only give shelter
     description.season = options.season.value_or(description.season);
     if (options.damage && description.law != MotionLaw::Modal)

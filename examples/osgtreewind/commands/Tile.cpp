@@ -41,8 +41,8 @@ void cut(const TileOptions& options) {
     if (!forest)
         throwProblems(forest.problems(),
                       forest.problems().front().file == options.output ? Failed : BadInput);
-    printNotes(options.file, forest.value().description().notes);
-    if (forest.value().description().tiles)
+    printNotes(options.file, forest.value().file().notes);
+    if (forest.value().file().tiles)
         throw CommandError{BadInput, options.file + ": the forest is already in tiles"};
     std::error_code ignored;
     if (std::filesystem::equivalent(options.file, options.output + "/world.treewind", ignored))

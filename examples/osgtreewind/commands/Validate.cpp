@@ -16,7 +16,7 @@ void validateCatalogue(const std::string& file) {
 }
 
 void validateForest(const std::string& file) {
-    ForestDescription forest = valueOrThrow(readForestFile(file));
+    ForestFile forest = valueOrThrow(readForestFile(file));
     valueOrThrow(loadTiles(forest));
     for (const std::string& note : forest.notes)
         std::cout << file << ": note: " << note << '\n';

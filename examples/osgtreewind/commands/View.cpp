@@ -126,7 +126,10 @@ private:
     }
 
     void follow() {
-        const Result<BranchTransform*> branch = _forest->branch(_handler->getTree(), _handler->getUnit());
+        const std::optional<TreeId> tree = _handler->getTree();
+        if (!tree)
+            return;
+        const Result<BranchTransform*> branch = _forest->branch(*tree, _handler->getUnit());
         if (!branch)
             return;
         osg::ref_ptr<osgGA::NodeTrackerManipulator> tracker = new osgGA::NodeTrackerManipulator;
@@ -204,7 +207,7 @@ void openWindow(osgViewer::Viewer& viewer, int width, int height) {
 void show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
         runOtherBackend("egl"); // a window needs the OpenGL of the system
-    ForestDescription description = valueOrThrow(readForestFile(options.file));
+    ForestFile description = valueOrThrow(readForestFile(options.file));
     printNotes(options.file, description.notes);
     description.season = options.season.value_or(description.season);
     if (!description.ground && !description.tiles)

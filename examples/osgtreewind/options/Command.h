@@ -45,12 +45,12 @@ void checkOutputPath(const std::string& output);
 /// Reads the forest in `file` and prints its notes to standard error. Throws CommandError on failure.
 /// @param tiles tiles of a world to load; the result has plain trees and no tiles.
 /// @param withNodes also check that there is enough memory to draw the forest.
-osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {},
-                                          bool withNodes = false);
+osgTreeWind::ForestFile loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {},
+                                   bool withNodes = false);
 
 /// The part of a world that one run computes.
 struct ForestPart {
-    osgTreeWind::ForestDescription forest;
+    osgTreeWind::ForestFile forest;
     std::size_t requested = 0; ///< Number of requested trees. They come first; the others only shelter them.
 };
 /// Like loadForest(), with the trees around the tiles that shelter trees in them.

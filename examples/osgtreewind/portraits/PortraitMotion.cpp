@@ -6,7 +6,7 @@
 #include <examples/osgtreewind/portraits/LeafEdges.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -62,7 +62,7 @@ private:
     }
     static TreeSize sizeOf(const Forest& forest) {
         const ForestSimulation& simulation = forest.getSimulation();
-        return SimulationAccess::forest(simulation).sizeOf(SimulationAccess::trees(simulation).front());
+        return movingForest(simulation).placed().sizeOf(movingForest(simulation).trees().front());
     }
     int pixels(float metres) const {
         return static_cast<int>(std::lround(_perMetre * static_cast<double>(metres)));

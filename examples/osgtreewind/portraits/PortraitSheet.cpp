@@ -5,7 +5,7 @@
 #include <examples/osgtreewind/scene/Setting.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
@@ -67,9 +67,9 @@ public:
         : _growingPlace(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
           _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
-        const PlacedTree& tree = SimulationAccess::trees(_tree->getSimulation()).front();
-        _size = SimulationAccess::forest(_tree->getSimulation()).sizeOf(tree);
-        const auto& leaves = SimulationAccess::models(_tree->getSimulation()).front()->leaves;
+        const PlacedTree& tree = movingForest(_tree->getSimulation()).trees().front();
+        _size = movingForest(_tree->getSimulation()).placed().sizeOf(tree);
+        const auto& leaves = movingForest(_tree->getSimulation()).models().front()->leaves;
         for (const LeafCluster& leaf : leaves)
             _leaves +=
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());

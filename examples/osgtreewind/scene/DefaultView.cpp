@@ -4,7 +4,7 @@
 #include <examples/osgtreewind/scene/Daylight.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/Math>
 
@@ -15,7 +15,7 @@
 
 namespace {
 
-using osgTreeWind::Forest, osgTreeWind::SimulationAccess;
+using osgTreeWind::Forest;
 
 constexpr double eyeHeight = 1.6;
 
@@ -34,9 +34,9 @@ std::vector<Tree> middleTrees(const Forest& forest) {
     constexpr std::size_t most = 1500;
     const osg::Vec3d centre = forest.getBound().center();
     std::vector<Tree> trees;
-    for (const osgTreeWind::PlacedTree& tree : SimulationAccess::trees(forest.getSimulation()))
+    for (const osgTreeWind::PlacedTree& tree : movingForest(forest.getSimulation()).trees())
         if (tree.alive) {
-            const osgTreeWind::TreeSize size = SimulationAccess::forest(forest.getSimulation()).sizeOf(tree);
+            const osgTreeWind::TreeSize size = movingForest(forest.getSimulation()).placed().sizeOf(tree);
             trees.push_back({osg::Vec3d(tree.position.x, tree.position.y, tree.position.z), size.height,
                              0.5 * size.crownWidth, !forest.getGround()});
         }

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +27,9 @@ double reachOf(const Foot& foot) {
 std::vector<Foot> feetOf(const Forest& forest) {
     const ForestSimulation& simulation = forest.getSimulation();
     std::vector<Foot> feet;
-    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
+    for (const PlacedTree& tree : movingForest(simulation).trees())
         if (tree.alive) {
-            const TreeSize size = SimulationAccess::forest(simulation).sizeOf(tree);
+            const TreeSize size = movingForest(simulation).placed().sizeOf(tree);
             feet.push_back({{tree.position.x, tree.position.y},
                             0.5 * size.crownWidth,
                             0.5 * size.trunkDiameter,

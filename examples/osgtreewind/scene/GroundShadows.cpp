@@ -6,9 +6,8 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/BlendEquation>
 #include <osg/ColorMask>
@@ -215,15 +214,15 @@ class LeanUpdate : public osg::NodeCallback {
 public:
     LeanUpdate(const Forest& forest, DataTexture leans)
         : _forest(&forest), _leans(std::move(leans)),
-          _count(SimulationAccess::trees(forest.getSimulation()).size()) {}
+          _count(movingForest(forest.getSimulation()).trees().size()) {}
 
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         traverse(node, visitor);
         osg::ref_ptr<const Forest> forest;
         if (!_forest.lock(forest))
             return;
-        const ModalMotion* modal = SimulationAccess::modal(forest->getSimulation());
-        const std::size_t trees = modal ? SimulationAccess::trees(forest->getSimulation()).size() : 0;
+        const ModalMotion* modal = movingForest(forest->getSimulation()).modal();
+        const std::size_t trees = modal ? movingForest(forest->getSimulation()).trees().size() : 0;
         for (std::size_t i = 0; i < std::min(trees, _count); ++i) { // trees added later have no shadow
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
@@ -253,27 +252,27 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     };
     const float run = glm::length(level) / glm::max(sun.z(), 0.035f); // metres of shadow per metre of height
     const GroundProjection toGround(forest, away, run);
-    const auto trees = static_cast<float>(SimulationAccess::trees(simulation).size());
+    const auto trees = static_cast<float>(movingForest(simulation).trees().size());
     const int fine = static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f));
     const std::vector<glm::vec2> spotsOfOne = squares(toGround.isRelief() ? fine : 1, fine);
     std::map<std::uint32_t, std::size_t> pictureOf; // by model, drawn for its first tree
     std::vector<ShadowPicture> pictures;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> parts = new osg::Vec2Array;
-    for (std::size_t i = 0; i < SimulationAccess::trees(simulation).size(); ++i) {
-        const PlacedTree& tree = SimulationAccess::trees(simulation)[i];
+    for (std::size_t i = 0; i < movingForest(simulation).trees().size(); ++i) {
+        const PlacedTree& tree = movingForest(simulation).trees()[i];
         if (!tree.alive)
             continue;
         const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
         if (first) {
             const ShadowProjection projection{turned(across, -tree.heading), turned(away, -tree.heading),
                                               run * tree.scale.axes.z / tree.scale.axes.x};
-            pictures.emplace_back(*SimulationAccess::models(simulation)[tree.model],
+            pictures.emplace_back(*movingForest(simulation).models()[tree.model],
                                   simulation.description().species[tree.species].appearance, tree.leaves,
                                   projection);
         }
         const ShadowPicture& picture = pictures[found->second];
-        const float length = run * SimulationAccess::forest(simulation).sizeOf(tree).height,
+        const float length = run * movingForest(simulation).placed().sizeOf(tree).height,
                     half = 0.5f * tree.scale.axes.x * (picture.high.x - picture.low.x);
         const float lying = length * length / (length * length + half * half);
         for (const glm::vec2& spot : spotsOfOne) {
@@ -294,7 +293,7 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     shadows->setTexCoordArray(0, spots);
     shadows->setTexCoordArray(1, parts);
     shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    const DataTexture leans("tree leans", SimulationAccess::trees(simulation).size());
+    const DataTexture leans("tree leans", movingForest(simulation).trees().size());
     shadows->setStateSet(stateOf(pictures, toGround.isRelief(), leans));
     above.addUpdateCallback(new LeanUpdate(forest, leans));
     return shadows;

@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/wind/WindSampler.h>
 
 #include <glm/geometric.hpp>
@@ -36,8 +36,8 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
         _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
     }
-    const WindCanopy settings = forest.description().wind.canopy.value_or(WindCanopy());
-    const std::shared_ptr<CanopyMap> canopy = makeCanopy(standing, settings);
+    const CanopySettings& settings = forest.description().canopy;
+    const std::shared_ptr<CanopyMap> canopy = makeCanopyMap(standing, settings);
     canopy->setReference(static_cast<float>(settings.reference));
     _canopy = canopy;
     auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
@@ -46,9 +46,9 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
 }
 
 std::vector<ForestStorm::Loads> ForestStorm::largestLoads(double speed, std::uint32_t seed) const {
-    auto above = std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed));
-    above->canopy.emplace().seed = seed;
-    const WindSampler wind(above, glm::dmat4(1.0), _canopy);
+    const WindSampler wind(
+        std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed)),
+        glm::dmat4(1.0), _canopy, seed);
     ModalMotion motion(*_resting);
     for (std::size_t i = 0; i < _slots.size(); ++i)
         motion.setNeighbourEffect(

@@ -17,7 +17,8 @@ namespace osgTreeWind {
 /// level of detail of far trees.
 ///
 /// Wind speeds are means 10 m above open country (OpenCountry.h), as weather services give them. Below
-/// WindCanopy::reference the wind follows the stands of the forest, or the canopy that its description gives.
+/// CanopySettings::reference the wind follows the stands of the forest, or the canopy that its description
+/// gives.
 class ForestStorm {
 public:
     /// @param forest must outlive this object. @param toward horizontal unit vector along the wind.

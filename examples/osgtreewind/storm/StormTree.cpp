@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/storm/StormTree.h>
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
@@ -31,12 +31,11 @@ WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
     if (!(storm.spacing > 0.0))
         return WindSampler(std::make_shared<Wind>(
             openCountryWind(std::max(static_cast<double>(tree.height), 0.1), mean, storm.seed)));
-    auto wind = std::make_shared<Wind>(std::make_shared<UniformWind>(mean));
-    wind->canopy.emplace().seed = storm.seed;
     const auto spacing = static_cast<float>(storm.spacing);
-    auto stand = makeUniformCanopy({tree}, tree.height, tree.frontalArea / (spacing * spacing));
+    auto stand = makeUniformCanopyMap({tree}, tree.height, tree.frontalArea / (spacing * spacing));
     stand->setReference(tree.height);
-    return WindSampler(wind, glm::dmat4(1.0), stand);
+    return WindSampler(std::make_shared<Wind>(std::make_shared<UniformWind>(mean)), glm::dmat4(1.0), stand,
+                       storm.seed);
 }
 
 } // namespace

@@ -6,7 +6,8 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/GLExtensions>
 #include <osg/Notify>
@@ -65,7 +66,7 @@ BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::Cop
 BranchwiseForest::~BranchwiseForest() = default;
 
 void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
-    if (!simulation || !SimulationAccess::branches(*simulation)) {
+    if (!simulation || !movingForest(*simulation).branches()) {
         OSG_WARN << "osgTreeWind: expected a simulation under a branchwise law; no trees are drawn"
                  << std::endl;
         simulation = noTrees();
@@ -125,13 +126,13 @@ void BranchwiseForest::useCpuAngles() {
 }
 
 void BranchwiseForest::startPasses() {
-    _prePass = std::make_unique<ForestAnglePasses>(*SimulationAccess::branches(*getSimulation()));
+    _prePass = std::make_unique<ForestAnglePasses>(*movingForest(*getSimulation()).branches());
     _trees->useLeafAngles(_prePass->leafAngles());
 }
 
 /// Starts the passes after the probe was drawn in a first frame and found the context to support them.
 void BranchwiseForest::chooseAngleSource() {
-    if (_wantedSource == CPU_ANGLES || _prePass || SimulationAccess::forest(*getSimulation()).units == 0)
+    if (_wantedSource == CPU_ANGLES || _prePass || movingForest(*getSimulation()).placed().units == 0)
         return;
     if (!_probe)
         _probe = new FloatTargetProbe;
@@ -177,21 +178,21 @@ void BranchwiseForest::update(const osg::FrameStamp& stamp, bool moved) {
     chooseAngleSource(); // for the next frame
 }
 
-BranchTransform* BranchwiseForest::followBranch(TreeId tree, unsigned unit) {
+BranchTransform* BranchwiseForest::branch(TreeId tree, unsigned unit) {
     const ForestSimulation& simulation = *getSimulation();
-    return simulation.holds(tree) ? _trees->nodes()[simulation.slotOf(tree)]->getBranch(unit) : nullptr;
+    return simulation.holds(tree) ? _trees->nodes()[slotOfTree(tree)]->getBranch(unit) : nullptr;
 }
 
 bool BranchwiseForest::releaseBranch(TreeId tree, unsigned unit) {
     const ForestSimulation& simulation = *getSimulation();
-    return simulation.holds(tree) && _trees->nodes()[simulation.slotOf(tree)]->releaseBranch(unit);
+    return simulation.holds(tree) && _trees->nodes()[slotOfTree(tree)]->releaseBranch(unit);
 }
 
 /// @return whether the states of an earlier step were read back.
 bool BranchwiseForest::stepOnGpu(double time, bool isDue) {
-    const bool moved = _prePass->readBack(*SimulationAccess::branches(*getSimulation()));
+    const bool moved = _prePass->readBack(*movingForest(*getSimulation()).branches());
     if (isDue)
-        _prePass->step(*SimulationAccess::branches(*getSimulation()), time);
+        _prePass->step(*movingForest(*getSimulation()).branches(), time);
     else
         _prePass->hold();
     return moved;

@@ -51,12 +51,17 @@ public:
     /// The node of a tree, in the order of the description; null beyond the last one.
     osg::Node* getTree(unsigned index) const;
 
+    /// The nodes of all trees, a class of this library's own. New in each setSimulation().
+    BranchwiseTrees* getTrees() const { return _trees.get(); }
+    /// The running passes, a class of this library's own; null with CPU_ANGLES.
+    const ForestAnglePasses* getPasses() const { return _prePass.get(); }
+
     /// Draws no trees, with a warning, for null and for a simulation under the law `modal`.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     bool stepsItself() const override { return _prePass != nullptr; }
     void update(const osg::FrameStamp& stamp, bool moved) override;
     void seasonChanged() override;
-    BranchTransform* followBranch(TreeId tree, unsigned unit) override;
+    BranchTransform* branch(TreeId tree, unsigned unit) override;
     bool releaseBranch(TreeId tree, unsigned unit) override;
     BranchwiseForest* asBranchwiseForest() override { return this; }
 
@@ -68,7 +73,6 @@ protected:
     ~BranchwiseForest() override;
 
 private:
-    friend struct BranchwiseParts;
     class FloatTargetProbe;
 
     void startPasses();

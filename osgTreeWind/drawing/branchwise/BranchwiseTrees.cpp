@@ -2,7 +2,8 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <cstring>
@@ -19,9 +20,9 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 
 BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
     : _simulation(std::move(simulation)),
-      _unitPoses("unit poses", 2 * SimulationAccess::forest(*_simulation).units),
-      _leafAngles("leaf angles", SimulationAccess::forest(*_simulation).leaves) {
-    const PlacedForest& forest = SimulationAccess::forest(*_simulation);
+      _unitPoses("unit poses", 2 * movingForest(*_simulation).placed().units),
+      _leafAngles("leaf angles", movingForest(*_simulation).placed().leaves) {
+    const PlacedForest& forest = movingForest(*_simulation).placed();
     const std::vector<Species>& species = _simulation->description().species;
     for (const Species& each : species)
         _styles.push_back(makeTreeStyle(each.appearance));
@@ -38,7 +39,7 @@ BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
         node->setTreeRandom(Random(tree.seed).uniform());
-        node->getPosedTree()->setMotion(_simulation, _simulation->motion(i));
+        node->getPosedTree()->setMotion(_simulation, movingForest(*_simulation).motion(i));
         addChild(node);
         _nodes.push_back(node);
     }
@@ -58,7 +59,7 @@ void BranchwiseTrees::showSeason() {
     for (std::size_t i = 0; i < species.size(); ++i)
         _styles[i].showSeason(species[i].appearance, season);
     for (std::size_t i = 0; i < _nodes.size(); ++i) {
-        const PlacedTree& tree = SimulationAccess::trees(*_simulation)[i];
+        const PlacedTree& tree = movingForest(*_simulation).trees()[i];
         _nodes[i]->setLeafShare(tree.leaves);
         _nodes[i]->setBillboard(_billboards.makeDrawable(tree, *_nodes[i]->getPosedTree(),
                                                          species[tree.species].appearance, season));
@@ -71,13 +72,13 @@ void BranchwiseTrees::useLeafAngles(osg::Texture2D* texture) {
 }
 
 void BranchwiseTrees::uploadLeafAngles() {
-    _leafAngles.fill(SimulationAccess::branches(*_simulation)->leafStates());
+    _leafAngles.fill(movingForest(*_simulation).branches()->leafStates());
 }
 
 void BranchwiseTrees::uploadUnitPoses() {
     float* texel = _unitPoses.data();
     for (std::size_t tree = 0; tree < _nodes.size(); ++tree)
-        for (const UnitPose& pose : _simulation->motion(tree).poses) {
+        for (const UnitPose& pose : movingForest(*_simulation).motion(tree).poses) {
             const float values[8] = {
                 pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,
                 pose.translation.x, pose.translation.y, pose.translation.z, 0.0f};

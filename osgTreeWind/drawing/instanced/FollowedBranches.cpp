@@ -2,7 +2,8 @@
 #include <osgTreeWind/drawing/instanced/FollowedBranches.h>
 
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 namespace osgTreeWind {
 
@@ -11,13 +12,11 @@ FollowedBranches::FollowedBranches() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-BranchTransform* FollowedBranches::followBranch(const ForestSimulation& simulation, TreeId tree,
-                                                unsigned unit) {
+BranchTransform* FollowedBranches::branch(const ForestSimulation& simulation, TreeId tree, unsigned unit) {
     if (!simulation.holds(tree))
         return nullptr;
-    const PlacedTree& placed = SimulationAccess::trees(simulation)[simulation.slotOf(tree)];
-    const std::vector<BranchUnit>& units =
-        SimulationAccess::forest(simulation).modelOf(placed).skeleton.units;
+    const PlacedTree& placed = movingForest(simulation).trees()[slotOfTree(tree)];
+    const std::vector<BranchUnit>& units = movingForest(simulation).placed().modelOf(placed).skeleton.units;
     if (unit >= units.size())
         return nullptr;
     osg::ref_ptr<BranchTransform>& branch = _branches[tree][unit];
@@ -55,16 +54,15 @@ void FollowedBranches::update(const ForestSimulation& simulation) {
 }
 
 void FollowedBranches::updateBranches(const ForestSimulation& simulation, TreeId tree) {
-    const std::size_t slot = simulation.slotOf(tree);
-    const PlacedTree& placed = SimulationAccess::trees(simulation)[slot];
-    const std::vector<BranchUnit>& units =
-        SimulationAccess::forest(simulation).modelOf(placed).skeleton.units;
+    const std::size_t slot = slotOfTree(tree);
+    const PlacedTree& placed = movingForest(simulation).trees()[slot];
+    const std::vector<BranchUnit>& units = movingForest(simulation).placed().modelOf(placed).skeleton.units;
     const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                                  osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {
         if (unit >= units.size()) // the changed tree has fewer branches
             continue;
-        const UnitMotion motion = simulation.unitMotion(slot, unit);
+        const UnitMotion motion = movingForest(simulation).unitMotion(slot, unit);
         branch->setPose(toOsg(placed.scale.axes * units[unit].base),
                         osg::Matrix::rotate(toOsg(motion.pose.rotation)) *
                             osg::Matrix::translate(toOsg(motion.pose.translation)) * toForest,

@@ -16,7 +16,7 @@ public:
     FollowedBranches();
 
     /// @return the transform of a branch, created on the first call; null if there is no such branch.
-    BranchTransform* followBranch(const ForestSimulation& simulation, TreeId tree, unsigned unit);
+    BranchTransform* branch(const ForestSimulation& simulation, TreeId tree, unsigned unit);
     /// Removes the transform of a branch. @return false if there was none.
     bool releaseBranch(TreeId tree, unsigned unit);
     bool hasBranches(TreeId tree) const { return _branches.count(tree) > 0; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedCull.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -22,7 +21,8 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 } // namespace
 
 void InstancedCull::run() {
-    lists.begin(frame, resources.models.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
+    lists.begin(frame, scene.resources.models.size(), visitor.getCurrentStateGraph(),
+                visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
     const ImpostorProjection projection(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
@@ -30,7 +30,7 @@ void InstancedCull::run() {
     auto& seen = lists.visibleCells();
     seen.clear();
     lists.frontToBack().clear();
-    for (const TreeCells::Cell& cell : cells.cells())
+    for (const TreeCells::Cell& cell : scene.cells.cells())
         if (!cell.trees.empty())
             if (const ViewFrustum::Side side = view.classify(cell.box); side != ViewFrustum::Outside)
                 seen.push_back({distanceFrom(eye, cell.box), &cell, side});
@@ -55,20 +55,20 @@ void InstancedCull::run() {
 }
 
 bool InstancedCull::isTreeDown(std::uint32_t slot) const {
-    const TreeFall* fall = modal.fall(slot);
+    const TreeFall* fall = modal().fall(slot);
     return fall && fall->isDown;
 }
 
 /// Without coverage for fallen trees and for trees with geometry or state from the host.
 OcclusionBuffer::Billboard InstancedCull::projectImpostor(const ImpostorProjection& projection,
                                                           std::uint32_t slot) const {
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
-    const ModelResources& model = *resources.models[tree.model];
-    const SpeciesLooks& looks = resources.looks[tree.species];
+    const PlacedTree& tree = scene.forest.trees()[slot];
+    const ModelResources& model = *scene.resources.models[tree.model];
+    const SpeciesLooks& looks = scene.resources.looks[tree.species];
     const ImpostorStrip* impostor = model.impostor(impostorTier(tree.leaves));
     if (!impostor || model.usesHostGeometry() || looks.hostBark || looks.hostLeaves || isTreeDown(slot))
         return {};
-    return projection.project(tree, modal.lean(slot), *impostor);
+    return projection.project(tree, modal().lean(slot), *impostor);
 }
 
 void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& projection,
@@ -82,7 +82,7 @@ void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& 
         const bool isDown = isTreeDown(tree.slot);
         const osg::Vec3 top = tree.foot + osg::Vec3(0.0f, 0.0f, isDown ? 0.0f : tree.height);
         if (seen.side == ViewFrustum::Across) {
-            const glm::vec2 lean = modal.lean(tree.slot);
+            const glm::vec2 lean = modal().lean(tree.slot);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
             const float reach = isDown ? std::hypot(tree.reach, tree.height) : tree.reach;
             if (!view.intersects(tree.foot, top, reach + sway))
@@ -92,7 +92,7 @@ void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& 
         const osg::Vec3 toEye = projection.towardEye(middle);
         const FrontToBackQueue::Tree seenTree{
             tree.slot, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
-        if (tiers.areEnabled() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
+        if (scene.tiers.areEnabled() && scene.tiers.choose(seenTree.pixels).tier != Tier::Impostor)
             lists.frontToBack().insert(seenTree, projection.distance(tree.foot));
         else if (hidesNoTree ||
                  !occlusion.isHidden(projectImpostor(projection, tree.slot), projection.pixelShare()))
@@ -112,7 +112,7 @@ OcclusionBuffer::Billboard InstancedCull::drawUnlessHidden(const ImpostorProject
 /// Trees that are seen through gaps in other trees need less detail.
 void InstancedCull::addTree(const FrontToBackQueue::Tree& seen, float visibleShare) {
     const float pixels = seen.pixels * visibleShare;
-    const TierChoice choice = tiers.choose(pixels);
+    const TierChoice choice = scene.tiers.choose(pixels);
     if (choice.fade == 1.0f) {
         addInstance(seen, choice.tier, 1.0f);
     } else {
@@ -121,18 +121,18 @@ void InstancedCull::addTree(const FrontToBackQueue::Tree& seen, float visibleSha
         addInstance(seen, choice.tier, fade);
         addInstance(seen, next, -fade);
     }
-    if (choice.tier < Tier::Impostor || pixels > tiers.fullMotionPixels())
+    if (choice.tier < Tier::Impostor || pixels > scene.tiers.fullMotionPixels())
         lists.nearTrees().push_back(seen.slot);
 }
 
 void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade) {
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[seen.slot];
+    const PlacedTree& tree = scene.forest.trees()[seen.slot];
     const float random = treeRandom(tree.seed);
     const glm::vec3& foot = tree.position;
-    const NeighbourShade::Light light = shade.light(seen.slot);
+    const NeighbourShade::Light light = scene.shade.light(seen.slot);
     if (tier == Tier::Impostor) {
-        const glm::vec2 lean = modal.lean(seen.slot);
-        const TreeFall* fall = modal.fall(seen.slot);
+        const glm::vec2 lean = modal().lean(seen.slot);
+        const TreeFall* fall = modal().fall(seen.slot);
         const glm::vec3 down =
             fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
@@ -144,26 +144,27 @@ void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, f
                   {light.atFoot, light.atTop, 0.0f, 0.0f}});
         return;
     }
-    PosePass& pass = *passes[tree.model];
+    PosePass& pass = *scene.passes[tree.model];
     const PosePass::Row row = pass.row(frame, seen.slot, [&](PoseRequest& request) {
-        pass.fillRequest(modal, seen.slot, tree.scale, resources.looks[tree.species].foliage, request);
+        pass.fillRequest(modal(), seen.slot, tree.scale, scene.resources.looks[tree.species].foliage,
+                         request);
     });
     const std::size_t order =
         LeafOrders::nearest(rotateAboutZ(seen.toEye, -std::sin(tree.heading), std::cos(tree.heading)));
     InstanceList& list =
         lists.list({seen.band, tree.model, tier, fade != 1.0f, false, order}, &pass, row.page);
-    list.flutter = flutter[tree.species];
+    list.flutter = scene.flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
               {static_cast<float>(row.row), fade, random, tree.leaves},
-              {light.atFoot, light.atTop, 1.0f / std::max(cells.tree(seen.slot).height, 1e-3f), 0.0f}});
+              {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f), 0.0f}});
 }
 
 /// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first.
 void InstancedCull::submitDraws() {
     if (lists.size() == 0)
         return;
-    visitor.pushStateSet(resources.state);
+    visitor.pushStateSet(scene.resources.state);
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     constexpr std::size_t verticesPerFlush = 300000;
@@ -194,9 +195,9 @@ void InstancedCull::submitDraws() {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
         osg::StateSet* const inBand = lists.bandState(list.band);
-        osg::StateSet* const fading = list.fading ? resources.fading.get() : nullptr;
-        const ModelResources& model = *resources.models[list.model];
-        const SpeciesLooks& looks = resources.looks[model.species()];
+        osg::StateSet* const fading = list.fading ? scene.resources.fading.get() : nullptr;
+        const ModelResources& model = *scene.resources.models[list.model];
+        const SpeciesLooks& looks = scene.resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
             osg::StateSet* const leaves = // sets the leaf colour, which twigs lack

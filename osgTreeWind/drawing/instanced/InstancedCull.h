@@ -8,33 +8,37 @@
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/instanced/ViewFrustum.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {
 
+/// What all cameras see: the trees of a forest under the law `modal`, and how they are drawn.
+struct InstancedScene {
+    MovingForest& forest;
+    InstancedResources resources;
+    TreeTiers tiers;
+    std::vector<osg::ref_ptr<PosePass>> passes{}; ///< By model.
+    TreeCells cells{};
+    NeighbourShade shade{};
+    std::vector<osg::Vec3> flutter{}; ///< By species: current phases.
+};
+
 /// Culls a forest for one camera: finds the visible trees, chooses their tiers and submits their draws.
 class InstancedCull {
 public:
     osgUtil::CullVisitor& visitor;
     unsigned frame;
-    const ForestSimulation& simulation;
-    const ModalMotion& modal; ///< Of the simulation.
-    const InstancedResources& resources;
-    const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
-    const TreeTiers& tiers;
+    const InstancedScene& scene;
     float detail; ///< Factor on the screen heights of the trees (DetailBudget).
-    const TreeCells& cells;
-    const NeighbourShade& shade;
-    const std::vector<osg::Vec3>& flutter; ///< By species.
     CullLists& lists;
 
     void run();
 
 private:
+    const ModalMotion& modal() const { return *scene.forest.modal(); }
     bool isTreeDown(std::uint32_t slot) const;
     OcclusionBuffer::Billboard projectImpostor(const ImpostorProjection& projection,
                                                std::uint32_t slot) const;

@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/drawing/instanced/FollowedBranches.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/Notify>
 
@@ -11,7 +12,7 @@ namespace osgTreeWind {
 namespace {
 
 std::shared_ptr<ForestSimulation> modalOrEmpty(const std::shared_ptr<ForestSimulation>& given) {
-    if (given && SimulationAccess::modal(*given))
+    if (given && movingForest(*given).modal())
         return given;
     OSG_WARN << "osgTreeWind: expected a simulation under the law modal; no trees are drawn" << std::endl;
     return std::make_shared<ForestSimulation>(ForestDescription());
@@ -82,11 +83,11 @@ void InstancedForest::update(const osg::FrameStamp& stamp, bool) {
     _followed->update(*getSimulation());
 }
 
-void InstancedForest::treeChanged(std::size_t slot) {
-    if (slot >= getSimulation()->slotCount())
+void InstancedForest::treeChanged(TreeId tree) {
+    if (slotOfTree(tree) >= movingForest(*getSimulation()).trees().size())
         return;
-    _trees->treeChanged(slot);
-    _followed->treeChanged(*getSimulation(), getSimulation()->idOf(slot));
+    _trees->treeChanged(slotOfTree(tree));
+    _followed->treeChanged(*getSimulation(), tree);
     dirtyBound(); // the drawable does not: computeBound() does not use its box
 }
 
@@ -98,10 +99,10 @@ void InstancedForest::seasonChanged() {
     _trees->seasonChanged();
 }
 
-BranchTransform* InstancedForest::followBranch(TreeId tree, unsigned unit) {
-    BranchTransform* branch = _followed->followBranch(*getSimulation(), tree, unit);
+BranchTransform* InstancedForest::branch(TreeId tree, unsigned unit) {
+    BranchTransform* branch = _followed->branch(*getSimulation(), tree, unit);
     if (branch)
-        _trees->keepNear(getSimulation()->slotOf(tree), true);
+        _trees->keepNear(slotOfTree(tree), true);
     return branch;
 }
 
@@ -109,7 +110,7 @@ bool InstancedForest::releaseBranch(TreeId tree, unsigned unit) {
     if (!_followed->releaseBranch(tree, unit))
         return false;
     if (getSimulation()->holds(tree) && !_followed->hasBranches(tree))
-        _trees->keepNear(getSimulation()->slotOf(tree), false);
+        _trees->keepNear(slotOfTree(tree), false);
     return true;
 }
 

@@ -44,13 +44,15 @@ public:
     /// and geometry that a host has set.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     void update(const osg::FrameStamp& stamp, bool moved) override;
-    void treeChanged(std::size_t slot) override;
+    void treeChanged(TreeId tree) override;
     void speciesAdded() override;
     void seasonChanged() override;
-    BranchTransform* followBranch(TreeId tree, unsigned unit) override;
+    BranchTransform* branch(TreeId tree, unsigned unit) override;
     bool releaseBranch(TreeId tree, unsigned unit) override;
     InstancedForest* asInstancedForest() override { return this; }
 
+    /// The drawable of all trees, a class of this library's own. New in each setSimulation().
+    InstancedTrees* getTrees() const { return _trees.get(); }
     /// A conservative bound that includes the sway of the trees. Bounding boxes hold the trees at rest.
     osg::BoundingSphere computeBound() const override;
 
@@ -58,7 +60,6 @@ protected:
     ~InstancedForest() override;
 
 private:
-    friend struct InstancedParts;
     void setTrees(const osg::ref_ptr<InstancedTrees>& trees,
                   const std::shared_ptr<ForestSimulation>& simulation);
     bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);

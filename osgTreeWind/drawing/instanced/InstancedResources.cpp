@@ -2,7 +2,8 @@
 #include <osgTreeWind/drawing/instanced/InstancedResources.h>
 
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/SpeciesFields.h>
@@ -42,7 +43,7 @@ InstancedResources::InstancedResources(const ForestSimulation& simulation)
 }
 
 bool InstancedResources::matches(const ForestSimulation& simulation) const {
-    return _season == simulation.season() && _shapes == SimulationAccess::models(simulation) &&
+    return _season == simulation.season() && _shapes == movingForest(simulation).models() &&
            _species == bytesOf(simulation.description().species);
 }
 
@@ -51,16 +52,16 @@ void InstancedResources::addSpecies(const ForestSimulation& simulation) {
     for (std::size_t i = looks.size(); i < all.size(); ++i)
         looks.push_back(makeSpeciesLooks(all[i]));
     _species = bytesOf(all);
-    _shapes = SimulationAccess::models(simulation);
+    _shapes = movingForest(simulation).models();
     const std::size_t first = models.size();
-    models.resize(SimulationAccess::models(simulation).size());
+    models.resize(movingForest(simulation).models().size());
     if (models.size() == first) // starts no threads
         return;
     runJobs(simulation.executor(), models.size() - first, [&](std::size_t i) {
         const std::size_t model = first + i;
-        const std::size_t species = SimulationAccess::forest(simulation).speciesOfModel(model);
-        models[model] = new ModelResources(*SimulationAccess::models(simulation)[model], species,
-                                           all[species].appearance);
+        const std::size_t species = movingForest(simulation).placed().speciesOfModel(model);
+        models[model] =
+            new ModelResources(*movingForest(simulation).models()[model], species, all[species].appearance);
     });
     updateSeason(simulation);
 }
@@ -75,9 +76,9 @@ void InstancedResources::updateSeason(const ForestSimulation& simulation) {
         leaves.emplace_back(each);
     ImpostorKeys needed;
     for (std::size_t model = 0; model < models.size(); ++model) // for trees that are added later
-        addNeededImpostors(simulation, model,
-                           leaves[SimulationAccess::forest(simulation).speciesOfModel(model)], 1.0f, needed);
-    for (const PlacedTree& tree : SimulationAccess::trees(simulation))
+        addNeededImpostors(simulation, model, leaves[movingForest(simulation).placed().speciesOfModel(model)],
+                           1.0f, needed);
+    for (const PlacedTree& tree : movingForest(simulation).trees())
         if (tree.alive)
             addNeededImpostors(simulation, tree.model, leaves[tree.species], tree.summerLeaves, needed);
     paintImpostors(simulation, needed);
@@ -85,7 +86,7 @@ void InstancedResources::updateSeason(const ForestSimulation& simulation) {
 
 void InstancedResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
     ImpostorKeys needed;
-    addNeededImpostors(simulation, tree.model, LeafFall(SimulationAccess::forest(simulation).speciesOf(tree)),
+    addNeededImpostors(simulation, tree.model, LeafFall(movingForest(simulation).placed().speciesOf(tree)),
                        tree.summerLeaves, needed);
     paintImpostors(simulation, needed);
 }
@@ -98,7 +99,7 @@ void InstancedResources::paintImpostors(const ForestSimulation& simulation, cons
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        models[model]->loadImpostor(tier, *SimulationAccess::models(simulation)[model],
+        models[model]->loadImpostor(tier, *movingForest(simulation).models()[model],
                                     simulation.description().species[models[model]->species()].appearance);
     };
     if (missing.size() == 1)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 
-#include <osgTreeWind/drawing/instanced/InstancedCull.h>
 #include <osgTreeWind/drawing/instanced/TreePicking.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osgUtil/IntersectionVisitor>
 
@@ -27,51 +26,50 @@ InstancedTrees::InstancedTrees(const std::shared_ptr<ForestSimulation>& simulati
     : InstancedTrees(simulation, InstancedResources(*simulation)) {}
 
 InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, InstancedResources resources)
-    : _simulation(std::move(simulation)), _resources(std::move(resources)),
-      _tiers(_simulation->description().drawing) {
+    : _simulation(std::move(simulation)), _scene{movingForest(*_simulation), std::move(resources),
+                                                 TreeTiers(_simulation->description().drawing)} {
     setName("trees");
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // makes osgUtil::GLObjectsVisitor call compileGLObjects()
     addPasses();
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(*_simulation).size(); ++tree)
-        if (SimulationAccess::trees(*_simulation)[tree].alive)
+    for (std::size_t tree = 0; tree < _scene.forest.trees().size(); ++tree)
+        if (_scene.forest.trees()[tree].alive)
             treeChanged(tree);
     updateFlutter(0.0);
-    _shade.update();
+    _scene.shade.update();
 }
 
 void InstancedTrees::addPasses() {
-    const auto& models = SimulationAccess::models(*_simulation);
-    for (std::size_t model = _passes.size(); model < models.size(); ++model)
-        _passes.push_back(new PosePass(models[model]->skeleton, _resources.programs));
-    _flutter.resize(_simulation->description().species.size());
+    const auto& models = _scene.forest.models();
+    for (std::size_t model = _scene.passes.size(); model < models.size(); ++model)
+        _scene.passes.push_back(new PosePass(models[model]->skeleton, _scene.resources.programs));
+    _scene.flutter.resize(_simulation->description().species.size());
 }
 
 void InstancedTrees::speciesAdded() {
-    _resources.addSpecies(*_simulation);
+    _scene.resources.addSpecies(*_simulation);
     addPasses();
 }
 
 void InstancedTrees::treeChanged(std::size_t tree) {
-    const PlacedTree& placed = SimulationAccess::trees(*_simulation)[tree];
+    const PlacedTree& placed = _scene.forest.trees()[tree];
     const auto slot = static_cast<std::uint32_t>(tree);
     if (tree >= _nearStates.size())
         _nearStates.resize(tree + 1);
     if (!placed.alive) {
-        _cells.remove(slot);
+        _scene.cells.remove(slot);
         updateShade(slot);
         _nearStates[tree].pinned = false;
     } else {
-        const std::array<float, 5> reach =
-            SimulationAccess::forest(*_simulation).modelOf(placed).extents.reach(placed.scale);
-        const TreeFall* fall = SimulationAccess::modal(*_simulation)->fall(tree);
+        const std::array<float, 5> reach = _scene.forest.placed().modelOf(placed).extents.reach(placed.scale);
+        const TreeFall* fall = _scene.forest.modal()->fall(tree);
         const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
-        _cells.insert({toOsg(placed.position), reach[4], aside, slot});
+        _scene.cells.insert({toOsg(placed.position), reach[4], aside, slot});
         updateShade(slot);
-        _resources.paintImpostor(*_simulation, placed);
-        if (SimulationAccess::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
+        _scene.resources.paintImpostor(*_simulation, placed);
+        if (_scene.forest.modal()->level(tree) == ModalLevel::Near)
             markNear(slot);
     }
     dirtyBound();
@@ -79,11 +77,10 @@ void InstancedTrees::treeChanged(std::size_t tree) {
 
 osg::BoundingBox InstancedTrees::computeBoundingBox() const {
     osg::BoundingBox box;
-    for (const PlacedTree& tree : SimulationAccess::trees(*_simulation)) {
+    for (const PlacedTree& tree : _scene.forest.trees()) {
         if (!tree.alive)
             continue;
-        const std::array<float, 5> reach =
-            SimulationAccess::forest(*_simulation).modelOf(tree).extents.reach(tree.scale);
+        const std::array<float, 5> reach = _scene.forest.placed().modelOf(tree).extents.reach(tree.scale);
         const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
         for (const float x : {-reach[1], reach[0]})
             for (const float y : {-reach[3], reach[2]})
@@ -94,21 +91,22 @@ osg::BoundingBox InstancedTrees::computeBoundingBox() const {
 }
 
 void InstancedTrees::seasonChanged() {
-    _resources.updateSeason(*_simulation);
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(*_simulation).size(); ++tree)
+    _scene.resources.updateSeason(*_simulation);
+    for (std::size_t tree = 0; tree < _scene.forest.trees().size(); ++tree)
         updateShade(static_cast<std::uint32_t>(tree));
 }
 
 /// A fallen tree shades no neighbours.
 void InstancedTrees::updateShade(std::uint32_t tree) {
-    const PlacedTree& placed = SimulationAccess::trees(*_simulation)[tree];
-    const TreeFall* fall = SimulationAccess::modal(*_simulation)->fall(tree);
+    const PlacedTree& placed = _scene.forest.trees()[tree];
+    const TreeFall* fall = _scene.forest.modal()->fall(tree);
     if (!placed.alive || (fall && fall->isDown)) {
-        _shade.remove(tree);
+        _scene.shade.remove(tree);
         return;
     }
-    const TreeSize size = SimulationAccess::forest(*_simulation).sizeOf(placed);
-    _shade.insert(tree, {placed.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * placed.leaves});
+    const TreeSize size = _scene.forest.placed().sizeOf(placed);
+    _scene.shade.insert(tree,
+                        {placed.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * placed.leaves});
 }
 
 void InstancedTrees::markNear(std::uint32_t tree) {
@@ -123,59 +121,69 @@ void InstancedTrees::keepNear(std::size_t tree, bool pinned) {
     _nearStates[tree].pinned = pinned;
     if (!pinned)
         return;
-    SimulationAccess::modal(*_simulation)->setLevel(tree, ModalMotion::Level::Near);
+    _scene.forest.modal()->setLevel(tree, ModalLevel::Near);
     markNear(static_cast<std::uint32_t>(tree));
 }
 
 void InstancedTrees::update(unsigned frame, double time) {
     _frame = frame;
     updateFlutter(time);
-    _shade.update();
-    ModalMotion& modal = *SimulationAccess::modal(*_simulation);
-    {
-        const std::lock_guard<std::mutex> lock(_listsMutex);
-        for (const VisitorLists& each : _lists) {
-            for (const std::uint32_t tree : each.lists->nearTrees()) {
-                if (!SimulationAccess::trees(*_simulation)[tree].alive)
-                    continue;
-                if (modal.level(tree) == ModalMotion::Level::Far)
-                    modal.setLevel(tree, ModalMotion::Level::Near);
-                markNear(tree);
-            }
-            each.lists->nearTrees().clear();
-        }
-        // Visitors and cameras may have been deleted.
-        const auto removeUnused = [](auto& items, const auto& isUnused) {
-            items.erase(std::remove_if(items.begin(), items.end(), isUnused), items.end());
-        };
-        removeUnused(_lists,
-                     [&](const VisitorLists& each) { return frame > each.lists->frame() + framesNear; });
-        removeUnused(_views, [&](const View& each) { return frame > each.frame + framesNear; });
-    }
+    _scene.shade.update();
+    promoteSeenTrees();
+    forgetViews();
     // Without a viewer, trees keep their levels.
-    if (!_tiers.areEnabled() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
-        return;
-    _nearTrees.erase(
-        std::remove_if(_nearTrees.begin(), _nearTrees.end(),
-                       [&](std::uint32_t tree) {
-                           NearState& state = _nearStates[tree];
-                           const bool isNear = SimulationAccess::trees(*_simulation)[tree].alive &&
-                                               modal.level(tree) == ModalMotion::Level::Near;
-                           if (isNear && (state.pinned ||
-                                          static_cast<std::uint8_t>(frame - state.lastSeen) < framesNear))
-                               return false;
-                           if (isNear)
-                               modal.setLevel(tree, ModalMotion::Level::Far);
-                           state.isNear = false;
-                           return true;
-                       }),
-        _nearTrees.end());
+    if (_scene.tiers.areEnabled() && frame % 8 == 0 && _culledFrame != ~0u &&
+        frame <= _culledFrame + framesNear)
+        demoteUnseenTrees();
+}
+
+/// Gives the trees whose branches a camera saw the motion of near ones.
+void InstancedTrees::promoteSeenTrees() {
+    ModalMotion& modal = *_scene.forest.modal();
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    for (const VisitorLists& each : _lists) {
+        for (const std::uint32_t tree : each.lists->nearTrees()) {
+            if (!_scene.forest.trees()[tree].alive)
+                continue;
+            modal.setLevel(tree, ModalLevel::Near);
+            markNear(tree);
+        }
+        each.lists->nearTrees().clear();
+    }
+}
+
+/// Gives trees that no camera has seen for a while the motion of far ones.
+void InstancedTrees::demoteUnseenTrees() {
+    ModalMotion& modal = *_scene.forest.modal();
+    std::size_t kept = 0;
+    for (const std::uint32_t tree : _nearTrees) {
+        NearState& state = _nearStates[tree];
+        state.isNear = _scene.forest.trees()[tree].alive && modal.level(tree) == ModalLevel::Near;
+        const bool isSeen = state.pinned || static_cast<std::uint8_t>(_frame - state.lastSeen) < framesNear;
+        if (state.isNear && !isSeen) {
+            modal.setLevel(tree, ModalLevel::Far);
+            state.isNear = false;
+        }
+        if (state.isNear)
+            _nearTrees[kept++] = tree;
+    }
+    _nearTrees.resize(kept);
+}
+
+/// Drops what belongs to visitors and cameras that have been gone for a while.
+void InstancedTrees::forgetViews() {
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    const auto remove = [](auto& items, const auto& isUnused) {
+        items.erase(std::remove_if(items.begin(), items.end(), isUnused), items.end());
+    };
+    remove(_lists, [&](const VisitorLists& each) { return _frame > each.lists->frame() + framesNear; });
+    remove(_views, [&](const View& each) { return _frame > each.frame + framesNear; });
 }
 
 void InstancedTrees::updateFlutter(double time) {
     const std::vector<Species>& species = _simulation->description().species;
     for (std::size_t i = 0; i < species.size(); ++i)
-        _flutter[i] = toOsg(flutterPhases(time, species[i].leaf));
+        _scene.flutter[i] = toOsg(flutterPhases(time, species[i].leaf));
 }
 
 void InstancedTrees::accept(osg::NodeVisitor& visitor) {
@@ -191,7 +199,7 @@ void InstancedTrees::accept(osg::NodeVisitor& visitor) {
     } else if (auto* picking = dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor)) {
         visitor.pushOntoNodePath(this);
         _guard.run("trees of the forest may not be picked",
-                   [&] { intersectTrees(*picking, *_simulation, _cells); });
+                   [&] { intersectTrees(*picking, *_simulation, _scene.cells); });
         visitor.popFromNodePath();
     } else {
         osg::Drawable::accept(visitor);
@@ -213,7 +221,7 @@ float InstancedTrees::detailOf(osgUtil::CullVisitor& visitor, unsigned frame) {
     const float budget = _simulation->description().drawing.budget;
     const osg::Camera* camera = budget > 0.0f ? visitor.getRenderStage()->getCamera() : nullptr;
     osg::Stats* stats = camera ? const_cast<osg::Stats*>(camera->getStats()) : nullptr;
-    if (!stats || !_tiers.areEnabled())
+    if (!stats || !_scene.tiers.areEnabled())
         return 1.0f;
     if (!stats->collectStats("rendering"))
         stats->collectStats("rendering", true);
@@ -231,10 +239,7 @@ void InstancedTrees::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = acquireLists(visitor);
-    InstancedCull{visitor,    frame,   *_simulation, *SimulationAccess::modal(*_simulation),
-                  _resources, _passes, _tiers,       detailOf(visitor, frame),
-                  _cells,     _shade,  _flutter,     *lists}
-        .run();
+    InstancedCull{visitor, frame, _scene, detailOf(visitor, frame), *lists}.run();
 }
 
 std::array<std::size_t, tierCount> InstancedTrees::treesByTier() const {
@@ -248,7 +253,7 @@ std::array<std::size_t, tierCount> InstancedTrees::treesByTier() const {
 
 void InstancedTrees::compileGLObjects(osg::RenderInfo& renderInfo) const {
     _guard.run("trees of the forest are compiled as they are drawn", [&] {
-        for (osg::Object* object : _resources.glObjects())
+        for (osg::Object* object : _scene.resources.glObjects())
             if (const osg::StateSet* state = object->asStateSet())
                 state->compileGLObjects(*renderInfo.getState());
             else if (const osg::StateAttribute* program = object->asStateAttribute())
@@ -260,15 +265,15 @@ void InstancedTrees::compileGLObjects(osg::RenderInfo& renderInfo) const {
 
 void InstancedTrees::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Drawable::resizeGLObjectBuffers(maxSize);
-    for (osg::Object* object : _resources.glObjects())
+    for (osg::Object* object : _scene.resources.glObjects())
         object->resizeGLObjectBuffers(maxSize);
 }
 
 void InstancedTrees::releaseGLObjects(osg::State* state) const {
     osg::Drawable::releaseGLObjects(state);
-    for (const osg::Object* object : _resources.glObjects())
+    for (const osg::Object* object : _scene.resources.glObjects())
         object->releaseGLObjects(state);
-    for (const osg::ref_ptr<PosePass>& passes : _passes)
+    for (const osg::ref_ptr<PosePass>& passes : _scene.passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);
     for (const VisitorLists& each : _lists)

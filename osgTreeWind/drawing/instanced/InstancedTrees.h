@@ -3,10 +3,7 @@
 
 #include <osgTreeWind/drawing/instanced/CullLists.h>
 #include <osgTreeWind/drawing/instanced/DetailBudget.h>
-#include <osgTreeWind/drawing/instanced/InstancedResources.h>
-#include <osgTreeWind/drawing/instanced/NeighbourShade.h>
-#include <osgTreeWind/drawing/instanced/TreeCells.h>
-#include <osgTreeWind/drawing/instanced/TreeTiers.h>
+#include <osgTreeWind/drawing/instanced/InstancedCull.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
@@ -46,8 +43,8 @@ public:
     void update(unsigned frame, double time);
 
     /// May be changed between frames.
-    InstancedResources& resources() { return _resources; }
-    const InstancedResources& resources() const { return _resources; }
+    InstancedResources& resources() { return _scene.resources; }
+    const InstancedResources& resources() const { return _scene.resources; }
     /// Number of trees at ModalMotion::Level::Near: those whose branches a camera saw in the last frames.
     std::size_t nearTreeCount() const { return _nearTrees.size(); }
     /// Number of trees that all cameras drew in the last culled frame, by tier. A tree that fades between two
@@ -59,7 +56,7 @@ public:
     /// Bounds of the trees at rest. They are tight for headings that are multiples of a right angle.
     osg::BoundingBox computeBoundingBox() const override;
     /// A conservative bound that includes the sway, used for culling.
-    osg::BoundingBox swayBounds() const { return _cells.bounds(); }
+    osg::BoundingBox swayBounds() const { return _scene.cells.bounds(); }
     void drawImplementation(osg::RenderInfo&) const override {}
     /// Compiles all resources for osgUtil::GLObjectsVisitor and database pagers.
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;
@@ -74,18 +71,16 @@ private:
     void updateShade(std::uint32_t tree);
     void updateFlutter(double time);
     void markNear(std::uint32_t tree);
+    void promoteSeenTrees();
+    void demoteUnseenTrees();
+    void forgetViews();
     void cull(osgUtil::CullVisitor& visitor);
     osg::ref_ptr<CullLists> acquireLists(const osgUtil::CullVisitor& visitor);
     float detailOf(osgUtil::CullVisitor& visitor, unsigned frame);
 
     ExceptionGuard _guard;
     std::shared_ptr<ForestSimulation> _simulation;
-    InstancedResources _resources;
-    std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
-    TreeTiers _tiers;
-    mutable TreeCells _cells;
-    NeighbourShade _shade;
-    std::vector<osg::Vec3> _flutter; ///< By species: current phases.
+    mutable InstancedScene _scene; // its cells cache their bounds
 
     struct NearState {
         std::uint8_t lastSeen = 0; ///< Low bits of the last frame in which a camera saw the branches.

@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -12,15 +13,16 @@
 
 namespace osgTreeWind {
 
-TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) {
-    if (slot >= simulation.slotCount() || !simulation.holds(simulation.idOf(slot)) ||
-        !SimulationAccess::modal(simulation)) // under other laws, hits are on nodes
+TreeHit::TreeHit(const ForestSimulation& simulation, TreeId hit) {
+    const MovingForest& forest = movingForest(simulation);
+    if (!simulation.holds(hit) || !forest.modal()) // under other laws, hits are on nodes
         return;
-    _tree = simulation.idOf(slot);
-    const PlacedTree& tree = SimulationAccess::trees(simulation)[slot];
-    const TreeModel& model = SimulationAccess::forest(simulation).modelOf(tree);
+    _tree = hit;
+    const std::size_t slot = slotOfTree(hit);
+    const PlacedTree& tree = forest.trees()[slot];
+    const TreeModel& model = forest.placed().modelOf(tree);
     UnitValues values;
-    const TreeMotion motion = simulation.motion(slot, values);
+    const TreeMotion motion = forest.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     const auto add = [&](const glm::vec3& point) {
         _vertices.push_back(toOsg(rotateAboutZ(point, sine, cosine) + tree.position));

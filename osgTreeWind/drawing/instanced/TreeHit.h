@@ -7,6 +7,7 @@
 #include <osg/Drawable>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -17,18 +18,17 @@ class ForestSimulation;
 /// `drawable` of a hit on a tree of an InstancedForest:
 ///
 ///     if (auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get()))
-///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));
+///         use(*tree->getTree(), tree->getUnit(hit.primitiveIndex));
 class OSGTREEWIND_EXPORT TreeHit : public osg::Drawable {
 public:
     TreeHit() = default;
-    /// Poses the tree in a slot of a simulation. Empty if there is no tree in the slot.
-    TreeHit(const ForestSimulation& simulation, std::size_t slot);
+    /// Poses a tree of a simulation. Empty for an unknown tree.
+    TreeHit(const ForestSimulation& simulation, TreeId tree);
     /// A copy for osg::clone.
     TreeHit(const TreeHit& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeHit)
 
-    /// The id in the forest; noTree for an empty hit.
-    TreeId getTree() const { return _tree; }
+    std::optional<TreeId> getTree() const { return _tree; } ///< The id in the forest; none for an empty hit.
     /// The branch unit (access order) of a triangle, or of the leaf of a triangle.
     /// @param primitive index of the triangle: `primitiveIndex` of the hit.
     unsigned getUnit(unsigned primitive) const;
@@ -46,7 +46,7 @@ protected:
     ~TreeHit() override = default;
 
 private:
-    TreeId _tree = noTree;
+    std::optional<TreeId> _tree;
     unsigned _barkTriangles = 0;
     std::vector<unsigned> _barkEnds; ///< By unit: end of its bark in `_indices`.
     std::vector<osg::Vec3> _vertices;

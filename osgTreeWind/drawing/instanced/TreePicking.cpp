@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/instanced/TreePicking.h>
 
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/Group>
 
@@ -35,7 +36,8 @@ void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulatio
     const TreeCells::Cell* cell = nullptr;
     const TreeCells::Tree* tree = nullptr;
     const osg::ref_ptr<BoxTest> treeTest = new BoxTest([&] {
-        const osg::ref_ptr<TreeHit> picked = new TreeHit(simulation, tree->slot);
+        const osg::ref_ptr<TreeHit> picked =
+            new TreeHit(simulation, movingForest(simulation).placed().idOf(tree->slot));
         picked->accept(visitor);
     });
     const osg::ref_ptr<BoxTest> cellTest = new BoxTest([&] {

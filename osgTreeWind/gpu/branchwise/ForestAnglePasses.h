@@ -24,7 +24,7 @@ public:
     /// passes, so that they are drawn once for all views, shadow passes and cameras.
     void cull(osg::NodeVisitor& visitor);
 
-    /// Makes the next frame take a step, in the wind that SimulationAccess::beginStep() sampled.
+    /// Makes the next frame take a step, in the wind that movingForest().beginStep() sampled.
     /// @param time of that call.
     void step(const BranchwiseMotion& motion, double time);
     /// Makes the next frame keep the angles.

@@ -31,10 +31,6 @@ BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
     reset();
 }
 
-std::unique_ptr<Motion> BranchwiseMotion::cloneAtRest(const PlacedForest& forest) const {
-    return std::make_unique<BranchwiseMotion>(forest, _withLeaves);
-}
-
 void BranchwiseMotion::reset() {
     std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
     std::fill(_windTexels.begin(), _windTexels.end(), glm::vec4(0.0f));
@@ -56,7 +52,7 @@ void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
     }
 }
 
-void BranchwiseMotion::step(const WindField* wind, double time, float) {
+void BranchwiseMotion::step(const WindField* wind, double time) {
     sampleWind(wind, time);
     for (const PlacedTree& tree : _forest.trees) {
         stepBranches(tree, time);

@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/laws/Laws.h>
-#include <osgTreeWind/motion/laws/Motion.h>
+#include <osgTreeWind/motion/laws/TreeMotion.h>
+#include <osgTreeWind/wind/WindField.h>
 
 #include <functional>
 
@@ -12,22 +13,24 @@ namespace osgTreeWind {
 /// The laws of the thesis (`thesis`, `thesis-smooth`; leaves: appendix D) for a forest, with a state per unit
 /// and per leaf cluster. All arrays run tree after tree and, within a tree, in access order. Only the
 /// constructor allocates. Trees cannot be added or removed. Not for installed headers, as Laws.h.
-class BranchwiseMotion final : public Motion {
+class BranchwiseMotion {
 public:
     /// Trees start at rest. @param forest must outlive it. @param leaves whether leaves flutter. @param
     /// onTreePlaced called after each tree; may be empty.
     explicit BranchwiseMotion(const PlacedForest& forest, bool leaves = true,
                               const std::function<void()>& onTreePlaced = {});
 
-    BranchwiseMotion* branches() override { return this; }
-    std::unique_ptr<Motion> cloneAtRest(const PlacedForest& forest) const override;
-    void sampleWind(const WindField* wind, double time) override;
-    /// Samples the wind of every unit, takes one step of the law, for any `seconds`, and composes the poses.
-    void step(const WindField* wind, double time, float seconds) override;
-    void reset() override;
-    TreeMotion motion(std::size_t slot) const override;
-    TreeMotion motion(std::size_t slot, UnitValues&) const override { return motion(slot); }
-    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const override {
+    BranchwiseMotion(const BranchwiseMotion&) = delete;
+    BranchwiseMotion& operator=(const BranchwiseMotion&) = delete;
+
+    /// Takes over the wind of `time` without moving the trees. @param wind null: calm.
+    void sampleWind(const WindField* wind, double time);
+    /// Samples the wind of every unit, takes one step of the law, and composes the poses.
+    void step(const WindField* wind, double time);
+    void reset();                              ///< Back to rest, in calm.
+    TreeMotion motion(std::size_t slot) const; ///< Present state of a tree; empty if there is none.
+    /// One unit of motion(). @param slot must hold a tree.
+    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const {
         const std::size_t at = _forest.trees[slot].firstUnit + unit;
         return {_poses[at], _rotations[at]};
     }

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 namespace {
 
 /// @param ahead seconds for which the modes move on at their present speeds.
-std::vector<UnitPose> posesOf(const PlacedForest& forest, std::size_t slot, const ModalReader& motion,
+std::vector<UnitPose> posesOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion,
                               float ahead) {
     const PlacedTree& tree = forest.trees[slot];
     const Skeleton& skeleton = forest.modelOf(tree).skeleton;
@@ -54,7 +54,7 @@ glm::dvec2 FootLoad::weightMoment(const std::vector<UnitPose>& poses) const {
     return moment;
 }
 
-TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalReader& motion) {
+TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion) {
     constexpr float instant = 1e-3f; // seconds
     const PlacedTree& tree = forest.trees[slot];
     const FootLoad load(makeModalTree(forest, tree).form);

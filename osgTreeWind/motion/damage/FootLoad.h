@@ -6,7 +6,7 @@
 #include <osgTreeWind/motion/damage/TreeSway.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
-#include <osgTreeWind/motion/modal/ModalReader.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <vector>
 
@@ -35,6 +35,6 @@ private:
 };
 
 /// The present sway of a tree, without `windAtTop`. Takes some tenths of a millisecond.
-TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalReader& motion);
+TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion);
 
 } // namespace osgTreeWind

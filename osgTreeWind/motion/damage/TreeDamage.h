@@ -13,7 +13,7 @@ enum class DamageKind { Uprooted, Snapped, BoughTorn };
 
 /// Damage by wind: a fallen tree or a torn bough.
 struct TreeDamage {
-    TreeId tree = noTree;                   ///< The damaged tree.
+    TreeId tree{};                          ///< The damaged tree.
     DamageKind kind = DamageKind::Uprooted; ///< Kind of damage.
     unsigned unit = 0;    ///< The part falls about the base of this unit of the trunk or bough.
     float moment = 0.0f;  ///< At failure, at the foot of the tree or the base of the bough, N m.

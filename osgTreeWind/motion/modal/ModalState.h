@@ -70,7 +70,7 @@ struct ModalState {
     std::vector<ModalGroup> groups;                    ///< One per archetype and level.
     std::vector<Slot> slots;                           ///< Per tree.
     std::vector<Place> places;                         ///< Per tree.
-    std::vector<glm::vec2> leans;                      ///< Per tree: ModalReader::lean().
+    std::vector<glm::vec2> leans;                      ///< Per tree: ModalMotion::lean().
     std::unordered_map<std::uint32_t, TreeFall> falls; ///< Trees with fallen parts.
     std::vector<Work> work;                            ///< Blocks of the current step.
 

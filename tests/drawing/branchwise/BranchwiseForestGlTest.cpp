@@ -5,10 +5,12 @@
 #include <tests/nodes/Pictures.h>
 #include <tests/plugins/PluginPath.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <osg/BufferObject>
@@ -42,7 +44,7 @@ protected:
             frame(++now / 25.0);
     }
     const std::vector<glm::vec4>& states() const {
-        return SimulationAccess::branches(forest->getSimulation())->states();
+        return movingForest(forest->getSimulation()).branches()->states();
     }
 
     osg::ref_ptr<Forest> forest;
@@ -70,8 +72,8 @@ TEST_F(BranchwiseForestGlTest, ThesisExampleUsesAnglePassesAndBranchTransforms) 
                                                 bound.center(), osg::Z_AXIS);
     frames(4);
     const BranchwiseForest& branchwise = *forest->getBranchwise();
-    ASSERT_NE(BranchwiseParts::prePass(branchwise), nullptr) << "the angle passes do not run";
-    const osg::Group& full = *BranchwiseParts::tree(branchwise, 0)->getLod()->level(TreeLod::FULL);
+    ASSERT_NE(branchwise.getPasses(), nullptr) << "the angle passes do not run";
+    const osg::Group& full = *branchwise.getTrees()->nodes()[0]->getLod()->level(TreeLod::FULL);
     ASSERT_EQ(full.getNumChildren(), 1u);
     const auto* trunk = dynamic_cast<const BranchTransform*>(full.getChild(0));
     ASSERT_NE(trunk, nullptr) << "a branch is not a transform";
@@ -87,7 +89,7 @@ TEST_F(BranchwiseForestGlTest, DoesNotDisableCullingOfItsParents) {
     frames(1);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the probe";
     frames(3);
-    ASSERT_NE(BranchwiseParts::prePass(*forest->getBranchwise()), nullptr);
+    ASSERT_NE(forest->getBranchwise()->getPasses(), nullptr);
     EXPECT_EQ(forest->getNumChildrenWithCullingDisabled(), 0u);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the passes";
     const std::vector<glm::vec4> before = states();
@@ -121,11 +123,10 @@ TEST_F(BranchwiseForestGlTest, ReadsBackTheLeafAnglesThatAreDrawn) {
     ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes start in the second frame; read-back states are one frame old
         oracle.advance(i / 25.0);
-    const auto& leaves = SimulationAccess::branches(forest->getSimulation())->leafStates();
+    const auto& leaves = movingForest(forest->getSimulation()).branches()->leafStates();
     float fluttering = 0.0f;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        ASSERT_NEAR(leaves[i].x, SimulationAccess::branches(oracle)->leafStates()[i].x, 5e-4f)
-            << "leaf " << i;
+        ASSERT_NEAR(leaves[i].x, movingForest(oracle).branches()->leafStates()[i].x, 5e-4f) << "leaf " << i;
         fluttering = std::max(fluttering, std::abs(leaves[i].x));
     }
     EXPECT_GT(fluttering, 0.01f);
@@ -139,7 +140,7 @@ TEST_F(BranchwiseForestGlTest, ReleasingATreeKeepsObjectsOfOtherTrees) {
     const auto* textures = osg::get<osg::TextureObjectManager>(context);
     const unsigned buffersBefore = buffers->getNumberActiveGLBufferObjects();
     const unsigned texturesBefore = textures->getNumberActiveTextureObjects();
-    BranchwiseParts::tree(*forest->getBranchwise(), 0)->releaseGLObjects();
+    forest->getBranchwise()->getTrees()->nodes()[0]->releaseGLObjects();
     EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), buffersBefore);
     EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
     frames(1);
@@ -192,7 +193,7 @@ TEST_P(BranchwiseThreadingGlTest, ForestMayBeRemovedWhileItsFrameIsDrawn) {
         scene->addChild(forest);
     }
     frames(4);
-    EXPECT_NE(BranchwiseParts::prePass(*forest->getBranchwise()), nullptr);
+    EXPECT_NE(forest->getBranchwise()->getPasses(), nullptr);
     viewer().setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
 }
 

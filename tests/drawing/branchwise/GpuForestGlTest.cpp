@@ -5,13 +5,13 @@
 
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -103,8 +103,8 @@ protected:
             oracle.advance(i / 60.0);
         }
         frame(frames / 60.0);
-        return largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
-                                 SimulationAccess::branches(oracle)->states());
+        return largestDifference(movingForest(forest->getSimulation()).branches()->states(),
+                                 movingForest(oracle).branches()->states());
     }
 
     ForestDescription given;
@@ -123,7 +123,7 @@ TEST_F(GpuForestGlTest, EveryBranchGetsItsOwnWindValue) {
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
         ForestSimulation oracle(given);
-        ASSERT_EQ(SimulationAccess::branches(oracle)->states().size(), c.units) << c.name;
+        ASSERT_EQ(movingForest(oracle).branches()->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
             frame(i / 60.0);
@@ -131,11 +131,11 @@ TEST_F(GpuForestGlTest, EveryBranchGetsItsOwnWindValue) {
         }
         frame(3.0 / 60.0); // reads back the third step
         float moved = 0.0f;
-        for (const glm::vec4& state : SimulationAccess::branches(oracle)->states())
+        for (const glm::vec4& state : movingForest(oracle).branches()->states())
             moved = std::max(moved, std::abs(state.x));
         EXPECT_GT(moved, 1e-4f) << c.name;
-        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
-                                    SimulationAccess::branches(oracle)->states()),
+        EXPECT_LT(largestDifference(movingForest(forest->getSimulation()).branches()->states(),
+                                    movingForest(oracle).branches()->states()),
                   5e-4f)
             << c.name;
     }
@@ -147,9 +147,9 @@ TEST_F(GpuForestGlTest, WindReachesTransformsOneFrameLater) {
     osg::ref_ptr<Forest> forest = start(calm);
     const auto windTexel = [&] {
         return reinterpret_cast<const float*>(
-            BranchwiseParts::prePass(*forest->getBranchwise())->wind()->getImage()->data())[0];
+            forest->getBranchwise()->getPasses()->wind()->getImage()->data())[0];
     };
-    BranchTransform* branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(1);
+    BranchTransform* branch = forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(1);
     frame(0.1);
     frame(0.2);
     EXPECT_EQ(windTexel(), 0.0f);
@@ -192,13 +192,13 @@ TEST_F(GpuForestGlTest, BothKindsOfNoiseMoveLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(SimulationAccess::branches(oracle)->leafStates().empty());
-        EXPECT_GT(std::abs(SimulationAccess::branches(oracle)->leafStates()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->leafStates(),
-                                    SimulationAccess::branches(oracle)->leafStates()),
+        ASSERT_FALSE(movingForest(oracle).branches()->leafStates().empty());
+        EXPECT_GT(std::abs(movingForest(oracle).branches()->leafStates()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(movingForest(forest->getSimulation()).branches()->leafStates(),
+                                    movingForest(oracle).branches()->leafStates()),
                   5e-4f);
-        EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
-                                    SimulationAccess::branches(oracle)->states()),
+        EXPECT_LT(largestDifference(movingForest(forest->getSimulation()).branches()->states(),
+                                    movingForest(oracle).branches()->states()),
                   5e-4f);
     }
 }
@@ -207,7 +207,7 @@ TEST_F(GpuForestGlTest, ContinuesFromReadBackStatesAfterAContextLoss) {
     osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
     for (int i = 1; i <= 30; ++i)
         frame(i / 60.0);
-    const std::vector<glm::vec4> before = SimulationAccess::branches(forest->getSimulation())->states();
+    const std::vector<glm::vec4> before = movingForest(forest->getSimulation()).branches()->states();
     forest->releaseGLObjects();
     open(16, 16);
     viewer().setSceneData(forest);
@@ -217,7 +217,7 @@ TEST_F(GpuForestGlTest, ContinuesFromReadBackStatesAfterAContextLoss) {
     for (const glm::vec4& state : before)
         moved = std::max(moved, std::abs(state.x));
     EXPECT_GT(moved, 0.1f);
-    EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(), before),
+    EXPECT_LT(largestDifference(movingForest(forest->getSimulation()).branches()->states(), before),
               0.2f * moved);
 }
 
@@ -226,10 +226,10 @@ TEST_F(GpuForestGlTest, StatesStayTheSameDuringAPause) {
     for (int i = 1; i <= 5; ++i)
         frame(i / 60.0);
     frame(5.0 / 60.0);
-    const std::vector<glm::vec4> held = SimulationAccess::branches(forest->getSimulation())->states();
+    const std::vector<glm::vec4> held = movingForest(forest->getSimulation()).branches()->states();
     for (int i = 0; i < 5; ++i)
         frame(5.0 / 60.0);
-    EXPECT_EQ(SimulationAccess::branches(forest->getSimulation())->states(), held);
+    EXPECT_EQ(movingForest(forest->getSimulation()).branches()->states(), held);
 }
 
 TEST_F(GpuForestGlTest, TwoViewsTakeOneStepPerFrame) {
@@ -258,8 +258,8 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepPerFrame) {
     }
     composite.frame(10.0 / 60.0);
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    EXPECT_LT(largestDifference(SimulationAccess::branches(forest->getSimulation())->states(),
-                                SimulationAccess::branches(oracle)->states()),
+    EXPECT_LT(largestDifference(movingForest(forest->getSimulation()).branches()->states(),
+                                movingForest(oracle).branches()->states()),
               5e-4f);
 }
 
@@ -282,7 +282,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
             EXPECT_TRUE(forest->setWind(sane).empty());
             frame(time += 0.02);
             frame(time += 0.02);
-            for (const glm::vec4& state : SimulationAccess::branches(forest->getSimulation())->states()) {
+            for (const glm::vec4& state : movingForest(forest->getSimulation()).branches()->states()) {
                 ASSERT_TRUE(std::isfinite(state.x) && std::isfinite(state.y)) << value;
                 ASSERT_LE(std::max(std::abs(state.x), std::abs(state.y)), 1.5708f) << value;
             }
@@ -307,7 +307,7 @@ TEST_F(GpuForestGlTest, FallsBackToTheCpuWithoutFloatTargets) {
     EXPECT_NE(messages.find("angles come from the CPU"), std::string::npos);
     EXPECT_EQ(messages.find("angles come from the CPU"), messages.rfind("angles come from the CPU"));
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::CPU_ANGLES);
-    EXPECT_NE(SimulationAccess::branches(forest->getSimulation())->states()[1].x, 0.0f);
+    EXPECT_NE(movingForest(forest->getSimulation()).branches()->states()[1].x, 0.0f);
 }
 
 TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
@@ -327,8 +327,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
         }
         std::vector<osg::Matrix> matrices;
     } leaves;
-    BranchwiseParts::tree(*forest->getBranchwise(), 0)->accept(leaves);
-    const PosedTree& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0)->getPosedTree();
+    forest->getBranchwise()->getTrees()->nodes()[0]->accept(leaves);
+    const PosedTree& tree = *forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree();
     ASSERT_EQ(leaves.matrices.size(), tree.model().leaves.size());
     std::vector<osg::Vec3> expected, found;
     glm::vec3 corners[verticesPerLeafCluster];
@@ -337,11 +337,11 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
         tree.leafPoints(leaf, corners);
         expected.push_back(
             osg::Matrix::rotate(
-                osg::Quat(SimulationAccess::trees(forest->getSimulation())[0].heading, osg::Z_AXIS))
+                osg::Quat(movingForest(forest->getSimulation()).trees()[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
         fluttering = std::max(
-            fluttering, std::abs(SimulationAccess::branches(forest->getSimulation())->leafStates()[leaf].x));
+            fluttering, std::abs(movingForest(forest->getSimulation()).branches()->leafStates()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
     for (const osg::Vec3& point : found) { // transforms are in scene order, leaves in access order
@@ -390,7 +390,7 @@ TEST_F(GpuForestGlTest, BrokenShaderFileIsReplacedByTheEmbeddedOne) {
     const std::string messages = takeMessages();
     EXPECT_NE(messages.find("nonsense"), std::string::npos) << "the driver's log";
     EXPECT_NE(messages.find("the embedded shaders are used instead"), std::string::npos);
-    EXPECT_NE(SimulationAccess::branches(forest->getSimulation())->states()[1].x, 0.0f);
+    EXPECT_NE(movingForest(forest->getSimulation()).branches()->states()[1].x, 0.0f);
 }
 
 } // namespace

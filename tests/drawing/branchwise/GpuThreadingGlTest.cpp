@@ -3,7 +3,7 @@
 #include <tests/gl/GlTest.h>
 #include <tests/gl/ThreadingModels.h>
 
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -41,7 +41,7 @@ TEST_P(GpuThreadingGlTest, ReadsBackCompleteStatesOfThePreviousFrame) {
     const double step = 1.0 / 64.0; // exact in float
     for (int i = 1; i <= 600; ++i) {
         frame(i * step);
-        const std::vector<glm::vec4>& states = SimulationAccess::branches(forest->getSimulation())->states();
+        const std::vector<glm::vec4>& states = movingForest(forest->getSimulation()).branches()->states();
         for (const glm::vec4& state : states)
             ASSERT_EQ(state.z, states.front().z) << "frame " << i;
         if (i > 4) {
@@ -78,9 +78,9 @@ TEST_F(ShadowedForestGlTest, ShadowPassTakesNoExtraStep) {
     }
     frame(10.0 / 60.0);
     ASSERT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    const auto& expected = SimulationAccess::branches(plain->getSimulation())->states();
+    const auto& expected = movingForest(plain->getSimulation()).branches()->states();
     for (std::size_t i = 0; i < expected.size(); ++i)
-        ASSERT_NEAR(SimulationAccess::branches(forest->getSimulation())->states()[i].x, expected[i].x, 5e-4f)
+        ASSERT_NEAR(movingForest(forest->getSimulation()).branches()->states()[i].x, expected[i].x, 5e-4f)
             << i;
 }
 

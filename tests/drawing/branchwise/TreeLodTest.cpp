@@ -2,7 +2,8 @@
 #include <tests/drawing/branchwise/FakeCullVisitor.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ protected:
         description.law = MotionLaw::ThesisSmooth;
         forest = new Forest(description);
         forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
-        tree = BranchwiseParts::tree(*forest->getBranchwise(), 0);
+        tree = forest->getBranchwise()->getTrees()->nodes()[0].get();
         height = tree->getLod()->getCenter().z() * 2.0f;
     }
     /// Classes of the drawables that a camera draws from a distance in heights of the tree.
@@ -139,7 +140,7 @@ TEST_F(TreeLodTest, RangesAreInHeightsOfTheTree) {
 TEST_F(TreeLodTest, CopyOfTheForestKeepsTheRanges) {
     EXPECT_TRUE(forest->getBranchwise()->setLodRanges({3.0f, 20.0f}).empty());
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
-    EXPECT_EQ(BranchwiseParts::tree(*copy->getBranchwise(), 0)->getLod()->getRanges().full, 3.0f);
+    EXPECT_EQ(copy->getBranchwise()->getTrees()->nodes()[0]->getLod()->getRanges().full, 3.0f);
 }
 
 TEST_F(TreeLodTest, DistantTreeIsABillboard) {

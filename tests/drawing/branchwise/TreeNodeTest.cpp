@@ -2,8 +2,10 @@
 #include <tests/NamesInOrder.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osgUtil/IntersectionVisitor>
 
@@ -13,7 +15,7 @@ using namespace osgTreeWind;
 
 TEST(TreeNodeTest, HasOneBranchPerUnit) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     EXPECT_EQ(tree.getNumBranches(), 122u);
     EXPECT_NE(tree.getBranch(121), nullptr);
     EXPECT_EQ(tree.getBranch(122), nullptr);
@@ -22,15 +24,15 @@ TEST(TreeNodeTest, HasOneBranchPerUnit) {
 
 TEST(TreeNodeTest, ReturnsTheSameBranchEveryTime) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    BranchTransform* const branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9);
-    EXPECT_EQ(BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9), branch);
+    BranchTransform* const branch = forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(9);
+    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(9), branch);
     EXPECT_EQ(branch->getUnit(), 9u);
 }
 
 TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
     const unsigned unit = 13, treeIndex = 4;
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), treeIndex);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[treeIndex].get();
     const glm::vec3 tip =
         tree.getPosedTree()->scale().axes * tree.getPosedTree()->model().skeleton.units[unit].tip;
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(toOsg(tip)));
@@ -39,8 +41,8 @@ TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
     updateFrames(*forest, 1, 40);
 
     const ForestSimulation& simulation = forest->getSimulation();
-    const PlacedTree& place = SimulationAccess::trees(simulation)[treeIndex];
-    const osg::Vec3d inTree = toOsg(simulation.motion(treeIndex).poses[unit].apply(tip));
+    const PlacedTree& place = movingForest(simulation).trees()[treeIndex];
+    const osg::Vec3d inTree = toOsg(movingForest(simulation).motion(treeIndex).poses[unit].apply(tip));
     const osg::Vec3d expected =
         osg::Quat(place.heading, osg::Z_AXIS) * inTree + osg::Vec3d(toOsg(place.position));
     EXPECT_LT((worldMatrix(*sensor).getTrans() - expected).length(), 1e-4);
@@ -50,7 +52,7 @@ TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
 TEST(TreeNodeTest, NewBranchTransformHasTheCurrentPose) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     const osg::Matrix late = worldMatrix(*tree.getBranch(13));
     tree.updatePose();
     EXPECT_EQ(worldMatrix(*tree.getBranch(13)), late);
@@ -59,7 +61,7 @@ TEST(TreeNodeTest, NewBranchTransformHasTheCurrentPose) {
 
 TEST(TreeNodeTest, ReleasedBranchLosesItsNodesAndStopsFollowing) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     BranchTransform* const branch = forest->branch(TreeId(0), 9).value();
     const unsigned own = branch->getNumChildren();
     branch->addChild(new osg::Group);
@@ -88,7 +90,7 @@ TEST(TreeNodeTest, EmptyNodeAcceptsAllCalls) {
 
 TEST(TreeNodeTest, SeasonChangeKeepsAttachedNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
     osg::ref_ptr<osg::Group> nest = new osg::Group;
     tree.getBranch(5)->addChild(nest);
     osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
@@ -105,7 +107,7 @@ class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
 TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[1].get();
     tree.setName("by the gate");
     tree.addChild(new osg::Group);
     tree.getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
@@ -124,7 +126,7 @@ TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
 
 TEST_P(TreeNodeCopyTest, DoesNotChangeTheOriginal) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
-    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
+    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[1].get();
     int before = -2, after = -2;
     tree.getStateSet()->getUniform("treeFirstUnit")->get(before);
     osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));

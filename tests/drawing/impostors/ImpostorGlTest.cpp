@@ -6,7 +6,7 @@
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/GLExtensions>
 
@@ -216,7 +216,7 @@ TEST_F(ImpostorGlTest, HasHeadingAndSizeOfTheTree) {
     turned.trees[0].size.height = 20.0f;
     turned.trees[0].size.crownWidth = 8.0f;
     osg::ref_ptr<Forest> forest = inFull(turned);
-    const TreeScale& scale = SimulationAccess::trees(forest->getSimulation())[0].scale;
+    const TreeScale& scale = movingForest(forest->getSimulation()).trees()[0].scale;
     osg::ref_ptr<Instance> instance = new Instance;
     instance->place.w() = 1.1f;
     instance->scale = osg::Vec4(scale.axes.x, scale.axes.z, 0.0f, 0.0f);

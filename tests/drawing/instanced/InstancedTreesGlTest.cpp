@@ -3,11 +3,13 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -55,8 +57,8 @@ osg::ref_ptr<osg::Geometry> whiteTriangles(osg::Vec3Array* corners) {
 /// All trees in their current pose, computed on the CPU.
 osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(forest.getSimulation()).size(); ++tree)
-        osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), tree))->accept(triangles);
+    for (std::size_t tree = 0; tree < movingForest(forest.getSimulation()).trees().size(); ++tree)
+        osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), TreeId(tree)))->accept(triangles);
     return whiteTriangles(triangles.corners);
 }
 
@@ -142,10 +144,10 @@ TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
     osg::ref_ptr<Forest> drawn = new Forest(description), followed = new Forest(description);
     drawWhite(*drawn);
     const ForestSimulation& simulation = followed->getSimulation();
-    for (std::size_t tree = 0; tree < SimulationAccess::trees(simulation).size(); ++tree) {
-        const PlacedTree& placed = SimulationAccess::trees(simulation)[tree];
-        const BranchSkin& skin = SimulationAccess::forest(simulation).modelOf(placed).skin;
-        const std::size_t units = SimulationAccess::forest(simulation).unitCount(placed);
+    for (std::size_t tree = 0; tree < movingForest(simulation).trees().size(); ++tree) {
+        const PlacedTree& placed = movingForest(simulation).trees()[tree];
+        const BranchSkin& skin = movingForest(simulation).placed().modelOf(placed).skin;
+        const std::size_t units = movingForest(simulation).placed().unitCount(placed);
         for (unsigned unit = 0; unit < units; ++unit) {
             osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
             for (const auto index : skin.indices) {
@@ -153,10 +155,10 @@ TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
                 if (static_cast<unsigned>(vertex.unit + 0.5f) == unit)
                     corners->push_back(toOsg(posedSkinPoint(vertex, placed.scale, UnitPose())));
             }
-            followed->branch(simulation.idOf(tree), unit).value()->addChild(whiteTriangles(corners));
+            followed->branch(TreeId(tree), unit).value()->addChild(whiteTriangles(corners));
         }
     }
-    InstancedParts::trees(*followed->getInstanced())->setNodeMask(0);
+    followed->getInstanced()->getTrees()->setNodeMask(0);
     osg::ref_ptr<osg::Image> trees = picture(drawn, 30), things = picture(followed, 30);
     EXPECT_GT(covered(*trees), 0.01);
     EXPECT_LT(differing(*trees, *things), 0.001);
@@ -258,7 +260,7 @@ TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
-    const SharedModels& models = SimulationAccess::models(forest->getSimulation());
+    const SharedModels& models = movingForest(forest->getSimulation()).models();
     for (std::size_t model = 0; model < models.size(); ++model) {
         const TreeModel& shape = *models[model];
         const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
@@ -299,7 +301,7 @@ TEST_F(InstancedTreesGlTest, DoesNotChangeOtherDrawings) { // passes restore the
     look(with);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     osg::ref_ptr<osg::Image> together = run(0, 2);
-    const auto listed = InstancedParts::trees(*forest->getInstanced())->treesByTier();
+    const auto listed = forest->getInstanced()->getTrees()->treesByTier();
     EXPECT_GT(std::accumulate(listed.begin(), listed.begin() + branchTiers, std::size_t{0}), 0u);
     EXPECT_GT(covered(*alone), 0.02);
     EXPECT_EQ(difference(*alone, *together).mean, 0.0);

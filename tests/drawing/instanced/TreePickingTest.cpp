@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -47,10 +48,10 @@ osg::Vec3d standing(const PlacedTree& tree, const glm::vec3& point) {
 
 /// The middle of a unit in its current pose or at rest.
 osg::Vec3d middleOf(const Forest& forest, std::size_t tree, std::size_t unit, bool moved = true) {
-    const PlacedTree& placed = SimulationAccess::trees(forest.getSimulation())[tree];
+    const PlacedTree& placed = movingForest(forest.getSimulation()).trees()[tree];
     const BranchUnit& rest =
-        SimulationAccess::forest(forest.getSimulation()).modelOf(placed).skeleton.units[unit];
-    const UnitPose pose = moved ? forest.getSimulation().motion(tree).poses[unit] : UnitPose();
+        movingForest(forest.getSimulation()).placed().modelOf(placed).skeleton.units[unit];
+    const UnitPose pose = moved ? movingForest(forest.getSimulation()).motion(tree).poses[unit] : UnitPose();
     return standing(placed, pose.apply(placed.scale.axes * (0.5f * (rest.base + rest.tip))));
 }
 
@@ -93,9 +94,9 @@ TEST(TreePickingTest, DoesNotHitABranchAtItsFormerPlace) {
 
 TEST(TreePickingTest, HitsLeavesAsTheyFlutterAndTurnDownwind) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    const PlacedTree& placed = SimulationAccess::trees(forest->getSimulation())[0];
-    const TreeModel& model = SimulationAccess::forest(forest->getSimulation()).modelOf(placed);
-    const TreeMotion motion = forest->getSimulation().motion(0);
+    const PlacedTree& placed = movingForest(forest->getSimulation()).trees()[0];
+    const TreeModel& model = movingForest(forest->getSimulation()).placed().modelOf(placed);
+    const TreeMotion motion = movingForest(forest->getSimulation()).motion(0);
     for (std::size_t i = 0; i < model.leaves.size(); i += 7) {
         const LeafCluster& leaf = model.leaves[i];
         const glm::vec4& pull = motion.pulls[static_cast<std::size_t>(leaf.unit)];
@@ -144,14 +145,14 @@ TEST(TreePickingTest, HitsMovedAndAddedTreesButNotRemovedOnes) {
     ASSERT_TRUE(hitsBark(*forest, trunk, TreeId(1), 0));
     EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());
     EXPECT_FALSE(hitsBark(*forest, trunk, TreeId(1), 0));
-    TreePlacement moved = forest->getSimulation().placementOf(TreeId(2));
+    TreePlacement moved = *forest->getSimulation().placementOf(TreeId(2));
     moved.position.x += 500.0;
     const osg::Vec3d before = middleOf(*forest, 2, 0);
     EXPECT_TRUE(forest->changeTree(TreeId(2), moved).empty());
     EXPECT_FALSE(hitsBark(*forest, before, TreeId(2), 0));
     EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, 2, 0), TreeId(2), 0));
     const TreeId added = forest->addTree(smallForest(1).trees[0]).value();
-    EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, forest->getSimulation().slotOf(added), 0), added, 0));
+    EXPECT_TRUE(hitsBark(*forest, middleOf(*forest, slotOfTree(added), 0), added, 0));
 }
 
 TEST(TreePickingTest, PolytopeHitsTreesInside) {
@@ -189,7 +190,7 @@ TEST(TreePickingTest, EveryIntersectorOfAGroupHitsItsTree) {
 
 TEST(TreePickingTest, NodeMaskHidesTrees) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    InstancedParts::trees(*forest->getInstanced())->setNodeMask(0x2);
+    forest->getInstanced()->getTrees()->setNodeMask(0x2);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
     osg::ref_ptr<LineSegmentIntersector> line =
         new LineSegmentIntersector(trunk - osg::Vec3d(0, 1, 0), trunk + osg::Vec3d(0, 1, 0));

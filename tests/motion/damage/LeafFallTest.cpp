@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -40,7 +39,7 @@ ForestDescription wood(const char* species, float speed, float season = midautum
 float leavesAfter(ForestSimulation& forest, double from, double to) {
     for (double time = from; time <= to; time += 0.05)
         forest.advance(time);
-    return SimulationAccess::trees(forest)[0].leaves;
+    return movingForest(forest).trees()[0].leaves;
 }
 
 } // namespace
@@ -85,8 +84,8 @@ TEST(LeafFall, LeavesStayOffAfterAGust) {
     EXPECT_NEAR(before, leaves.remainingShare(midautumn, leaves.seasonAdvance(3.0f)), 1e-4f);
     EXPECT_NEAR(leavesAfter(forest, 3.05, 8.0), leaves.remainingShare(midautumn, leaves.seasonAdvance(15.0f)),
                 1e-4f);
-    EXPECT_LT(SimulationAccess::trees(forest)[0].leaves, before - 0.05f);
-    EXPECT_GT(SimulationAccess::trees(forest)[0].leaves, 0.1f);
+    EXPECT_LT(movingForest(forest).trees()[0].leaves, before - 0.05f);
+    EXPECT_GT(movingForest(forest).trees()[0].leaves, 0.1f);
 }
 
 TEST(LeafFall, TheTreeSwaysWithItsRemainingLeaves) {
@@ -98,7 +97,7 @@ TEST(LeafFall, TheTreeSwaysWithItsRemainingLeaves) {
         tree.leaves = left / leafShare(description.species[0].appearance, midautumn);
     ForestSimulation thinned(description);
     leavesAfter(thinned, 0.0, 10.0);
-    ASSERT_NEAR(SimulationAccess::trees(thinned)[0].leaves, left, 1e-5f);
+    ASSERT_NEAR(movingForest(thinned).trees()[0].leaves, left, 1e-5f);
     ForestDescription full = wood("silver birch", 28.0f);
     full.damage = false;
     ForestSimulation unshed(full);
@@ -107,9 +106,9 @@ TEST(LeafFall, TheTreeSwaysWithItsRemainingLeaves) {
         EXPECT_TRUE(each->setWind(westerly(10.0f)).empty());
         leavesAfter(*each, 10.05, 60.0);
     }
-    const float lean = SimulationAccess::modal(thinned)->lean(0).x;
-    EXPECT_NEAR(SimulationAccess::modal(shed)->lean(0).x, lean, 0.01f * lean);
-    EXPECT_GT(SimulationAccess::modal(unshed)->lean(0).x, 1.05f * lean);
+    const float lean = movingForest(thinned).modal()->lean(0).x;
+    EXPECT_NEAR(movingForest(shed).modal()->lean(0).x, lean, 0.01f * lean);
+    EXPECT_GT(movingForest(unshed).modal()->lean(0).x, 1.05f * lean);
 }
 
 TEST(LeafFall, DoesNotOccurWithoutDamageInSummerOrOnEvergreens) {
@@ -143,12 +142,12 @@ TEST(LeafFall, ResetCopiesAndReplacedTreesHaveAllLeaves) {
     const float all = leafShare(description.species[0].appearance, midautumn);
     ForestSimulation forest(description);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
-    EXPECT_EQ(SimulationAccess::trees(*forest.cloneAtRest())[0].leaves, all);
+    EXPECT_EQ(movingForest(*forest.cloneAtRest()).trees()[0].leaves, all);
     EXPECT_EQ(forest.describe().trees[0].leaves, 1.0f);
-    const TreeId second = forest.idOf(1);
-    EXPECT_TRUE(forest.changeTree(second, forest.placementOf(second)).empty());
-    EXPECT_EQ(SimulationAccess::trees(forest)[1].leaves, all);
+    const TreeId second = TreeId(1);
+    EXPECT_TRUE(forest.changeTree(second, *forest.placementOf(second)).empty());
+    EXPECT_EQ(movingForest(forest).trees()[1].leaves, all);
     forest.reset();
-    EXPECT_EQ(SimulationAccess::trees(forest)[0].leaves, all);
+    EXPECT_EQ(movingForest(forest).trees()[0].leaves, all);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
 }

@@ -31,7 +31,6 @@ ForestDescription swayingSpruce(const glm::vec3& wind, float heading = 0.0f) {
     tree.heading = heading;
     forest.trees = {tree};
     forest.wind = std::make_shared<UniformWind>(wind);
-    forest.wind.canopy = WindCanopy();
     return forest;
 }
 
@@ -152,7 +151,7 @@ TEST(TreeSwayTest, ATreeFallsWhereItsMomentExceedsTheLimit) {
 
 TEST(TreeSwayTest, IsEmptyForUnknownTreesAndBranchwiseLaws) {
     EXPECT_FALSE(ForestSimulation(swayingSpruce(glm::vec3(0.0f))).sway(TreeId(1)));
-    EXPECT_FALSE(ForestSimulation(swayingSpruce(glm::vec3(0.0f))).sway(noTree));
+    EXPECT_FALSE(ForestSimulation(swayingSpruce(glm::vec3(0.0f))).sway(TreeId(99)));
     ForestDescription thesis = swayingSpruce(glm::vec3(5.0f, 0.0f, 0.0f));
     thesis.law = MotionLaw::Thesis;
     EXPECT_FALSE(ForestSimulation(thesis).sway(TreeId(0)));

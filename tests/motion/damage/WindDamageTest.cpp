@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -54,15 +53,15 @@ struct Top {
     glm::vec3 rest, now;
 };
 Top tipOf(const ForestSimulation& forest, std::size_t slot) {
-    const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
-    const std::vector<BranchUnit>& units = SimulationAccess::forest(forest).modelOf(tree).skeleton.units;
+    const PlacedTree& tree = movingForest(forest).trees()[slot];
+    const std::vector<BranchUnit>& units = movingForest(forest).placed().modelOf(tree).skeleton.units;
     std::size_t top = 0;
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level == 0)
             top = i;
     const glm::vec3 rest = tree.scale.axes * units[top].tip;
-    return {rest, rotateAboutZ(forest.motion(slot).poses[top].apply(rest), std::sin(tree.heading),
-                               std::cos(tree.heading))};
+    return {rest, rotateAboutZ(movingForest(forest).motion(slot).poses[top].apply(rest),
+                               std::sin(tree.heading), std::cos(tree.heading))};
 }
 glm::vec3 topOf(const ForestSimulation& forest, std::size_t slot) {
     return tipOf(forest, slot).now;
@@ -74,7 +73,7 @@ TEST(WindDamage, DoesNotOccurInABreeze) {
     ForestSimulation forest(spruces(10, 8.0f));
     EXPECT_TRUE(damageBetween(forest, 0.0, 60.0).empty());
     for (std::size_t slot = 0; slot < 10; ++slot)
-        EXPECT_TRUE(forest.isStanding(forest.idOf(slot)));
+        EXPECT_TRUE(forest.isStanding(TreeId(slot)));
 }
 
 TEST(WindDamage, DoesNotOccurUnlessEnabled) {
@@ -82,7 +81,7 @@ TEST(WindDamage, DoesNotOccurUnlessEnabled) {
     description.damage = false;
     ForestSimulation forest(description);
     EXPECT_TRUE(damageBetween(forest, 0.0, 40.0).empty());
-    EXPECT_TRUE(forest.isStanding(forest.idOf(0)));
+    EXPECT_TRUE(forest.isStanding(TreeId(0)));
 }
 
 TEST(WindDamage, FellsTreesInAStorm) {
@@ -101,7 +100,7 @@ TEST(WindDamage, FellsTreesInAStorm) {
         EXPECT_LT(top.z, 6.0f) << slot;
         EXPECT_NEAR(glm::length(top), glm::length(tipOf(forest, slot).rest), 0.01f) << "upright";
         EXPECT_GT(glm::dot(glm::normalize(glm::vec2(top)), glm::vec2(0.6f, 0.8f)), 0.98f) << "downwind";
-        EXPECT_EQ(SimulationAccess::modal(forest)->lean(slot), glm::vec2(0.0f));
+        EXPECT_EQ(movingForest(forest).modal()->lean(slot), glm::vec2(0.0f));
     }
     EXPECT_EQ(down.size(), 20u);
     EXPECT_TRUE(forest.damage().empty());
@@ -143,14 +142,14 @@ TEST(WindDamage, AWeakStemSnapsAndLeavesAStump) {
         EXPECT_EQ(damage.kind, DamageKind::Snapped);
         EXPECT_GT(damage.unit, 0u);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
-        const TreeMotion motion = forest.motion(slot);
+        const PlacedTree& tree = movingForest(forest).trees()[slot];
+        const TreeMotion motion = movingForest(forest).motion(slot);
         const glm::vec3 stump =
-            tree.scale.axes * SimulationAccess::forest(forest).modelOf(tree).skeleton.units[damage.unit].base;
+            tree.scale.axes * movingForest(forest).placed().modelOf(tree).skeleton.units[damage.unit].base;
         EXPECT_GE(stump.z, 1.3f);
         EXPECT_LT(glm::distance(motion.poses[damage.unit].apply(stump), stump), 0.02f);
         EXPECT_LT(topOf(forest, slot).z, 4.0f);
-        const UnitMotion one = forest.unitMotion(slot, damage.unit);
+        const UnitMotion one = movingForest(forest).unitMotion(slot, damage.unit);
         EXPECT_LT(glm::distance(one.pose.translation, motion.poses[damage.unit].translation), 1e-4f);
     }
 }
@@ -173,15 +172,15 @@ TEST(WindDamage, AtMostThreeBoughsPerTreeTearOff) {
         EXPECT_LE(++boughs[damage.tree], 3);
         EXPECT_GT(damage.moment, damage.limit);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = SimulationAccess::trees(forest)[slot];
-        const BranchUnit& bough = SimulationAccess::forest(forest).modelOf(tree).skeleton.units[damage.unit];
+        const PlacedTree& tree = movingForest(forest).trees()[slot];
+        const BranchUnit& bough = movingForest(forest).placed().modelOf(tree).skeleton.units[damage.unit];
         EXPECT_EQ(bough.level, 1);
-        const TreeMotion motion = forest.motion(slot);
+        const TreeMotion motion = movingForest(forest).motion(slot);
         const UnitPose& pose = motion.poses[damage.unit];
         if (forest.isStanding(damage.tree)) {
             EXPECT_LT(pose.apply(tree.scale.axes * bough.tip).z, pose.apply(tree.scale.axes * bough.base).z);
         }
-        const UnitMotion one = forest.unitMotion(slot, damage.unit);
+        const UnitMotion one = movingForest(forest).unitMotion(slot, damage.unit);
         EXPECT_LT(glm::distance(one.pose.translation, pose.translation), 1e-3f);
     }
 }
@@ -189,10 +188,10 @@ TEST(WindDamage, AtMostThreeBoughsPerTreeTearOff) {
 TEST(WindDamage, ReplacedTreesStand) {
     ForestSimulation forest(spruces(4, 45.0f));
     EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 4u);
-    const TreeId first = forest.idOf(0), second = forest.idOf(1);
-    EXPECT_TRUE(forest.changeTree(first, forest.placementOf(first)).empty());
+    const TreeId first = TreeId(0), second = TreeId(1);
+    EXPECT_TRUE(forest.changeTree(first, *forest.placementOf(first)).empty());
     EXPECT_TRUE(forest.isStanding(first));
-    TreePlacement placement = forest.placementOf(second);
+    TreePlacement placement = *forest.placementOf(second);
     EXPECT_TRUE(forest.removeTree(second).empty());
     EXPECT_FALSE(forest.isStanding(second));
     placement.position.x += 5.0;
@@ -202,16 +201,16 @@ TEST(WindDamage, ReplacedTreesStand) {
     EXPECT_TRUE(damageBetween(forest, 40.0, 41.0).empty());
     EXPECT_EQ(damageBetween(forest, 41.0, 80.0).size(), 2u) << "and falls again";
     forest.reset();
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(forest).size(); ++slot)
-        EXPECT_TRUE(forest.isStanding(forest.idOf(slot)));
+    for (std::size_t slot = 0; slot < movingForest(forest).trees().size(); ++slot)
+        EXPECT_TRUE(forest.isStanding(TreeId(slot)));
 }
 
 TEST(WindDamage, ACopyHasAllTreesStanding) {
     ForestSimulation forest(spruces(3, 45.0f));
     EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 3u);
     const auto copy = forest.cloneAtRest();
-    EXPECT_TRUE(copy->isStanding(copy->idOf(0)));
-    EXPECT_FALSE(forest.isStanding(forest.idOf(0)));
+    EXPECT_TRUE(copy->isStanding(TreeId(0)));
+    EXPECT_FALSE(forest.isStanding(TreeId(0)));
     EXPECT_TRUE(forest.describe().damage);
 }
 
@@ -232,7 +231,7 @@ TEST(WindDamage, ASeasonDoesNotRaiseFallenTrees) {
     EXPECT_EQ(damageBetween(forest, 0.0, 40.0).size(), 2u);
     EXPECT_TRUE(forest.setSeason(0.0f).empty());
     damageBetween(forest, 40.0, 41.0);
-    EXPECT_FALSE(forest.isStanding(forest.idOf(0)));
+    EXPECT_FALSE(forest.isStanding(TreeId(0)));
     EXPECT_LT(topOf(forest, 0).z, 6.0f);
 }
 
@@ -246,8 +245,8 @@ TEST(WindDamage, EveryTreeInAHurricaneStandsOrIsReportedOnce) {
     for (const TreeDamage& damage : damageBetween(forest, 0.0, 60.0))
         ++told[damage.tree];
     std::size_t down = 0;
-    for (std::size_t slot = 0; slot < SimulationAccess::trees(forest).size(); ++slot) {
-        const TreeId tree = forest.idOf(slot);
+    for (std::size_t slot = 0; slot < movingForest(forest).trees().size(); ++slot) {
+        const TreeId tree = TreeId(slot);
         down += !forest.isStanding(tree);
         EXPECT_EQ(told.count(tree), forest.isStanding(tree) ? 0u : 1u);
         const glm::vec3 top = topOf(forest, slot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/wind/SwingingWind.h>
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ double balance(const CanopySample& stand, float speed, double trees) {
     return taken / (friction * friction);
 }
 
-TEST(MakeCanopy, AClosedStandAbsorbsTheMomentumFlux) {
-    const auto map = makeCanopy(plantation());
+TEST(MakeCanopyMap, AClosedStandAbsorbsTheMomentumFlux) {
+    const auto map = makeCanopyMap(plantation());
     for (const float speed : {4.0f, 8.0f, 16.0f, 24.0f, 40.0f}) {
         const CanopySample stand = map->at({0.0f, 0.0f}, speed);
         EXPECT_EQ(stand.closure, 1.0f);
@@ -62,53 +62,53 @@ TEST(MakeCanopy, AClosedStandAbsorbsTheMomentumFlux) {
         << "streamlined crowns let the wind penetrate deeper";
 }
 
-TEST(MakeCanopy, HasTheFrontalAreaAndHeightOfTheStand) {
-    const CanopySample stand = makeCanopy(plantation())->at({0.0f, 0.0f}, 5.0f);
+TEST(MakeCanopyMap, HasTheFrontalAreaAndHeightOfTheStand) {
+    const CanopySample stand = makeCanopyMap(plantation())->at({0.0f, 0.0f}, 5.0f);
     const CanopyProfile wanted = CanopyProfile::ofStand(20.0f, 40.0f / 16.0f);
     EXPECT_NEAR(stand.profile.height, 20.0f, 1e-3f);
     EXPECT_NEAR(stand.profile.attenuation / wanted.attenuation, 1.0f, 0.03f);
 }
 
-TEST(MakeCanopy, HasTheCrownCover) {
-    EXPECT_NEAR(makeCanopy(plantation())->crownCoverAt({1.0f, 2.0f}), 12.0f / 16.0f, 0.03f);
-    EXPECT_EQ(makeCanopy(plantation(3.0f))->crownCoverAt({1.0f, 2.0f}), 1.0f)
+TEST(MakeCanopyMap, HasTheCrownCover) {
+    EXPECT_NEAR(makeCanopyMap(plantation())->crownCoverAt({1.0f, 2.0f}), 12.0f / 16.0f, 0.03f);
+    EXPECT_EQ(makeCanopyMap(plantation(3.0f))->crownCoverAt({1.0f, 2.0f}), 1.0f)
         << "crowns of 12 m^2 on 9 m^2 each";
-    EXPECT_NEAR(makeCanopy(plantation())->crownCoverAt({121.0f, 0.0f}), 0.5f * 12.0f / 16.0f, 0.06f)
+    EXPECT_NEAR(makeCanopyMap(plantation())->crownCoverAt({121.0f, 0.0f}), 0.5f * 12.0f / 16.0f, 0.06f)
         << "the edge";
-    EXPECT_LT(makeCanopy({treeAt(0.0f, 0.0f)})->crownCoverAt({0.0f, 0.0f}), 0.02f) << "alone";
-    EXPECT_EQ(makeCanopy(plantation())->crownCoverAt({1.0e4f, 0.0f}), 0.0f);
-    const auto everywhere = makeUniformCanopy({treeAt(0.0f, 0.0f)}, 20.0f, 40.0f / 16.0f);
+    EXPECT_LT(makeCanopyMap({treeAt(0.0f, 0.0f)})->crownCoverAt({0.0f, 0.0f}), 0.02f) << "alone";
+    EXPECT_EQ(makeCanopyMap(plantation())->crownCoverAt({1.0e4f, 0.0f}), 0.0f);
+    const auto everywhere = makeUniformCanopyMap({treeAt(0.0f, 0.0f)}, 20.0f, 40.0f / 16.0f);
     EXPECT_NEAR(everywhere->crownCoverAt({5.0f, 7.0f}), 12.0f / 16.0f, 1e-5f);
 }
 
-TEST(MakeCanopy, ASingleTreeHasTheOpenWind) {
-    const auto map = makeCanopy({treeAt(0.0f, 0.0f)});
+TEST(MakeCanopyMap, ASingleTreeHasTheOpenWind) {
+    const auto map = makeCanopyMap({treeAt(0.0f, 0.0f)});
     for (float angle = 0.0f; angle < 6.3f; angle += 0.1f) {
         const glm::vec2 upwind = map->fetch * glm::vec2(std::cos(angle), std::sin(angle));
         EXPECT_LT(map->at(upwind, 5.0f).closure, 0.01f) << angle;
     }
 }
 
-TEST(MakeCanopy, AGapIsOpenAndAnEdgeIsHalfOpen) {
+TEST(MakeCanopyMap, AGapIsOpenAndAnEdgeIsHalfOpen) {
     std::vector<CanopyTree> trees;
     for (const CanopyTree& tree : plantation())
         if (tree.place.x < -60.0f || tree.place.x > 60.0f)
             trees.push_back(tree);
-    const auto map = makeCanopy(trees);
+    const auto map = makeCanopyMap(trees);
     EXPECT_EQ(map->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
     EXPECT_EQ(map->at({-100.0f, 0.0f}, 5.0f).closure, 1.0f);
     EXPECT_LT(map->at({-60.0f, 0.0f}, 5.0f).profile.attenuation,
               map->at({-90.0f, 0.0f}, 5.0f).profile.attenuation);
 }
 
-TEST(MakeCanopy, AThinStandSheltersLess) {
-    EXPECT_GT(makeCanopy(plantation(12.0f))->at({0.0f, 0.0f}, 8.0f).shelter,
-              1.5f * makeCanopy(plantation(4.0f))->at({0.0f, 0.0f}, 8.0f).shelter);
+TEST(MakeCanopyMap, AThinStandSheltersLess) {
+    EXPECT_GT(makeCanopyMap(plantation(12.0f))->at({0.0f, 0.0f}, 8.0f).shelter,
+              1.5f * makeCanopyMap(plantation(4.0f))->at({0.0f, 0.0f}, 8.0f).shelter);
 }
 
-TEST(MakeCanopy, NoTreesMakeOpenCountryAndDistantTreesFitIntoMemory) {
-    EXPECT_EQ(makeCanopy({})->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
-    const auto map = makeCanopy({treeAt(-1e5f, -1e5f), treeAt(1e5f, 1e5f)});
+TEST(MakeCanopyMap, NoTreesMakeOpenCountryAndDistantTreesFitIntoMemory) {
+    EXPECT_EQ(makeCanopyMap({})->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
+    const auto map = makeCanopyMap({treeAt(-1e5f, -1e5f), treeAt(1e5f, 1e5f)});
     EXPECT_LE(map->cells.size(), std::size_t(1) << 20);
 }
 
@@ -122,13 +122,13 @@ void expectSame(const CanopyMap& part, const CanopyMap& whole, const glm::vec2& 
     EXPECT_EQ(a.shelter, b.shelter);
 }
 
-TEST(MakeCanopy, APartOfAForestHasTheCanopyOfTheWholeToTheBit) {
+TEST(MakeCanopyMap, APartOfAForestHasTheCanopyOfTheWholeToTheBit) {
     std::vector<CanopyTree> trees = plantation();
     for (CanopyTree& tree : trees) // irregular, like a forest
         tree.height += 4.0f * std::sin(tree.place.x) + 2.0f * std::sin(0.01f * tree.place.y);
     for (float x = 500.0f; x < 800.0f; x += 7.0f)
         trees.push_back(treeAt(x, 33.3f));
-    const WindCanopy canopy = withCanopyStatistics({}, {trees});
+    const CanopySettings canopy = withCanopyStatistics({}, {trees});
     EXPECT_NEAR(canopy.reach, 40.0, 4.0) << "twice the mean height";
     std::vector<CanopyTree> around;
     for (const CanopyTree& tree : trees)
@@ -136,18 +136,18 @@ TEST(MakeCanopy, APartOfAForestHasTheCanopyOfTheWholeToTheBit) {
             around.push_back(tree);
     ASSERT_LT(around.size(), trees.size());
     std::reverse(around.begin(), around.end());
-    const auto whole = makeCanopy(trees, canopy), part = makeCanopy(around, canopy);
+    const auto whole = makeCanopyMap(trees, canopy), part = makeCanopyMap(around, canopy);
     for (float y = -150.0f; y < 150.0f; y += 11.0f)
         expectSame(*part, *whole, {0.0f, y});
     EXPECT_EQ(part->usual.profile.height, whole->usual.profile.height);
     EXPECT_EQ(part->usual.profile.friction, whole->usual.profile.friction);
 }
 
-TEST(MakeCanopy, AUniformCanopyIsTheSameEverywhere) {
-    const auto map = makeUniformCanopy({treeAt(0.0f, 0.0f)}, 20.0f, 2.5f);
+TEST(MakeCanopyMap, AUniformCanopyIsTheSameEverywhere) {
+    const auto map = makeUniformCanopyMap({treeAt(0.0f, 0.0f)}, 20.0f, 2.5f);
     const CanopySample here = map->at({0.0f, 0.0f}, 8.0f), there = map->at({1e6f, -1e6f}, 8.0f);
     EXPECT_EQ(here.shelter, there.shelter);
-    EXPECT_NEAR(here.shelter, makeCanopy(plantation())->at({0.0f, 0.0f}, 8.0f).shelter, 0.01f);
+    EXPECT_NEAR(here.shelter, makeCanopyMap(plantation())->at({0.0f, 0.0f}, 8.0f).shelter, 0.01f);
 }
 
 } // namespace

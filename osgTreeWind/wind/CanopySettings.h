@@ -13,7 +13,7 @@ enum class CanopySource {
 };
 
 /// The stand into which an open wind is extended (CanopyFlow).
-struct WindCanopy {
+struct CanopySettings {
     CanopySource source = CanopySource::None; ///< Which stands are used.
     double height = 20.0;                     ///< Height of a given stand, metres.
     /// Frontal area index of a given stand: half the leaf area plus the side area of wood, per ground area.

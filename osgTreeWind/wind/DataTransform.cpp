@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/WindMap.h>
+#include <osgTreeWind/wind/DataTransform.h>
 
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -15,7 +15,7 @@ glm::dvec2 onMap(const WindPlace& place, const glm::dvec2& origin) {
 
 } // namespace
 
-WindPlace WindMap::toData(const WindPlace& place) const {
+WindPlace DataTransform::toData(const WindPlace& place) const {
     WindPlace moved = place;
     const glm::dvec2 at = mesh->transformed(onMap(place, origin)) - dataOrigin;
     moved.position.x = static_cast<float>(at.x);
@@ -23,7 +23,7 @@ WindPlace WindMap::toData(const WindPlace& place) const {
     return moved;
 }
 
-glm::vec3 WindMap::toScene(const WindPlace& place, const glm::vec3& velocity) const {
+glm::vec3 DataTransform::toScene(const WindPlace& place, const glm::vec3& velocity) const {
     const glm::vec2 north(mesh->north(onMap(place, origin)));
     return {velocity.x * north.y + velocity.y * north.x, velocity.y * north.y - velocity.x * north.x,
             velocity.z};

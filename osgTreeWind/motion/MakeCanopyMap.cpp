@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/MakeCanopy.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
@@ -207,10 +207,10 @@ CanopyTree::CanopyTree(const TreeModel& model, const TreeScale& scale, const Spe
     breezeStreamlining = foliage * species.wood.breezeStreamlining;
 }
 
-std::shared_ptr<CanopyMap> makeCanopy(const std::vector<CanopyTree>& trees, const WindCanopy& canopy) {
+std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees, const CanopySettings& canopy) {
     if (canopy.source == CanopySource::Given)
-        return makeUniformCanopy(trees, static_cast<float>(canopy.height),
-                                 static_cast<float>(canopy.frontalArea));
+        return makeUniformCanopyMap(trees, static_cast<float>(canopy.height),
+                                    static_cast<float>(canopy.frontalArea));
     if (trees.empty())
         return std::make_shared<CanopyMap>();
     MeanHeight mean;
@@ -227,7 +227,8 @@ std::shared_ptr<CanopyMap> makeCanopy(const std::vector<CanopyTree>& trees, cons
     return std::make_shared<CanopyMap>(std::move(map));
 }
 
-WindCanopy withCanopyStatistics(WindCanopy canopy, const std::vector<std::vector<CanopyTree>>& parts) {
+CanopySettings withCanopyStatistics(CanopySettings canopy,
+                                    const std::vector<std::vector<CanopyTree>>& parts) {
     MeanHeight mean;
     for (const std::vector<CanopyTree>& part : parts)
         mean.add(part);
@@ -248,8 +249,8 @@ WindCanopy withCanopyStatistics(WindCanopy canopy, const std::vector<std::vector
     return canopy;
 }
 
-std::shared_ptr<CanopyMap> makeUniformCanopy(const std::vector<CanopyTree>& trees, float height,
-                                             float frontalArea) {
+std::shared_ptr<CanopyMap> makeUniformCanopyMap(const std::vector<CanopyTree>& trees, float height,
+                                                float frontalArea) {
     StandSum sum;
     for (const CanopyTree& tree : trees)
         sum.add(tree, 1.0f);
@@ -260,7 +261,7 @@ std::shared_ptr<CanopyMap> makeUniformCanopy(const std::vector<CanopyTree>& tree
     return map;
 }
 
-double shelterReach(const WindCanopy& canopy) {
+double shelterReach(const CanopySettings& canopy) {
     constexpr double crown = 20.0; // a patch samples the wind beside the foot of its tree, between four cells
     return (2.0 + 2.0 / static_cast<double>(cellsPerReach)) * canopy.reach + crown;
 }

@@ -2,11 +2,13 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/SimulationAccess.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <gtest/gtest.h>
+
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 
@@ -35,7 +37,7 @@ ForestDescription stand(CanopySource source, double reach = 100.0) {
     gusts.mean = {12.0f, 0.0f, 0.0f};
     gusts.profile = LogProfile{20.0, 0.05};
     forest.wind = GustWind::create(gusts).value();
-    forest.wind.canopy.emplace().source = source;
+    forest.canopy.source = source;
     return forest;
 }
 
@@ -44,12 +46,12 @@ float meanLean(ForestSimulation& simulation) {
     float sum = 0.0f;
     for (int i = 0; i <= 400; ++i) {
         simulation.advance(0.1 * i);
-        sum += i > 100 ? SimulationAccess::modal(simulation)->lean(0).x / 300.0f : 0.0f;
+        sum += i > 100 ? movingForest(simulation).modal()->lean(0).x / 300.0f : 0.0f;
     }
     return sum;
 }
 
-TEST(CanopyWind, AStandSheltersItsTrees) {
+TEST(Canopy, AStandSheltersItsTrees) {
     ForestSimulation sheltered(stand(CanopySource::Forest)), open(stand(CanopySource::None));
     const float among = meanLean(sheltered);
     EXPECT_GT(among, 0.0f);
@@ -58,39 +60,39 @@ TEST(CanopyWind, AStandSheltersItsTrees) {
 
 float contactOf(ForestSimulation& simulation) {
     simulation.advance(0.0);
-    return SimulationAccess::modal(simulation)->factors(0).contact;
+    return movingForest(simulation).modal()->factors(0).contact;
 }
 
-TEST(CanopyWind, CrownsInContactDampEachOther) {
+TEST(Canopy, CrownsInContactDampEachOther) {
     ForestSimulation closed(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0)),
         open(stand(CanopySource::None));
     const float width =
-        SimulationAccess::forest(closed).sizeOf(SimulationAccess::forest(closed).trees[0]).crownWidth;
+        movingForest(closed).placed().sizeOf(movingForest(closed).placed().trees[0]).crownWidth;
     const float share = 0.25f * 3.14159265f * width * width / 16.0f;
     EXPECT_NEAR(contactOf(closed), 0.05f * std::min(share, 1.0f), 0.003f);
     EXPECT_LT(contactOf(alone), 0.001f);
     EXPECT_EQ(contactOf(open), 0.0f);
-    for (std::size_t slot = 1; slot < SimulationAccess::forest(closed).trees.size(); ++slot)
-        EXPECT_TRUE(closed.removeTree(SimulationAccess::forest(closed).idOf(slot)).empty());
+    for (std::size_t slot = 1; slot < movingForest(closed).placed().trees.size(); ++slot)
+        EXPECT_TRUE(closed.removeTree(movingForest(closed).placed().idOf(slot)).empty());
     closed.advance(0.1);
-    EXPECT_LT(SimulationAccess::modal(closed)->factors(0).contact, 0.001f) << "its neighbours were removed";
+    EXPECT_LT(movingForest(closed).modal()->factors(0).contact, 0.001f) << "its neighbours were removed";
 }
 
-TEST(CanopyWind, ASingleTreeHasTheGivenWind) {
+TEST(Canopy, ASingleTreeHasTheGivenWind) {
     ForestSimulation alone(stand(CanopySource::Forest, 0.0)), open(stand(CanopySource::None, 0.0));
     EXPECT_NEAR(meanLean(alone) / meanLean(open), 1.0f, 0.02f);
 }
 
-TEST(CanopyWind, RemovedTreesNoLongerShelterTheOthers) {
+TEST(Canopy, RemovedTreesNoLongerShelterTheOthers) {
     ForestSimulation felled(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0));
     felled.advance(0.0);
-    for (std::size_t slot = 1; slot < SimulationAccess::trees(felled).size(); ++slot)
-        ASSERT_TRUE(felled.removeTree(felled.idOf(slot)).empty());
+    for (std::size_t slot = 1; slot < movingForest(felled).trees().size(); ++slot)
+        ASSERT_TRUE(felled.removeTree(TreeId(slot)).empty());
     felled.reset();
     EXPECT_NEAR(meanLean(felled) / meanLean(alone), 1.0f, 1e-3f);
 }
 
-TEST(CanopyWind, AddedTreesShelterTheOthers) {
+TEST(Canopy, AddedTreesShelterTheOthers) {
     ForestSimulation grown(stand(CanopySource::Forest, 0.0)), sheltered(stand(CanopySource::Forest));
     grown.advance(0.0);
     for (const TreePlacement& tree : stand(CanopySource::Forest).trees)
@@ -102,13 +104,13 @@ TEST(CanopyWind, AddedTreesShelterTheOthers) {
 }
 
 /// A change in a distant part of the forest does not change the wind, even after hours.
-TEST(CanopyWind, GustsDoNotJumpAsTreesComeAndGo) {
+TEST(Canopy, GustsDoNotJumpAsTreesComeAndGo) {
     ForestDescription forest = stand(CanopySource::Forest, 40.0);
     const double hours = 7200.0;
     const auto windAt = [&](ForestSimulation& simulation, double time) {
         simulation.advance(time);
         glm::vec3 winds[64];
-        SimulationAccess::modal(simulation)->patchWinds(0, winds);
+        movingForest(simulation).modal()->patchWinds(0, winds);
         return winds[0];
     };
     ForestSimulation changed(forest), same(forest);
@@ -126,12 +128,12 @@ TEST(CanopyWind, GustsDoNotJumpAsTreesComeAndGo) {
 }
 
 /// A source above or among the trees is not reduced by the canopy.
-TEST(CanopyWind, WindSourcesAlsoActWithinTheCanopy) {
+TEST(Canopy, WindSourcesAlsoActWithinTheCanopy) {
     ForestDescription forest = stand(CanopySource::Forest, 40.0);
     WindSource fan; // not deflected by the wind
     fan.kind = WindSource::Kind::Jet;
     fan.position = {0.0, 0.0, 35.0};
-    fan.elevation = -90.0;
+    fan.elevation = -glm::half_pi<float>();
     fan.radius = 8.0;
     const WindFieldPtr open = forest.wind.field;
     const auto windIn = [&](const WindFieldPtr& field, std::vector<WindSource> sources) {
@@ -140,7 +142,7 @@ TEST(CanopyWind, WindSourcesAlsoActWithinTheCanopy) {
         ForestSimulation simulation(forest);
         simulation.advance(0.0);
         glm::vec3 winds[64];
-        SimulationAccess::modal(simulation)->patchWinds(0, winds);
+        movingForest(simulation).modal()->patchWinds(0, winds);
         return winds[0];
     };
     const glm::vec3 added = windIn(open, {fan}) - windIn(open, {}), alone = windIn(nullptr, {fan});
@@ -148,9 +150,37 @@ TEST(CanopyWind, WindSourcesAlsoActWithinTheCanopy) {
     EXPECT_LT(glm::length(added - alone), 1e-4f);
 }
 
-TEST(CanopyWind, AGivenStandSheltersASingleTree) {
+TEST(Canopy, AGivenStandSheltersASingleTree) {
     ForestSimulation given(stand(CanopySource::Given, 0.0)), open(stand(CanopySource::None, 0.0));
     EXPECT_LT(meanLean(given), 0.5f * meanLean(open));
+}
+
+TEST(Canopy, BelongsToTheForestAndNotToItsWind) {
+    ForestSimulation simulation(stand(CanopySource::Forest, 40.0));
+    EXPECT_GT(contactOf(simulation), 0.0f);
+    ASSERT_TRUE(simulation.setWind(simulation.description().wind.field).empty());
+    EXPECT_EQ(simulation.canopy().source, CanopySource::Forest);
+    EXPECT_EQ(simulation.describe().canopy.source, CanopySource::Forest);
+    EXPECT_EQ(movingForest(*simulation.cloneAtRest()).canopy().source, CanopySource::Forest);
+    CanopySettings invalid;
+    invalid.height = -1.0;
+    EXPECT_FALSE(simulation.setCanopy(invalid).empty());
+    EXPECT_EQ(simulation.canopy().source, CanopySource::Forest) << "nothing has changed";
+}
+
+TEST(Canopy, CanBeSwitchedOffAndOn) {
+    ForestSimulation simulation(stand(CanopySource::Forest, 40.0));
+    const float contact = contactOf(simulation);
+    CanopySettings canopy = simulation.canopy();
+    canopy.source = CanopySource::None;
+    ASSERT_TRUE(simulation.setCanopy(canopy).empty());
+    simulation.advance(0.1);
+    EXPECT_EQ(movingForest(simulation).modal()->factors(0).contact, 0.0f);
+    EXPECT_EQ(movingForest(simulation).modal()->factors(0).shelter, 1.0f);
+    canopy.source = CanopySource::Forest;
+    ASSERT_TRUE(simulation.setCanopy(canopy).empty());
+    simulation.advance(0.2);
+    EXPECT_EQ(movingForest(simulation).modal()->factors(0).contact, contact);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ namespace osgTreeWind {
 ///
 ///     if (const auto wind = GridWind::fromForestWind(1, 1, {4.0f, 0.0f, 0.0f}))
 ///         report(forest->setWind(wind.value()));
-class OSGTREEWIND_EXPORT ForestWind final : public WindField {
+class OSGTREEWIND_EXPORT ThesisWind final : public WindField {
 public:
     /// The array with its size and position.
     struct Array {
@@ -26,12 +26,11 @@ public:
         glm::dvec3 origin{0.0};    ///< Scene position of the array's corner, thesis (0, 0, 0).
     };
     /// @param array checked by GridWind::fromForestWind().
-    explicit ForestWind(Array array) : _array(std::move(array)) {}
+    explicit ThesisWind(Array array) : _array(std::move(array)) {}
 
     const Array& array() const { return _array; } ///< The array as given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
-    KindOfWind kind() const override { return this; }
 
 private:
     Array _array;

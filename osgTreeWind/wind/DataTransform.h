@@ -12,7 +12,7 @@
 namespace osgTreeWind {
 
 /// Transform between the scene and wind data in another CRS, projected or in degrees.
-struct WindMap {
+struct DataTransform {
     std::shared_ptr<const CrsMesh> mesh; ///< From the scene's CRS to that of the data; not null.
     glm::dvec2 origin{0.0};              ///< Scene (0, 0) in the scene's CRS.
     glm::dvec2 dataOrigin{0.0};          ///< Data (0, 0) in the data's CRS.

@@ -58,7 +58,7 @@ std::string westerlyOnDegrees(const TemporaryFolder& folder, double west = 11.0)
 } // namespace
 
 /// A cell of a real file read in the next UTM zone: its values turned by both convergences.
-TEST(WindMap, TransformsWindNinjaToTheNextUtmZone) {
+TEST(DataTransform, TransformsWindNinjaToTheNextUtmZone) {
     REQUIRE_REAL_DATA(path, "place/20171026T1500_vel.asc");
     const glm::dvec2 cell = glm::dvec2(726299.0, 5208948.0) + 29.150477 * (glm::dvec2(40, 70) + 0.5);
     const auto own = readOn(path, "EPSG:32611", cell);
@@ -79,7 +79,7 @@ TEST(WindMap, TransformsWindNinjaToTheNextUtmZone) {
     EXPECT_FALSE(next.value().covers({20000, 0}));
 }
 
-TEST(WindMap, TurnsAWesterlyInDegreesByTheConvergence) {
+TEST(DataTransform, TurnsAWesterlyInDegreesByTheConvergence) {
     const TemporaryFolder folder;
     const glm::dvec2 lonLat(11.9, 47.0), place = brought(lonLat, "EPSG:4326", "EPSG:32632");
     const auto file = readOn(westerlyOnDegrees(folder), "EPSG:32632", place);
@@ -91,7 +91,7 @@ TEST(WindMap, TurnsAWesterlyInDegreesByTheConvergence) {
     EXPECT_GT(wind.y, 0.3) << "grid east is south of true east";
 }
 
-TEST(WindMap, LongitudesMayBeShiftedBy360) {
+TEST(DataTransform, LongitudesMayBeShiftedBy360) {
     const TemporaryFolder folder;
     const auto file = readOn(westerlyOnDegrees(folder, 371.0), "EPSG:32632",
                              brought({11.9, 47.0}, "EPSG:4326", "EPSG:32632"));
@@ -100,7 +100,7 @@ TEST(WindMap, LongitudesMayBeShiftedBy360) {
     EXPECT_TRUE(file.value().covers({0, 0}));
 }
 
-TEST(WindMap, AppliesAProfileIfARoughnessIsGiven) {
+TEST(DataTransform, AppliesAProfileIfARoughnessIsGiven) {
     const TemporaryFolder folder;
     WindFileOptions options;
     options.crs = "EPSG:32632";
@@ -120,7 +120,7 @@ TEST(WindMap, AppliesAProfileIfARoughnessIsGiven) {
     EXPECT_NE(firstProblem(readWindFile(path, options)).find("and a roughness"), std::string::npos);
 }
 
-TEST(WindMap, ClampsToTheEdgeFarFromTheData) {
+TEST(DataTransform, ClampsToTheEdgeFarFromTheData) {
     const TemporaryFolder folder;
     const auto file = readOn(westerlyOnDegrees(folder), "+proj=ortho +lat_0=-47 +lon_0=-168", {0, 0});
     ASSERT_TRUE(file) << firstProblem(file);
@@ -128,7 +128,7 @@ TEST(WindMap, ClampsToTheEdgeFarFromTheData) {
     EXPECT_NEAR(glm::length(asField(file.value().wind)->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
 }
 
-TEST(WindMap, NamesAnInvalidPrjFile) {
+TEST(DataTransform, NamesAnInvalidPrjFile) {
     const TemporaryFolder folder;
     const std::string head = "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n4\n";
     folder.write("a_ang.asc", head);
@@ -138,14 +138,14 @@ TEST(WindMap, NamesAnInvalidPrjFile) {
         << problem;
 }
 
-TEST(WindMap, DegreesRequireACrs) {
+TEST(DataTransform, DegreesRequireACrs) {
     const TemporaryFolder folder;
     EXPECT_NE(firstProblem(readWindFile(westerlyOnDegrees(folder)))
                   .find("its coordinates are in degrees, WGS 84; expected crs, a projected CRS in metres"),
               std::string::npos);
 }
 
-TEST(WindMap, RefusesACrsThatIsNotInMetres) {
+TEST(DataTransform, RefusesACrsThatIsNotInMetres) {
     const TemporaryFolder folder;
     for (const auto& [crs, part] :
          {std::pair("EPSG:4326", "crs: expected a projected system in metres"), {"nonsense", "crs: "}})

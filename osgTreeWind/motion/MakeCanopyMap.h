@@ -4,7 +4,7 @@
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/Species.h>
 #include <osgTreeWind/wind/CanopyMap.h>
-#include <osgTreeWind/wind/WindCanopy.h>
+#include <osgTreeWind/wind/CanopySettings.h>
 
 #include <glm/vec2.hpp>
 
@@ -39,18 +39,19 @@ struct CanopyTree {
 /// wind speed, since crowns streamline. If `canopy` gives its reach and its mean stand, the value at a place
 /// depends, to the bit, only on the trees within shelterReach() of it.
 /// @param canopy with CanopySource::Given, the map is a single uniform stand.
-std::shared_ptr<CanopyMap> makeCanopy(const std::vector<CanopyTree>& trees, const WindCanopy& canopy = {});
+std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees,
+                                         const CanopySettings& canopy = {});
 
 /// An unbounded uniform stand with the drag profile of these trees. @param height of the stand, metres.
 /// @param frontalArea frontal area index, m^2 per m^2 of ground.
-std::shared_ptr<CanopyMap> makeUniformCanopy(const std::vector<CanopyTree>& trees, float height,
-                                             float frontalArea);
+std::shared_ptr<CanopyMap> makeUniformCanopyMap(const std::vector<CanopyTree>& trees, float height,
+                                                float frontalArea);
 
 /// Fills in the reach, the mean stand and the reference height of a whole forest, so that each tile uses the
 /// statistics of all tiles. @param parts trees of sample areas that represent the forest.
-WindCanopy withCanopyStatistics(WindCanopy canopy, const std::vector<std::vector<CanopyTree>>& parts);
+CanopySettings withCanopyStatistics(CanopySettings canopy, const std::vector<std::vector<CanopyTree>>& parts);
 
 /// Distance up to which trees influence the wind at other trees, metres. @param canopy with a reach.
-double shelterReach(const WindCanopy& canopy);
+double shelterReach(const CanopySettings& canopy);
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/ForestWind.h>
+#include <osgTreeWind/wind/ThesisWind.h>
 
 #include <osgTreeWind/model/ThesisAxes.h>
 
@@ -20,7 +20,7 @@ std::size_t cellAt(double coordinate, int cells) {
 
 } // namespace
 
-glm::vec3 ForestWind::velocity(const WindPlace& place, double) const {
+glm::vec3 ThesisWind::velocity(const WindPlace& place, double) const {
     const glm::vec3 at = toThesis(glm::vec3(glm::dvec3(place.position) - _array.origin));
     const std::size_t windIndex =
         (cellAt(at.x, _array.width) + cellAt(at.z, _array.length) * static_cast<std::size_t>(_array.width)) *

@@ -22,21 +22,21 @@ WindFieldPtr countingWind(const glm::dvec3& origin = glm::dvec3(0.0)) {
 } // namespace
 
 // Thesis §4.2: windIndex = (x1 + z1 * width) * 3. Thesis (x, y, z) is OSG (x, -z, y).
-TEST(ForestWind, IndexesLikeTheThesis) {
+TEST(ThesisWind, IndexesLikeTheThesis) {
     // Thesis position (2.7, 5, 1.2): index (2 + 1 * 4) * 3 = 18, thesis wind (18, 19, 20).
     EXPECT_EQ(countingWind()->velocity({2.7f, -1.2f, 5.0f}, 0), glm::vec3(18, -20, 19));
     EXPECT_EQ(countingWind()->velocity({0, 0, 0}, 0), glm::vec3(0, -2, 1));
     EXPECT_EQ(countingWind()->velocity({3, -2, 0}, 0), glm::vec3(33, -35, 34));
 }
 
-TEST(ForestWind, DoesNotInterpolate) {
+TEST(ThesisWind, DoesNotInterpolate) {
     EXPECT_EQ(countingWind()->velocity({1.999f, 0, 0}, 0).x, 3.0f);
     EXPECT_EQ(countingWind()->velocity({2.0f, 0, 0}, 0).x, 6.0f);
     EXPECT_EQ(countingWind()->velocity({0, -0.999f, 0}, 0).x, 0.0f);
     EXPECT_EQ(countingWind()->velocity({0, -1.0f, 0}, 0).x, 12.0f);
 }
 
-TEST(ForestWind, ClampsToTheEdgeOutside) {
+TEST(ThesisWind, ClampsToTheEdgeOutside) {
     EXPECT_EQ(countingWind()->velocity({-50, 50, 0}, 0).x, 0.0f);
     EXPECT_EQ(countingWind()->velocity({4.0f, 0, 0}, 0).x, 9.0f);
     EXPECT_EQ(countingWind()->velocity({1e30f, -1e30f, 0}, 0).x, 33.0f);
@@ -44,16 +44,16 @@ TEST(ForestWind, ClampsToTheEdgeOutside) {
     expectFiniteEverywhere(*countingWind());
 }
 
-TEST(ForestWind, IgnoresHeightAndTime) {
+TEST(ThesisWind, IgnoresHeightAndTime) {
     EXPECT_EQ(countingWind()->velocity({2.7f, -1.2f, -5}, 0),
               countingWind()->velocity({2.7f, -1.2f, 80}, 1e6));
 }
 
-TEST(ForestWind, IsPlacedAtItsOrigin) {
+TEST(ThesisWind, IsPlacedAtItsOrigin) {
     EXPECT_EQ(countingWind({10, 20, 0})->velocity({12.7f, 18.8f, 0}, 0), glm::vec3(18, -20, 19));
 }
 
-TEST(ForestWind, RefusesBadArrays) {
+TEST(ThesisWind, RefusesBadArrays) {
     EXPECT_EQ(firstProblem(GridWind::fromForestWind(4, 3, std::vector<float>(12))),
               "values: expected 36 numbers (width 4 x length 3 x 3), found 12");
     EXPECT_EQ(firstProblem(GridWind::fromForestWind(0, 3, {})), "width: expected at least 1 cell, found 0");

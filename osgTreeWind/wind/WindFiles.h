@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/DataTransform.h>
+#include <osgTreeWind/wind/Wind.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The map of a wind's field, the files that it was read from, and the options used, as a forest file stores
+/// them.
+struct WindFiles {
+    WindFieldPtr field;               ///< The field that this is about.
+    std::optional<DataTransform> map; ///< To the data of the field; empty if they are in the scene's CRS.
+    std::vector<std::string> files{}; ///< Empty if the field was not read for a forest file.
+    bool series = false; ///< Whether the files are time steps (key `files`), even if there is only one.
+    std::vector<double> times{};   ///< Time of each file, seconds; empty: the files contain their times.
+    glm::dvec3 offset{0.0};        ///< From file to world coordinates, metres.
+    glm::dvec3 origin{0.0};        ///< World origin of the forest that the wind was read for.
+    std::string crs{};             ///< CRS of that forest.
+    double roughness = 0.0;        ///< WindFileOptions::roughness
+    double height = 0.0;           ///< WindFileOptions::height
+    std::string speedUnit = "m/s"; ///< WindFileOptions::speedUnit
+    bool allowsOutside = false; ///< Whether a forest completely outside the data gets the wind at their edge.
+};
+
+/// What is known of the present field of a wind; null if nothing is.
+inline const WindFiles* knownOf(const Wind& wind) {
+    return wind.files && wind.files->field == wind.field ? wind.files.get() : nullptr;
+}
+
+/// The files that the field was read from; null if it was not read for a forest file.
+inline const WindFiles* filesOf(const Wind& wind) {
+    const WindFiles* known = knownOf(wind);
+    return known && !known->files.empty() ? known : nullptr;
+}
+
+/// The transform to the field's data; null if they are in the scene's CRS.
+inline const DataTransform* mapOf(const Wind& wind) {
+    const WindFiles* known = knownOf(wind);
+    return known && known->map ? &*known->map : nullptr;
+}
+
+} // namespace osgTreeWind
