@@ -51,7 +51,6 @@ vec3 sunLight;
 #ifndef SHADOWED
 out vec3 sunOnIt;
 #endif
-uniform float sunOnGround;
 uniform vec4 rim;       // middle of the ground, half of its widths
 uniform float rimStart; // haze hides the ground beyond this share of the way to its edge
 void main() {
@@ -73,7 +72,7 @@ void main() {
 #endif
     float facing = max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0);
     facing = mix(0.2, 1.0, facing); // upright blades catch light from the side
-    sunLight = sunOnGround * facing * gl_LightSource[0].diffuse.rgb;
+    sunLight = facing * gl_LightSource[0].diffuse.rgb;
 #ifdef SHADOWED
     eyePosition = eye.xyz;
 #else
@@ -303,13 +302,8 @@ void setSeasonColors(osg::StateSet& state, float season) {
 
 } // namespace
 
-osg::ref_ptr<osg::Uniform> sunOnGround(float share) {
-    return new osg::Uniform("sunOnGround", share);
-}
-
 void setGroundLight(osg::StateSet& state, const Daylight& day) {
     state.addUniform(new osg::Uniform("skyLight", day.sky));
-    state.addUniform(sunOnGround(1.0f));
 }
 
 float groundRadius(const osg::BoundingSphere& bound) {

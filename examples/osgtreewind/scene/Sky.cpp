@@ -6,7 +6,6 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/base/ValueNoise.h>
 
-#include <osg/ColorMask>
 #include <osg/Depth>
 #include <osg/Program>
 #include <osg/Texture2D>
@@ -205,7 +204,6 @@ osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, paintedSky(day));
     state->addUniform(new osg::Uniform("sky", 0));
-    state->setAttribute(new osg::ColorMask(true, true, true, true)); // overwrites the alpha of shadows
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
     state->setRenderBinDetails(10, "RenderBin"); // drawn late, so that only visible sky is shaded
     return sky;

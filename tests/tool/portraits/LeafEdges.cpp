@@ -2,7 +2,7 @@
 #include <tests/tool/portraits/LeafEdges.h>
 
 #include <examples/osgtreewind/portraits/CrownDrawing.h>
-#include <examples/osgtreewind/scene/LeafMasks.h>
+#include <examples/osgtreewind/portraits/LeafMasks.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/tool/portraits/LeafEdges.h>
 
-#include <tests/drawing/impostors/SolidMask.h>
+#include <tests/tool/portraits/SolidMask.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
