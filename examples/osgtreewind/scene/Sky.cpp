@@ -2,6 +2,7 @@
 #include <examples/osgtreewind/scene/Sky.h>
 
 #include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/SceneShaders.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/base/ValueNoise.h>
@@ -17,7 +18,7 @@
 
 namespace {
 
-using osgTreeWind::fractalNoise, osgTreeWind::valueNoise;
+using osgTreeWind::fractalNoise, osgTreeWind::sceneShader, osgTreeWind::valueNoise;
 
 const glm::ivec2 everywhere(1 << 20); // noise that does not repeat
 constexpr int texelsAround = 2048, texelsUp = 512;
@@ -27,21 +28,6 @@ constexpr float lowest = -1.5f; // elevation at the bottom of the texture, degre
 float elevationAt(float part) {
     return lowest + (90.0f - lowest) * part * part;
 }
-
-const char* skyVertexText = R"(#version 330 compatibility
-out vec2 spot;
-void main() {
-    spot = gl_MultiTexCoord0.xy;
-    vec4 place = gl_ProjectionMatrix * vec4(mat3(gl_ModelViewMatrix) * gl_Vertex.xyz, 0.0);
-    gl_Position = vec4(place.xy, 0.99999 * place.w, place.w);
-})";
-
-const char* skyFragmentText = R"(#version 330 compatibility
-in vec2 spot;
-uniform sampler2D sky;
-void main() {
-    gl_FragColor = vec4(texture(sky, spot).rgb, 1.0);
-})";
 
 float smoothstep(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -180,11 +166,6 @@ osg::ref_ptr<osg::Geometry> createDome() {
 
 } // namespace
 
-const char* const glowText = R"(
-uniform vec3 sunDirection, sunGlow;
-vec3 glow(vec3 way) { return pow(max(dot(way, sunDirection), 0.0), 16.0) * sunGlow; }
-)";
-
 void setGlow(osg::StateSet& state, const Daylight& day) {
     state.addUniform(new osg::Uniform("sunDirection", day.toSun));
     state.addUniform(new osg::Uniform("sunGlow", day.glow));
@@ -199,8 +180,8 @@ osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     sky->setCullingActive(false);
     osg::StateSet* state = sky->getOrCreateStateSet();
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, skyVertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, skyFragmentText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, sceneShader("sky.vert")));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, sceneShader("sky.frag")));
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, paintedSky(day));
     state->addUniform(new osg::Uniform("sky", 0));
