@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Arrows.h>
 
+#include <osgTreeWind/base/Viridis.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -14,18 +16,6 @@ using namespace osgTreeWind;
 
 constexpr int longSide = 960, shortSide = 240; // pixels
 constexpr int arrowCell = 32;                  // distance between arrows, pixels
-
-/// Viridis, interpolated between five colours.
-glm::vec3 colourOf(double share) {
-    static const glm::vec3 colours[] = {{0.267f, 0.005f, 0.329f},
-                                        {0.229f, 0.322f, 0.546f},
-                                        {0.128f, 0.567f, 0.551f},
-                                        {0.369f, 0.789f, 0.383f},
-                                        {0.993f, 0.906f, 0.144f}};
-    const double place = std::clamp(share, 0.0, 1.0) * 4.0;
-    const int below = std::min(3, static_cast<int>(place));
-    return glm::mix(colours[below], colours[below + 1], static_cast<float>(place - below));
-}
 
 struct Canvas {
     osg::ref_ptr<osg::Image> image = new osg::Image; ///< Lowest row first.
@@ -75,7 +65,7 @@ osg::ref_ptr<osg::Image> drawArrows(const WindField& wind, const glm::dvec3& low
     const double scale = 1.0 / std::max(fastest, 1e-9);
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
-            canvas.set(x, y, colourOf(glm::length(windAt({x + 0.5, y + 0.5})) * scale));
+            canvas.set(x, y, viridis(glm::length(windAt({x + 0.5, y + 0.5})) * scale));
     for (int y = arrowCell / 2; y < size.y; y += arrowCell)
         for (int x = arrowCell / 2; x < size.x; x += arrowCell) {
             const glm::vec3 velocity = windAt({x, y});

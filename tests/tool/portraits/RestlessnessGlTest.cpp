@@ -6,6 +6,7 @@
 #include <tests/FullTests.h>
 #include <tests/tool/portraits/LeafEdges.h>
 
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -50,13 +51,13 @@ public:
     Luminance frame(double time, double seenAs = 1.0) {
         _viewer.viewer().getCamera()->setLODScale(static_cast<float>(_samplesAcross / seenAs));
         const osg::Image& image = _viewer.frame(time);
-        Luminance luminance;
+        Luminance values;
         for (int y = 0; y < image.t(); ++y)
             for (int x = 0; x < image.s(); ++x) {
                 const unsigned char* rgb = image.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
-                luminance.push_back(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
+                values.push_back(static_cast<double>(luminance({rgb[0], rgb[1], rgb[2]})));
             }
-        return luminance;
+        return values;
     }
 
 private:
