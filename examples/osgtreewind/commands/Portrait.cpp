@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/Offscreen.h>
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/pictures/WritePicture.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>

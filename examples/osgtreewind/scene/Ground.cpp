@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Ground.h>
 
-#include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/Mix.h>
 #include <examples/osgtreewind/scene/SceneShaders.h>
 
 #include <osgTreeWind/base/Random.h>
@@ -173,8 +173,8 @@ void setSeasonColors(osg::StateSet& state, float season) {
     // Colours change in the middle half of the interval between two seasons.
     const float from = std::floor(season), part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
     const Colors &now = colors[static_cast<int>(from) & 3], &next = colors[(static_cast<int>(from) + 1) & 3];
-    state.addUniform(new osg::Uniform("season", mixed(now.grass, next.grass, part)));
-    state.addUniform(new osg::Uniform("litter", mixed(now.litter, next.litter, part)));
+    state.addUniform(new osg::Uniform("season", mix(now.grass, next.grass, part)));
+    state.addUniform(new osg::Uniform("litter", mix(now.litter, next.litter, part)));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Sky.h>
 
-#include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/Mix.h>
 #include <examples/osgtreewind/scene/SceneShaders.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
@@ -90,7 +90,7 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
     osg::Vec3 color = sky;
     for (const auto& [seed, height, hazy] : {std::tuple(41, 1.0f, 0.85f), std::tuple(43, 0.55f, 0.66f)}) {
         const float above = elevation - height * skylineAt(azimuth, seed);
-        color = mixed(color, mixed(woods, day.haze, hazy), 1.0f - smoothstep(-0.06f, 0.06f, above));
+        color = mix(color, mix(woods, day.haze, hazy), 1.0f - smoothstep(-0.06f, 0.06f, above));
     }
     return color;
 }
@@ -98,16 +98,16 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
 /// Display colour of the sky in a direction.
 osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& direction) {
     const float up = std::clamp(direction.z(), 0.0f, 1.0f), toSun = std::max(direction * day.toSun, 0.0f);
-    osg::Vec3 color = mixed(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
+    osg::Vec3 color = mix(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
     const osg::Vec3 light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
     color += light;
-    color = mixed(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
+    color = mix(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
     if (direction.z() > 0.0f) {
         const auto [hidden, lit] = clouds.toward(direction);
-        const osg::Vec3 cloud = mixed(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
-        color = mixed(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
+        const osg::Vec3 cloud = mix(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
+        color = mix(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
     }
-    return mixed(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
+    return mix(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
 }
 
 osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
