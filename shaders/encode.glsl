@@ -4,10 +4,12 @@
 // FILM: exposure of a filmic tone curve before the encoding, set by `render` and `view`; undefined: no tone curve.
 #pragma import_defines(FILM, LINEAR_COLORS)
 
+const vec3 luminanceWeights = vec3(0.2126, 0.7152, 0.0722); // Rec. 709
+
 #ifdef FILM
 /// Narkowicz 2016, ACES Filmic Tone Mapping Curve. Colours are desaturated before, as the curve saturates them.
 vec3 filmed(vec3 color) {
-    vec3 c = FILM * mix(vec3(dot(color, vec3(0.2126, 0.7152, 0.0722))), color, 0.86);
+    vec3 c = FILM * mix(vec3(dot(color, luminanceWeights)), color, 0.86);
     return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
 }
 #else

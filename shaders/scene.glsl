@@ -73,7 +73,7 @@ vec3 shadowed(vec3 light, vec3 sun, vec3 eyePosition) {
 /// The final colour of a fragment, encoded and in fog. @param color lit, linear.
 vec3 sceneColor(vec3 color, vec3 eyePosition) {
 #ifdef TIERS_COLORED
-    color = tierColor * (0.05 + 2.0 * dot(color, vec3(0.2126, 0.7152, 0.0722)));
+    color = tierColor * (0.05 + 2.0 * dot(color, luminanceWeights));
 #endif
     vec3 lit = encoded(color);
 #ifdef FOG_MODE

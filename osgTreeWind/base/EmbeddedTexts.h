@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// A source file that was compiled into the library.
+/// A source file that was compiled into the library or a program.
 struct EmbeddedText {
     std::string name; ///< Relative to the repository, e.g. "shaders/law/noise.glsl".
     std::string text;
@@ -16,8 +16,9 @@ struct EmbeddedText {
 const std::vector<EmbeddedText>& embeddedTexts();
 
 /// The embedded file with that name, or null.
-inline const EmbeddedText* findEmbeddedText(const std::string& name) {
-    for (const EmbeddedText& embedded : embeddedTexts())
+inline const EmbeddedText* findEmbeddedText(const std::string& name,
+                                            const std::vector<EmbeddedText>& texts = embeddedTexts()) {
+    for (const EmbeddedText& embedded : texts)
         if (embedded.name == name)
             return &embedded;
     return nullptr;

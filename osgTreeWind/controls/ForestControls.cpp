@@ -5,7 +5,7 @@
 #include <osgTreeWind/controls/FormattedText.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/species/SeasonDay.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
@@ -21,9 +21,7 @@ constexpr double stepTime = 1.0 / 30.0, minClockRate = 1.0 / 64.0; // seconds; s
 
 /// The date of a season (Season.h).
 std::string dateText(float season) {
-    constexpr double daysInSeason = 365.0 / 4.0, midwinter = 34.0; // from the first of January
-    const std::time_t day = std::lround(midwinter + daysInSeason * static_cast<double>(season));
-    const std::time_t seconds = 86400 * day; // in 1970
+    const std::time_t seconds = 86400 * std::time_t{dayOfSeason(season)}; // in 1970
     std::tm date{};
     gmtime_r(&seconds, &date);
     char month[32];

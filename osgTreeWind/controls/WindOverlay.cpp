@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/controls/WindOverlay.h>
 
+#include <osgTreeWind/base/Viridis.h>
+
 #include <osg/LineWidth>
 
 #include <algorithm>
 
 namespace osgTreeWind {
 
-/// Three colours of the colour map viridis.
 osg::Vec4 windColour(float speed) {
-    constexpr float fastest = 20.0f; // m/s
-    const osg::Vec3 calm(0.267f, 0.005f, 0.329f), fresh(0.128f, 0.567f, 0.551f),
-        strong(0.993f, 0.906f, 0.144f);
-    const float share = 2.0f * std::clamp(speed / fastest, 0.0f, 1.0f);
-    return {share < 1.0f ? calm + (fresh - calm) * share : fresh + (strong - fresh) * (share - 1.0f), 1.0f};
+    constexpr double fastest = 20.0; // m/s
+    const glm::vec3 color = viridis(static_cast<double>(speed) / fastest);
+    return {color.r, color.g, color.b, 1.0f};
 }
 
 float maxTreeHeight(const PlacedForest& forest) {

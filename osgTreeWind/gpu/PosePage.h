@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/TreeFall.h>
 
 #include <osg/Referenced>
@@ -16,7 +17,9 @@ namespace osgTreeWind {
 
 /// Input of the pose passes for one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
 struct PoseRequest {
-    static constexpr std::size_t maxColumns = 48, maxPatches = 12, texels = 31;
+    static constexpr std::size_t maxPatches = Archetype::details[0].patches,
+                                 maxColumns = Archetype::details[0].modes + 3 * maxPatches,
+                                 texels = 3 + maxColumns / 4 + maxPatches + TreeFall::maxParts;
 
     float firstTexel = -1.0f;             ///< Of the archetype's matrix in PosePass; negative: at rest.
     float rowTexels = 0.0f;               ///< Texels per row of that matrix.

@@ -13,8 +13,6 @@
 #include <array>
 
 namespace osgTreeWind {
-static_assert(Archetype::details[0].patches <= PoseRequest::maxPatches &&
-              Archetype::details[0].modes + 3 * Archetype::details[0].patches <= PoseRequest::maxColumns);
 
 namespace {
 
@@ -152,9 +150,8 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
     if (!isNew)
         return;
     const std::size_t size = model.joints / 2 * (2 * texels + 1);
-    if (columns > PoseRequest::maxColumns || model.patches.size() > PoseRequest::maxPatches ||
-        _matrices.size() + size >
-            std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
+    if (_matrices.size() + size >
+        std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
         OSG_WARN << "osgTreeWind: no texture space for more archetypes of one model; trees of further "
                     "archetypes do not move"
                  << std::endl;

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <glm/gtc/constants.hpp>
@@ -50,8 +51,12 @@ std::optional<std::size_t> findPointColumn(const TreeRows& rows) {
 } // namespace
 
 const std::vector<std::pair<std::string, double>>& lengthUnits() {
-    static const std::vector<std::pair<std::string, double>> units = {
-        {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"us-ft", 1200.0 / 3937.0}, {"ft", 0.3048}, {"in", 0.0254}};
+    static const auto units = [] {
+        std::vector<std::pair<std::string, double>> all;
+        for (const UnitOfMeasure& unit : unitsOfLength)
+            all.emplace_back(unit.names.front(), unit.size);
+        return all;
+    }();
     return units;
 }
 

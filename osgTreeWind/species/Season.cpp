@@ -2,6 +2,7 @@
 #include <osgTreeWind/species/Season.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/species/SeasonDay.h>
 
 #include <glm/common.hpp>
 
@@ -37,8 +38,7 @@ std::optional<float> seasonOfDate(const std::string& text) {
     const int leapDay = month == 2 && (year % 4 == 0 && (year % 100 != 0 || year % 400 == 0));
     if (day > daysBefore[before + 1] - daysBefore[before] + leapDay)
         return {};
-    constexpr float midwinterDay = 34.5f; // noon of 4 February
-    return wrapSeason(4.0f * (static_cast<float>(daysBefore[before] + day) - 0.5f - midwinterDay) / 365.25f);
+    return seasonOfDay(daysBefore[before] + day - 1);
 }
 
 } // namespace

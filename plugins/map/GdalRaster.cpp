@@ -10,6 +10,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <gdal.h>
 #include <ogr_srs_api.h>
@@ -31,22 +32,11 @@ constexpr Range heightRange = within(-12000, 30000); // metres: excludes common 
 /// Metres per unit of the heights; empty for an unknown unit.
 std::optional<double> metresPerUnit(GDALRasterBandH band, OGRSpatialReferenceH reference) {
     const std::string name = lower(GDALGetRasterUnitType(band));
-    const auto isOneOf = [&](std::initializer_list<const char*> names) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
     if (name.empty())
         return reference && OSRIsCompound(reference)
                    ? OSRGetTargetLinearUnits(reference, "COMPD_CS|VERT_CS", nullptr)
                    : 1.0;
-    if (isOneOf({"m", "metre", "metres", "meter", "meters"}))
-        return 1.0;
-    if (isOneOf({"ft", "foot", "feet", "international foot", "ift"}))
-        return 0.3048;
-    if (isOneOf({"us-ft", "us survey foot", "us survey feet", "foot_us", "ftus", "us_survey_foot"}))
-        return 1200.0 / 3937.0;
-    if (isOneOf({"cm", "centimetre", "centimetres", "centimeter", "centimeters"}))
-        return 0.01;
-    return std::nullopt;
+    return sizeOfUnit(unitsOfLength, name);
 }
 
 bool isHeightName(const std::string& name) {

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <cmath>
 #include <cstdint>
@@ -137,18 +138,6 @@ struct Moment {
     double seconds = 0.0; ///< Since midnight, UTC.
 };
 
-/// Seconds in a unit of time such as "hours" or "Hour"; empty if unknown.
-std::optional<double> secondsInUnit(const std::string& unit) {
-    static const std::pair<const char*, double> units[] = {
-        {"s", 1.0},     {"sec", 1.0},     {"second", 1.0}, {"min", 60.0},    {"minute", 60.0},  {"h", 3600.0},
-        {"hr", 3600.0}, {"hour", 3600.0}, {"d", 86400.0},  {"day", 86400.0}, {"week", 604800.0}};
-    const std::string name = lower(unit);
-    for (const auto& [known, seconds] : units)
-        if (name == known || name == std::string(known) + "s")
-            return seconds;
-    return std::nullopt;
-}
-
 /// Parses "1900-01-01 00:00:00.0 +1:00" and shorter forms.
 std::optional<Moment> parseMoment(const std::string& text) {
     static const std::regex form(R"(\s*(\d{1,4})-(\d{1,2})-(\d{1,2}))"
@@ -188,7 +177,7 @@ Result<CfTimes> decodeCfTimes(const std::vector<double>& numbers, const std::str
                               const std::string& calendarName) {
     constexpr std::string_view since = " since ";
     const std::size_t end = lower(unit).find(since);
-    const auto scale = secondsInUnit(unit.substr(0, end));
+    const auto scale = sizeOfUnit(unitsOfTime, lower(unit.substr(0, end)));
     if (!scale || numbers.empty())
         return fileProblem({}, expectedFound("times in seconds, minutes, hours, days or weeks", unit));
     CfTimes times;

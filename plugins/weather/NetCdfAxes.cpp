@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/places/LongitudeWrap.h>
 
 #include <algorithm>
@@ -22,21 +23,13 @@ std::string unitOf(const NetCdfArray& array) {
 
 /// Metres in a unit of length; empty for other units.
 std::optional<double> metresIn(const std::string& unit) {
-    if (isOneOf(unit, {"", "m", "meter", "meters", "metre", "metres", "gpm"}))
-        return 1.0;
     if (isOneOf(unit, {"km", "kilometer", "kilometers", "kilometre", "kilometres"}))
         return 1000.0;
-    if (isOneOf(unit, {"ft", "foot", "feet", "international_feet", "international_foot"}))
-        return 0.3048;
-    if (isOneOf(unit, {"us_survey_foot", "us_survey_feet"}))
-        return 1200.0 / 3937.0;
-    return std::nullopt;
+    return unit.empty() ? 1.0 : sizeOfUnit(unitsOfLength, unit);
 }
 
 bool isTimeUnit(const std::string& unit) {
-    return unit.find(" since ") != std::string::npos ||
-           isOneOf(unit, {"s", "sec", "second", "seconds", "min", "minute", "minutes", "h", "hr", "hour",
-                          "hours", "day", "days", "week", "weeks"});
+    return unit.find(" since ") != std::string::npos || sizeOfUnit(unitsOfTime, unit);
 }
 
 NetCdfMeasure byStandardName(const std::string& name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/species/SeasonDay.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -49,6 +49,13 @@ float largestDifference(const ForestSimulation& a, const ForestSimulation& b) {
                                       glm::length(ma.states[unit] - mb.states[unit]));
     }
     return most;
+}
+
+TEST(Season, EveryDayHasItsSeason) {
+    for (int day = 0; day < 365; ++day)
+        EXPECT_EQ(dayOfSeason(seasonOfDay(day)), day);
+    EXPECT_EQ(dayOfSeason(midwinter), 34);
+    EXPECT_EQ(dayOfSeason(midautumn), 308);
 }
 
 TEST(Season, ParsesWordsNumbersAndDates) {

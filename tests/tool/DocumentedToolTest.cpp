@@ -82,7 +82,7 @@ TEST(DocumentedTool, FieldsOfStorm) {
 }
 
 TEST(DocumentedTool, FieldsOfPortrait) {
-    expectDocumented("portrait", {printed({"portrait", "palm", "--edges", "--motion"})});
+    expectDocumented("portrait", {printed({"portrait", "palm", "--json"})});
 }
 
 TEST(DocumentedTool, FieldsOfWind) {

@@ -61,34 +61,6 @@ TEST(Portrait, NamesWhereTheTreeGrew) {
               Json::parse(runTool({"portrait", "beech", "--json"}).out)["skyThroughCrown"]);
 }
 
-TEST(Portrait, EdgesAreNearlyAsFineAsThoseOfSingleLeaves) {
-    const Outcome outcome = runTool({"portrait", "oak", "--edges"});
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const Json edges = Json::parse(outcome.out)["edges"];
-    ASSERT_EQ(edges.size(), 4u);
-    for (const Json& row : edges) {
-        EXPECT_GT(row["leafEdges"].get<double>() / row["leafEdgesSingle"].get<double>(), 0.7) << row;
-        EXPECT_GT(row["leafRun"].get<double>(), 0.0);
-        EXPECT_GT(row["skyRun"].get<double>(), 0.0);
-    }
-    EXPECT_LT(edges[0]["tier"], edges[3]["tier"]);
-}
-
-TEST(Portrait, MotionMeasuresFlickerAndPops) {
-    const Outcome outcome = runTool({"portrait", "palm", "--motion"});
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const Json motion = Json::parse(outcome.out)["motion"];
-    EXPECT_GT(motion["flicker"].get<double>(), 0.9) << "fewer samples are no calmer";
-    EXPECT_LT(motion["flicker"].get<double>(), 5.0);
-    ASSERT_EQ(motion["pops"].size(), 5u);
-    EXPECT_EQ(motion["pops"][0]["pixels"], 800.0);
-    EXPECT_EQ(motion["pops"][4]["pixels"], 80.0);
-    for (const Json& pop : motion["pops"]) {
-        EXPECT_GT(pop["apart"].get<double>(), 0.01) << "no other tier: " << pop;
-        EXPECT_LT(pop["pop"].get<double>(), 0.3 * pop["apart"].get<double>()) << "tiers cross over: " << pop;
-    }
-}
-
 TEST(Portrait, PrintsTheNumbersAsText) {
     const Outcome outcome = runTool({"portrait", "beech"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;

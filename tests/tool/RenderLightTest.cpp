@@ -38,27 +38,40 @@ std::vector<std::string> onItsShadow(const std::string& shadows, const std::stri
 
 } // namespace
 
-TEST(RenderLight, OverlappingSoftShadowsDoNotAddUp) {
+TEST(RenderLight, OverlappingShadowsDoNotAddUp) {
     const double lit = mean(*renderForest(tree("[0, 0]"), onItsShadow("off")), 1),
-                 one = mean(*renderForest(tree("[0, 0]"), onItsShadow("soft")), 1),
-                 three = mean(*renderForest(tree("[0, 0]") + tree("[0.02, 0]") + tree("[0, 0.02]"),
-                                            onItsShadow("soft")),
-                              1);
+                 one = mean(*renderForest(tree("[0, 0]"), onItsShadow("on")), 1),
+                 three = mean(
+                     *renderForest(tree("[0, 0]") + tree("[0.02, 0]") + tree("[0, 0.02]"), onItsShadow("on")),
+                     1);
     EXPECT_LT(one, 0.85 * lit);
     EXPECT_GT(three, 0.93 * one);
     EXPECT_GT(three, 0.4 * lit) << "the sky still lights it";
 }
 
-TEST(RenderLight, SoftShadowsLeanWithTheirTrees) {
+TEST(RenderLight, ShadowsMoveWithTheirTrees) {
     const auto inWind = [](const std::string& speed) {
         return tree("[0, 0]") + "[wind]\nkind = \"uniform\"\nvelocity = [" + speed + ", 0, 0]\n";
     };
     const auto difference = [&](const std::string& speed) {
-        return meanDifference(*renderForest(inWind(speed), onItsShadow("soft")),
-                              *renderForest(inWind(speed), onItsShadow("soft", "3")));
+        return meanDifference(*renderForest(inWind(speed), onItsShadow("on")),
+                              *renderForest(inWind(speed), onItsShadow("on", "3")));
     };
     EXPECT_EQ(difference("0"), 0.0);
     EXPECT_GT(difference("25"), 0.3);
+}
+
+TEST(RenderLight, SoftShadowsAreShadowsWithANote) {
+    const TemporaryFolder folder;
+    for (const std::string shadows : {"soft", "on"}) {
+        const Outcome outcome = runTool({"render", example("forest.treewind"), "-o", shadows + ".png",
+                                         "--size", "96x54", "--shadows", shadows},
+                                        folder.path());
+        EXPECT_EQ(outcome.exitCode, 0);
+        EXPECT_EQ(outcome.err,
+                  shadows == "soft" ? "--shadows soft: note: shadows are on; soft ones are gone\n" : "");
+    }
+    EXPECT_EQ(meanDifference(*pictureIn(folder, "soft.png"), *pictureIn(folder, "on.png")), 0.0);
 }
 
 TEST(RenderLight, ALowSunIsWarmAndDim) {
@@ -117,9 +130,9 @@ TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
         return std::vector<std::string>{"--sky", "overcast", "--shadows", shadows,
                                         "--eye", "0,-30,12", "--center",  "0,0,0"};
     };
-    EXPECT_LT(meanDifference(*renderForest(tree("[0, 0]"), from("soft")),
-                             *renderForest(tree("[0, 0]"), from("off"))),
-              0.6);
+    EXPECT_LT(
+        meanDifference(*renderForest(tree("[0, 0]"), from("on")), *renderForest(tree("[0, 0]"), from("off"))),
+        0.6);
 }
 
 TEST(RenderLight, ShadowMapsShadeOnlyTheGroundUnderTrees) {

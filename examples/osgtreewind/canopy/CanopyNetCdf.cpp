@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/places/GridMapping.h>
-#include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/species/SeasonDay.h>
 
 #include <netcdf.h>
 
@@ -30,9 +30,7 @@ std::string dateOf(float season) {
     std::tm start{};
     start.tm_year = 101;
     start.tm_mday = 1;
-    const double midwinterDay = 34.5; // noon of 4 February
-    const double day = midwinterDay + 0.25 * static_cast<double>(wrapSeason(season)) * 365.25;
-    const std::time_t noon = timegm(&start) + 86400 * (static_cast<std::time_t>(day) % 365) + 43200;
+    const std::time_t noon = timegm(&start) + 86400 * std::time_t{dayOfSeason(season)} + 43200;
     std::tm date{};
     char text[32];
     return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S +00", gmtime_r(&noon, &date))};

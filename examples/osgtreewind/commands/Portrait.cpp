@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/Offscreen.h>
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/pictures/WritePicture.h>
-#include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 
-#include <examples/osgtreewind/portraits/LeafEdges.h>
 #include <examples/osgtreewind/portraits/TreeLooks.h>
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/model/MeasureTree.h>
-#include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
@@ -32,7 +27,7 @@ using namespace osgTreeWind;
 
 struct PortraitOptions {
     std::string species, output, backend = offscreenBackendName();
-    bool json = false, edges = false, motion = false, forest = false;
+    bool json = false, forest = false;
     int panel = 256;
     std::optional<float> season;
 };
@@ -53,45 +48,6 @@ Json toJson(const Species& species, const TreeLooks& looks) {
             {"leafAreaMechanics", rounded(looks.leafAreaMechanics)},
             {"hueSpread", rounded(looks.hueSpread)},
             {"greenShare", rounded(looks.greenShare)}};
-}
-
-/// Fineness of the crown's edges for the first shape at several distances, as drawn and with single leaves in
-/// place of leaf cards.
-Json edgesJson(const Species& species) {
-    const auto rounded = [](float value) {
-        return std::round(10000.0 * static_cast<double>(value)) / 10000.0;
-    };
-    const TreeModel model = makeTreeModel(species.tree);
-    Json rows = Json::array();
-    for (const float distance : {10.0f, 20.0f, 40.0f, 80.0f}) {
-        if (model.leaves.empty())
-            break;
-        const EdgePicture picture(model, species.appearance, distance, 0.3f);
-        const float pixels = EdgePicture::pixelsPerMetreAt1m / distance;
-        const Tier tier = TreeTiers().choose(pixels * measureTree(model).height).tier;
-        const LeafEdges drawn = picture.cards(std::min(static_cast<int>(tier), TreeDetail::reductions)),
-                        single = picture.singleLeaves();
-        const float centimetres = 100.0f / pixels;
-        rows.push_back({{"distance", distance},
-                        {"tier", static_cast<int>(tier)},
-                        {"leafEdges", rounded(drawn.edges)},
-                        {"leafEdgesSingle", rounded(single.edges)},
-                        {"leafRun", rounded(centimetres * drawn.leafRun)},
-                        {"leafRunSingle", rounded(centimetres * single.leafRun)},
-                        {"skyRun", rounded(centimetres * drawn.skyRun)},
-                        {"skyRunSingle", rounded(centimetres * single.skyRun)},
-                        {"slope", rounded(drawn.slope)},
-                        {"slopeSingle", rounded(single.slope)}});
-    }
-    return rows;
-}
-
-Json toJson(const PortraitMotion& motion) {
-    const auto rounded = [](double value) { return std::round(1000.0 * value) / 1000.0; };
-    Json pops = Json::array();
-    for (const PortraitMotion::Pop& pop : motion.pops)
-        pops.push_back({{"pixels", pop.pixels}, {"apart", rounded(pop.apart)}, {"pop", rounded(pop.pop)}});
-    return {{"flicker", rounded(motion.flicker)}, {"pops", pops}};
 }
 
 void print(const Species& species, const char* growingPlace, const TreeLooks& looks) {
@@ -122,7 +78,7 @@ void portrait(const PortraitOptions& options) {
     if (osgDB::getLowerCaseFileExtension(options.output) == "treewind")
         return writeSpecies(species, options.output);
     species.tree = growthOf(species, !options.forest);
-    if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
+    if (!options.output.empty() && options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
     if (!options.output.empty()) {
         const osg::ref_ptr<osg::Image> sheet =
@@ -130,16 +86,11 @@ void portrait(const PortraitOptions& options) {
         writePicture(*sheet, options.output);
     }
     const TreeLooks looks = measureLooks(species);
+    if (!options.json)
+        return print(species, growingPlaceOf(options), looks);
     Json json = toJson(species, looks);
     json["grown"] = growingPlaceOf(options);
-    if (options.edges)
-        json["edges"] = edgesJson(species);
-    if (options.motion)
-        json["motion"] = toJson(measureMotion(species));
-    if (options.json || options.edges || options.motion)
-        std::cout << json.dump(2) << '\n';
-    else
-        print(species, growingPlaceOf(options), looks);
+    std::cout << json.dump(2) << '\n';
 }
 
 } // namespace
@@ -155,12 +106,6 @@ void addPortraitCommand(CLI::App& app) {
     command->add_flag("--forest", options->forest,
                       "Show the species as it grows in a forest (default: as it grows in the open)");
     command->add_flag("--json", options->json, "Print the result as JSON");
-    command->add_flag("--edges", options->edges,
-                      "Print JSON that includes how fine the edges of the crown are at 10, 20, 40 and 80 m "
-                      "(takes seconds)");
-    command->add_flag(
-        "--motion", options->motion,
-        "Print JSON that includes flicker in a breeze and changes between levels of detail (takes a minute)");
     command
         ->add_option("-o,--output", options->output,
                      "PNG file for the sheet, or .treewind file for all keys of the species (default: none)")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/output/AtomicTable.h>
 #include <examples/osgtreewind/output/Progress.h>
 #include <examples/osgtreewind/output/Signals.h>
-#include <examples/osgtreewind/output/WholeTable.h>
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -92,7 +92,7 @@ void simulate(const SimulateOptions& options) {
     ForestSimulation simulation(std::move(description), simulationOptions);
     growing.reset();
 
-    WholeTable table(options.output);
+    AtomicTable table(options.output);
     std::FILE* const out = table.file();
     if (options.damage)
         std::fputs("time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n", out);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 #include <examples/osgtreewind/options/TreeTable.h>
+#include <examples/osgtreewind/output/AtomicTable.h>
 #include <examples/osgtreewind/output/Json.h>
-#include <examples/osgtreewind/output/WholeTable.h>
 
 #include <examples/osgtreewind/storm/StormTree.h>
 #include <examples/osgtreewind/storm/SwayFeatures.h>
@@ -27,7 +27,7 @@ using namespace osgTreeWind;
 
 constexpr double settlingTime = 60.0; // seconds before measuring starts
 
-struct StormOptions : OneTree {
+struct StormOptions : TreeRecord {
     double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
     std::uint32_t seed = 1;
     std::string output, table;
@@ -160,7 +160,7 @@ void print(const Json& storm) {
 
 void storm(const StormOptions& options) {
     const StormJob job(options, speciesByName(options.species));
-    std::optional<WholeTable> trace;
+    std::optional<AtomicTable> trace;
     if (!options.output.empty()) {
         trace.emplace(options.output);
         std::fprintf(trace->file(), "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 #include <examples/osgtreewind/options/TreeTable.h>
 #include <examples/osgtreewind/output/Json.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using namespace osgTreeWind;
 
-struct SwayOptions : OneTree {
+struct SwayOptions : TreeRecord {
     double pull = 0.05;
     bool json = false;
     std::optional<float> season;

@@ -171,37 +171,31 @@ osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> createManipulators(const ForestV
 const CommandError noWindow = {
     Failed, "view: cannot open a window; osgtreewind render draws pictures without a display"};
 
-/// Opens a window with 4 samples per pixel, or OSG_MULTI_SAMPLES, and with alpha. Where the display has no
-/// such windows, opens one with less, and says so.
+/// Opens a window with 4 samples per pixel, or OSG_MULTI_SAMPLES. Where the display has no such windows,
+/// opens one with less, and says so.
 void openWindow(osgViewer::Viewer& viewer, int width, int height) {
-    osg::DisplaySettings& settings = *osg::DisplaySettings::instance();
-    settings.setMinimumNumStencilBits(8); // soft shadows use stencil and alpha
     int samples = 4;
     osg::getEnvVar("OSG_MULTI_SAMPLES", samples);
     const int wanted = samples = std::max(samples, 0);
-    const auto open = [&](unsigned alpha) {
-        settings.setMinimumNumAlphaBits(alpha);
-        settings.setNumMultiSamples(samples);
+    const auto open = [&] {
+        osg::DisplaySettings::instance()->setNumMultiSamples(samples);
         viewer.setUpViewInWindow(60, 60, width, height);
         return viewer.getCamera()->getGraphicsContext() != nullptr;
     };
     const osg::NotifySeverity severity = osg::getNotifyLevel();
     osg::setNotifyLevel(osg::ALWAYS); // OSG reports each window that cannot be opened
-    bool isOpen = open(8);
+    bool isOpen = open();
     while (!isOpen && samples > 0) {
         samples /= 2;
-        isOpen = open(8);
+        isOpen = open();
     }
     osg::setNotifyLevel(severity);
-    const bool hasAlpha = isOpen;
-    if (!isOpen && !open(0))
+    if (!isOpen)
         throw noWindow;
     if (samples < wanted)
         std::cerr << "view: this display has no windows with " << wanted
                   << " samples per pixel; the window has " << (samples > 0 ? std::to_string(samples) : "one")
                   << std::endl;
-    if (!hasAlpha)
-        std::cerr << "view: this display has no windows with alpha, which --shadows soft needs" << std::endl;
 }
 
 void show(const ViewOptions& options) {

@@ -12,9 +12,8 @@
 #include <osg/Vec3d>
 
 #include <cmath>
+#include <iostream>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -59,26 +58,6 @@ osg::Vec3 parseSun(const std::string& text) {
                                 std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
 }
 
-/// Adds an option whose value is one of `names`. The first one is the default.
-template <typename Value>
-void addNamed(CLI::App& command, const char* option, Value& value,
-              const std::vector<std::pair<std::string, Value>>& names, const char* help) {
-    std::vector<std::string> words;
-    for (const auto& [name, named] : names)
-        words.push_back(name);
-    command
-        .add_option_function<std::string>(
-            option,
-            [&value, names](const std::string& given) {
-                for (const auto& [name, named] : names)
-                    if (name == given)
-                        value = named;
-            },
-            help)
-        ->check(CLI::IsMember(words))
-        ->default_str(words.front());
-}
-
 } // namespace
 
 void addLightOptions(CLI::App& command, LightOptions& options) {
@@ -86,12 +65,23 @@ void addLightOptions(CLI::App& command, LightOptions& options) {
         "--sun", [&options](const std::string& text) { options.toSun = parseSun(text); },
         "Position of the sun: AZIMUTH,ELEVATION in degrees (azimuth clockwise from north, +y), or "
         "TIME@LATITUDE,LONGITUDE such as 2026-07-01T18:00Z@52.5,13.4 (default: south-east, 48 degrees high)");
-    addNamed<Weather>(command, "--sky", options.weather,
-                      {{"fair", Weather::Fair}, {"overcast", Weather::Overcast}},
-                      "Weather: fair (blue sky with some clouds) or overcast (grey sky, no visible shadows)");
-    addNamed<Shadows>(
-        command, "--shadows", options.shadows,
-        {{"soft", Shadows::Soft}, {"on", Shadows::On}, {"off", Shadows::Off}},
-        "Shadows: soft (silhouettes of the trees on the ground; not for worlds), on (on ground and trees, "
-        "slower) or off");
+    command
+        .add_option_function<std::string>(
+            "--sky",
+            [&options](const std::string& text) {
+                options.weather = text == "fair" ? Weather::Fair : Weather::Overcast;
+            },
+            "Weather: fair (blue sky with some clouds) or overcast (grey sky, no visible shadows)")
+        ->check(CLI::IsMember({"fair", "overcast"}))
+        ->default_str("fair");
+    command
+        .add_option_function<std::string>(
+            "--shadows",
+            [&options](const std::string& text) {
+                if (text == "soft")
+                    std::cerr << "--shadows soft: note: shadows are on; soft ones are gone\n";
+                options.shadows = text != "off";
+            },
+            "Shadows of trees on ground and trees: on or off (default: on, but off in worlds)")
+        ->check(CLI::IsMember({"on", "off", "soft"}));
 }

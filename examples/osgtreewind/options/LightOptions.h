@@ -10,7 +10,7 @@ class App;
 struct LightOptions {
     osg::Vec3 toSun = Daylight::usualSun; ///< Unit vector; x east, y north, z up.
     Weather weather = Weather::Fair;
-    Shadows shadows = Shadows::Soft;
+    std::optional<bool> shadows; ///< By default on, but off in worlds.
 
     Daylight day() const { return Daylight(toSun, weather); }
 };

@@ -15,7 +15,7 @@ TreeTable TreeTable::read(const std::string& path) {
         valueOrThrow(file ? readCsvTable(file.value(), path) : Result<CsvTable>(file.problems())));
 }
 
-void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
+void TreeTable::read(const CsvTable::Row& row, TreeRecord& tree) const {
     double open = tree.open ? 1.0 : 0.0, trunk = 0.01 * tree.diameter;
     read(row, "trunk_diameter", 0.001, 20.0, trunk);
     read(row, "height", 0.1, 150.0, tree.height);
@@ -31,7 +31,7 @@ void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
         tree.species = *name;
 }
 
-Species TreeTable::species(const CsvTable::Row& row, const OneTree& tree) const {
+Species TreeTable::species(const CsvTable::Row& row, const TreeRecord& tree) const {
     try {
         return speciesByName(tree.species);
     } catch (const CommandError& error) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 
@@ -17,9 +17,9 @@ public:
 
     /// Reads species, dbh_cm, height_m, crown_width_m, open and leaves, and the columns of `info --trees`:
     /// trunk_diameter, height and crown_width in metres.
-    void read(const osgTreeWind::CsvTable::Row& row, OneTree& tree) const;
+    void read(const osgTreeWind::CsvTable::Row& row, TreeRecord& tree) const;
     /// The species of the tree in a row. Throws CommandError if it is unknown.
-    osgTreeWind::Species species(const osgTreeWind::CsvTable::Row& row, const OneTree& tree) const;
+    osgTreeWind::Species species(const osgTreeWind::CsvTable::Row& row, const TreeRecord& tree) const;
     /// Reads the number in a column, from `low` to `high`.
     void read(const osgTreeWind::CsvTable::Row& row, const char* column, double low, double high,
               double& value) const;

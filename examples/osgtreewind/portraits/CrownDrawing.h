@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <examples/osgtreewind/portraits/Silhouette.h>
 #include <osgTreeWind/model/TreeModel.h>
 
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/portraits/TreeLooks.h>
 
 #include <examples/osgtreewind/portraits/CrownDrawing.h>
-#include <examples/osgtreewind/scene/LeafMasks.h>
+#include <examples/osgtreewind/portraits/LeafMasks.h>
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
 #include <osgTreeWind/drawing/impostors/TreeView.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Daylight.h>
 
-#include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/Mix.h>
 
 #include <osg/Math>
 
@@ -55,11 +55,11 @@ Daylight::Daylight(const osg::Vec3& direction, Weather weather) : toSun(directio
     around = osg::Vec3(0.06f, 0.06f, 0.05f) * skyLeft;
 
     const auto low = static_cast<float>(std::clamp((25.0 - day.degrees) / 25.0, 0.0, 1.0));
-    zenith = mixed(osg::Vec3(0.24f, 0.44f, 0.74f), osg::Vec3(0.27f, 0.42f, 0.66f), low) * display;
-    horizon = mixed(osg::Vec3(0.60f, 0.75f, 0.90f), osg::Vec3(0.78f, 0.78f, 0.80f), low) * display;
-    haze = mixed(osg::Vec3(0.78f, 0.85f, 0.91f), osg::Vec3(0.95f, 0.84f, 0.72f), low) * display;
-    glow = mixed(osg::Vec3(0.18f, 0.15f, 0.10f), osg::Vec3(0.34f, 0.21f, 0.04f), low);
-    cloudLight = mixed(osg::Vec3(0.98f, 0.98f, 0.98f), osg::Vec3(1.0f, 0.90f, 0.78f), low) * display;
-    cloudShade = mixed(osg::Vec3(0.64f, 0.69f, 0.77f), osg::Vec3(0.60f, 0.58f, 0.64f), low) * display;
+    zenith = mix(osg::Vec3(0.24f, 0.44f, 0.74f), osg::Vec3(0.27f, 0.42f, 0.66f), low) * display;
+    horizon = mix(osg::Vec3(0.60f, 0.75f, 0.90f), osg::Vec3(0.78f, 0.78f, 0.80f), low) * display;
+    haze = mix(osg::Vec3(0.78f, 0.85f, 0.91f), osg::Vec3(0.95f, 0.84f, 0.72f), low) * display;
+    glow = mix(osg::Vec3(0.18f, 0.15f, 0.10f), osg::Vec3(0.34f, 0.21f, 0.04f), low);
+    cloudLight = mix(osg::Vec3(0.98f, 0.98f, 0.98f), osg::Vec3(1.0f, 0.90f, 0.78f), low) * display;
+    cloudShade = mix(osg::Vec3(0.64f, 0.69f, 0.77f), osg::Vec3(0.60f, 0.58f, 0.64f), low) * display;
     clouds = 0.50f;
 }

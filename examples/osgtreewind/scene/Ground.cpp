@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Ground.h>
 
-#include <examples/osgtreewind/scene/Mixed.h>
-#include <examples/osgtreewind/scene/Sky.h>
+#include <examples/osgtreewind/scene/Mix.h>
+#include <examples/osgtreewind/scene/SceneShaders.h>
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ValueNoise.h>
@@ -10,6 +10,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/places/Ground.h>
 
+#include <osg/Geometry>
 #include <osg/Texture2D>
 
 #include <algorithm>
@@ -22,131 +23,6 @@ namespace {
 using osgTreeWind::Forest;
 
 constexpr int texels = 512; // width and height of the ground texture
-
-// Light and haze are computed per vertex: they vary slowly, and there are many fragments.
-const char* groundVertexText = R"(
-out vec2 place;
-out vec4 haze;   // display colour of the haze, and share of the ground that stays visible
-out float fine; // visibility of fine detail
-#ifdef TUFTS
-out float rise, shade; // position along a blade of grass, 0 to 1; random number of the blade
-uniform sampler2D tuftWind;
-uniform vec3 tuftWindPlace; // corner, 1 / size
-uniform float osg_SimulationTime;
-
-/// Displacement of the tip of a blade by the wind, metres.
-vec3 bent(vec2 foot, float height) {
-    vec2 wind = texture(tuftWind, (foot - tuftWindPlace.xy) * tuftWindPlace.z).xy;
-    float speed = length(wind);
-    float quiver = sin(6.2832 * fract(2.1 * osg_SimulationTime + 3.0 * shade + dot(foot, vec2(0.31, 0.23))));
-    float angle = speed * speed / (speed * speed + 25.0) * (1.0 + 0.2 * quiver);
-    return height * vec3(sin(angle) * wind / max(speed, 0.01), cos(angle) - 1.0);
-}
-#endif
-#ifdef SHADOWED
-out vec3 eyePosition;
-out
-#endif
-vec3 sunLight;
-#ifndef SHADOWED
-out vec3 sunOnIt;
-#endif
-uniform float sunOnGround;
-uniform vec4 rim;       // middle of the ground, half of its widths
-uniform float rimStart; // haze hides the ground beyond this share of the way to its edge
-void main() {
-    vec4 vertex = gl_Vertex;
-#ifdef LEVEL
-    vertex.xy += gl_ModelViewMatrixInverse[3].xy; // the disc follows the eye
-#endif
-    place = vertex.xy;
-#ifdef TUFTS
-    rise = gl_MultiTexCoord0.x;
-    shade = gl_MultiTexCoord0.y;
-    vertex.xyz += rise * bent(place, gl_MultiTexCoord0.z);
-#endif
-    vec4 eye = gl_ModelViewMatrix * vertex;
-#ifdef RELIEF
-    vec3 up = normalize(gl_NormalMatrix * gl_Normal);
-#else
-    vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
-#endif
-    float facing = max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0);
-    facing = mix(0.2, 1.0, facing); // upright blades catch light from the side
-    sunLight = sunOnGround * facing * gl_LightSource[0].diffuse.rgb;
-#ifdef SHADOWED
-    eyePosition = eye.xyz;
-#else
-    sunOnIt = sunLight;
-#endif
-#ifdef RELIEF
-    vec2 way = abs(place - rim.xy) / rim.zw;
-    float toRim = max(way.x, way.y);
-#else
-    float toRim = length(gl_Vertex.xy) / rim.z;
-#endif
-#ifdef TUFTS
-    toRim = 0.0;
-#endif
-    float kept = (1.0 - smoothstep(rimStart, 1.0, toRim)) * fogLeft(eye.xyz);
-    haze = vec4(gl_Fog.color.rgb + glow(normalize(mat3(gl_ModelViewMatrixInverse) * eye.xyz)), kept);
-    fine = 1.0 / (1.0 + dot(eye.xyz, eye.xyz) / (250.0 * 250.0));
-    gl_Position = gl_ProjectionMatrix * eye;
-})";
-
-// The texture is used at rotated scales without simple ratios, so that its repetition does not show.
-const char* groundFragmentText = R"(
-in vec2 place;
-in vec4 haze;
-in float fine;
-#ifdef TUFTS
-in float rise, shade;
-#define WORN 0.25 // tufts on worn patches are greener than the patches
-#define LITTER 0.35
-#else
-#define WORN 0.45
-#define LITTER 0.9
-#endif
-#ifdef SHADOWED
-in vec3 eyePosition;
-#else
-in vec3 sunOnIt;
-#endif
-uniform vec3 skyLight, litter;
-uniform vec3 season;             // factor for the colour of grass
-uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass
-#ifdef COVERED
-uniform sampler2D groundCover;   // red: cover by crowns, green: sky hidden by trunks
-uniform vec4 coverPlace;         // corner, 1 / size
-#endif
-void main() {
-    vec2 p = place;
-    vec2 q = vec2(0.80 * p.x - 0.60 * p.y, 0.60 * p.x + 0.80 * p.y);
-    vec2 r = vec2(0.28 * p.x + 0.96 * p.y, 0.28 * p.y - 0.96 * p.x);
-    vec3 wide = texture(groundTexture, q / 613.0).rgb;
-    vec3 near = mix(vec3(0.5), texture(groundTexture, r / 37.0).rgb, fine);
-#ifdef TUFTS
-    float blades = 0.15 + 0.35 * rise + 0.35 * shade;
-#else
-    float blades = texture(groundTexture, p / 2.7).b;
-#endif
-    float tone = smoothstep(0.2, 0.8, 0.5 * (wide.r + near.r));
-    vec3 grass = season * mix(vec3(0.048, 0.074, 0.020), vec3(0.112, 0.132, 0.046), tone);
-    float worn = smoothstep(0.48, 0.72, 0.55 * wide.g + 0.45 * near.g);
-    grass = mix(grass, vec3(0.165, 0.150, 0.075), WORN * worn);
-    vec3 sky = 1.7 * skyLight;
-#ifdef COVERED
-    vec2 cover = texture(groundCover, (p - coverPlace.xy) * coverPlace.zw).rg;
-    grass = mix(grass, litter * (0.6 + 0.8 * near.g), LITTER * smoothstep(0.2, 0.75, cover.r + 0.5 * (near.r - 0.5)));
-    sky *= (1.0 - 0.6 * cover.r) * (1.0 - cover.g);
-#endif
-#ifdef SHADOWED
-    vec3 light = shadowed(sky + sunLight, sunLight, eyePosition);
-#else
-    vec3 light = sky + sunOnIt;
-#endif
-    gl_FragColor = vec4(mix(haze.rgb, encoded((0.35 + 1.3 * blades) * grass * light), haze.a), 1.0);
-})";
 
 float between(osgTreeWind::Random& random, float low, float high) {
     return low + (high - low) * random.uniform();
@@ -208,14 +84,14 @@ struct Rim {
 
 /// @param define preprocessor lines for both shaders.
 osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
-    using osgTreeWind::shaderText;
+    using osgTreeWind::sceneShader, osgTreeWind::shaderText;
     const std::string version = "#version 330 compatibility\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") +
-                                                                shaderText("fog.glsl") + glowText +
-                                                                groundVertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       version + define + shaderText("scene.glsl") + groundFragmentText));
+    program->addShader(new osg::Shader(
+        osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") + shaderText("fog.glsl") +
+                                 sceneShader("glow.glsl") + sceneShader("ground.vert")));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + define + shaderText("scene.glsl") +
+                                                                  sceneShader("ground.frag")));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, groundTexture());
@@ -297,19 +173,14 @@ void setSeasonColors(osg::StateSet& state, float season) {
     // Colours change in the middle half of the interval between two seasons.
     const float from = std::floor(season), part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
     const Colors &now = colors[static_cast<int>(from) & 3], &next = colors[(static_cast<int>(from) + 1) & 3];
-    state.addUniform(new osg::Uniform("season", mixed(now.grass, next.grass, part)));
-    state.addUniform(new osg::Uniform("litter", mixed(now.litter, next.litter, part)));
+    state.addUniform(new osg::Uniform("season", mix(now.grass, next.grass, part)));
+    state.addUniform(new osg::Uniform("litter", mix(now.litter, next.litter, part)));
 }
 
 } // namespace
 
-osg::ref_ptr<osg::Uniform> sunOnGround(float share) {
-    return new osg::Uniform("sunOnGround", share);
-}
-
 void setGroundLight(osg::StateSet& state, const Daylight& day) {
     state.addUniform(new osg::Uniform("skyLight", day.sky));
-    state.addUniform(sunOnGround(1.0f));
 }
 
 float groundRadius(const osg::BoundingSphere& bound) {

@@ -21,10 +21,8 @@ osg::ref_ptr<osg::Node> createGround(const osgTreeWind::Forest& forest, const Gr
 osg::ref_ptr<osg::StateSet> createGrassState(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                              const std::string& define = "");
 
-/// Sets the light of the sky on the ground, with full sunlight.
+/// Sets the light of the sky on the ground.
 void setGroundLight(osg::StateSet& state, const Daylight& day);
-/// Share of the sunlight that reaches the ground.
-osg::ref_ptr<osg::Uniform> sunOnGround(float share);
 
 /// Distance from the eye to the edge of level ground, metres.
 float groundRadius(const osg::BoundingSphere& bound);

@@ -9,14 +9,9 @@
 
 #include <optional>
 
-enum class Shadows {
-    Off,
-    Soft, ///< Silhouette of each tree on the ground, which leans with the tree (GroundShadows.h).
-    On,   ///< Shadow maps of the moving trees, on ground and trees (SunShadows.h).
-};
-
 struct SettingOptions {
-    Shadows shadows = Shadows::Soft;
+    /// Whether trees cast shadows on the ground and on trees (SunShadows.h); by default not in worlds.
+    std::optional<bool> shadows;
     Daylight day = Daylight();
     std::optional<osg::Vec3d> eye; ///< Grass is drawn around this point; if unset, there is no grass.
 };

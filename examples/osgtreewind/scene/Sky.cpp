@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Sky.h>
 
-#include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/Mix.h>
+#include <examples/osgtreewind/scene/SceneShaders.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/base/ValueNoise.h>
 
-#include <osg/ColorMask>
 #include <osg/Depth>
 #include <osg/Program>
 #include <osg/Texture2D>
@@ -18,7 +18,7 @@
 
 namespace {
 
-using osgTreeWind::fractalNoise, osgTreeWind::valueNoise;
+using osgTreeWind::fractalNoise, osgTreeWind::sceneShader, osgTreeWind::valueNoise;
 
 const glm::ivec2 everywhere(1 << 20); // noise that does not repeat
 constexpr int texelsAround = 2048, texelsUp = 512;
@@ -28,21 +28,6 @@ constexpr float lowest = -1.5f; // elevation at the bottom of the texture, degre
 float elevationAt(float part) {
     return lowest + (90.0f - lowest) * part * part;
 }
-
-const char* skyVertexText = R"(#version 330 compatibility
-out vec2 spot;
-void main() {
-    spot = gl_MultiTexCoord0.xy;
-    vec4 place = gl_ProjectionMatrix * vec4(mat3(gl_ModelViewMatrix) * gl_Vertex.xyz, 0.0);
-    gl_Position = vec4(place.xy, 0.99999 * place.w, place.w);
-})";
-
-const char* skyFragmentText = R"(#version 330 compatibility
-in vec2 spot;
-uniform sampler2D sky;
-void main() {
-    gl_FragColor = vec4(texture(sky, spot).rgb, 1.0);
-})";
 
 float smoothstep(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -105,7 +90,7 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
     osg::Vec3 color = sky;
     for (const auto& [seed, height, hazy] : {std::tuple(41, 1.0f, 0.85f), std::tuple(43, 0.55f, 0.66f)}) {
         const float above = elevation - height * skylineAt(azimuth, seed);
-        color = mixed(color, mixed(woods, day.haze, hazy), 1.0f - smoothstep(-0.06f, 0.06f, above));
+        color = mix(color, mix(woods, day.haze, hazy), 1.0f - smoothstep(-0.06f, 0.06f, above));
     }
     return color;
 }
@@ -113,16 +98,16 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
 /// Display colour of the sky in a direction.
 osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& direction) {
     const float up = std::clamp(direction.z(), 0.0f, 1.0f), toSun = std::max(direction * day.toSun, 0.0f);
-    osg::Vec3 color = mixed(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
+    osg::Vec3 color = mix(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
     const osg::Vec3 light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
     color += light;
-    color = mixed(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
+    color = mix(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
     if (direction.z() > 0.0f) {
         const auto [hidden, lit] = clouds.toward(direction);
-        const osg::Vec3 cloud = mixed(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
-        color = mixed(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
+        const osg::Vec3 cloud = mix(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
+        color = mix(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
     }
-    return mixed(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
+    return mix(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
 }
 
 osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
@@ -181,11 +166,6 @@ osg::ref_ptr<osg::Geometry> createDome() {
 
 } // namespace
 
-const char* const glowText = R"(
-uniform vec3 sunDirection, sunGlow;
-vec3 glow(vec3 way) { return pow(max(dot(way, sunDirection), 0.0), 16.0) * sunGlow; }
-)";
-
 void setGlow(osg::StateSet& state, const Daylight& day) {
     state.addUniform(new osg::Uniform("sunDirection", day.toSun));
     state.addUniform(new osg::Uniform("sunGlow", day.glow));
@@ -200,12 +180,11 @@ osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     sky->setCullingActive(false);
     osg::StateSet* state = sky->getOrCreateStateSet();
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, skyVertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, skyFragmentText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, sceneShader("sky.vert")));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, sceneShader("sky.frag")));
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, paintedSky(day));
     state->addUniform(new osg::Uniform("sky", 0));
-    state->setAttribute(new osg::ColorMask(true, true, true, true)); // overwrites the alpha of shadows
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
     state->setRenderBinDetails(10, "RenderBin"); // drawn late, so that only visible sky is shaded
     return sky;

@@ -9,7 +9,5 @@
 /// into a texture.
 osg::ref_ptr<osg::Geometry> createSky(const Daylight& day);
 
-/// GLSL function for the display colour that the sun adds to haze in a direction. It uses the uniforms of
-/// setGlow().
-extern const char* const glowText;
+/// Sets the uniforms of shaders/glow.glsl.
 void setGlow(osg::StateSet& state, const Daylight& day);

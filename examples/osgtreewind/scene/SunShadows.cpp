@@ -77,10 +77,11 @@ void SunShadows::setDefines(osg::StateSet& state) {
     state.setDefine("SHADOW_MAP_UNIT1", std::to_string(firstUnit + 1));
 }
 
-void SunShadows::follow(Map& map, const osg::CullStack& view) const {
+bool SunShadows::follow(Map& map, const osg::CullStack& view) const {
     const osg::BoundingSphere all = _casters->getBound();
     osg::BoundingSphered seen = sphereOf(view, map.reach);
-    if (all.radius() < seen.radius())
+    const bool holdsAll = all.radius() < seen.radius();
+    if (holdsAll)
         seen.set(all.center(), all.radius());
     osg::Camera& camera = *map.camera;
     camera.setViewMatrixAsLookAt(all.center() + _toSun, all.center(),
@@ -95,13 +96,18 @@ void SunShadows::follow(Map& map, const osg::CullStack& view) const {
     map.planes->setPlanesFromMatrix(camera.getViewMatrix() * camera.getProjectionMatrix() *
                                     osg::Matrixd::translate(1.0, 1.0, 1.0) *
                                     osg::Matrixd::scale(0.5, 0.5, 0.5));
+    return holdsAll;
 }
 
 void SunShadows::traverse(osg::NodeVisitor& visitor) {
     if (auto* cull = visitor.asCullVisitor(); cull && _casters->getBound().valid())
         for (std::size_t i = 0; i < _maps.size(); ++i) {
-            follow(_maps[i], *cull);
-            _maps[i].camera->accept(visitor);
+            const bool holdsAll = follow(_maps[i], *cull);
+            if (holdsAll && i + 1 < _maps.size()) // the next map is the same: everything is outside this one
+                _maps[i].planes->setPlanesFromMatrix(osg::Matrixd::scale(0.0, 0.0, 0.0) *
+                                                     osg::Matrixd::translate(2.0, 2.0, 2.0));
+            else
+                _maps[i].camera->accept(visitor);
             cull->getRenderStage()->addPositionedTextureAttribute(
                 firstUnit + static_cast<unsigned>(i), cull->getModelViewMatrix(), _maps[i].planes);
         }

@@ -28,7 +28,8 @@ private:
         osg::ref_ptr<osg::TexGen> planes = new osg::TexGen;
         double reach; ///< Largest distance from the eye that it covers, metres.
     };
-    void follow(Map& map, const osg::CullStack& view) const;
+    /// Places the camera of a map. @return whether the map holds all casters, as those after it do.
+    bool follow(Map& map, const osg::CullStack& view) const;
 
     osg::ref_ptr<osg::Node> _casters;
     osg::Vec3d _toSun;

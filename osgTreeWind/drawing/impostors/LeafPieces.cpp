@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <glm/common.hpp>
 
 namespace osgTreeWind {
-namespace {
-
-float luminance(const glm::vec3& color) {
-    return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-}
-
-} // namespace
 
 std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
                                   const std::array<LeafVertex, verticesPerLeafCluster>& mesh,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
@@ -16,8 +17,7 @@ namespace {
 /// Hairs, wax and air below the epidermis scatter light of all wavelengths equally.
 glm::vec3 undersideOverUpper(const Appearance& appearance) {
     const glm::vec3 upper = glm::max(appearance.leaves, glm::vec3(1e-3f));
-    const float luminance = glm::dot(upper, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-    return 1.0f + (appearance.underside - 1.0f) * luminance / upper;
+    return 1.0f + (appearance.underside - 1.0f) * luminance(upper) / upper;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 
 #include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
@@ -25,10 +26,6 @@ struct Pixels {
     std::vector<glm::vec4> colors;
     glm::vec3 mean{1e-4f}; ///< Weighted by alpha.
 };
-
-float luminance(const glm::vec3& color) {
-    return 0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b;
-}
 
 /// Mean of 4 x 4 samples in a pixel.
 glm::vec4 pixelOf(const osg::Image& image, int x, int y, int width, int height) {

@@ -73,4 +73,7 @@ private:
 /// (TreeModel::identity). Thread-safe.
 std::shared_ptr<const Archetype> sharedArchetype(const TreeForm& tree);
 
+static_assert(Archetype::details[0].modes <= ModalDetail::maxModes &&
+              Archetype::details[0].patches <= ModalDetail::maxPatches);
+
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
@@ -166,7 +167,7 @@ TEST_F(TreeTiersGlTest, TreeIsEquallyBrightInEveryTier) {
                 {distance * std::cos(azimuth), distance * std::sin(azimuth), 7.5}, {0, 0, 7.5}, 0.0);
             for (std::size_t i = 0; i < picture.size(); i += 4)
                 if (picture[i] || picture[i + 1] || picture[i + 2]) {
-                    sum += 0.2126 * picture[i] + 0.7152 * picture[i + 1] + 0.0722 * picture[i + 2];
+                    sum += luminance({picture[i], picture[i + 1], picture[i + 2]});
                     ++count;
                 }
         }

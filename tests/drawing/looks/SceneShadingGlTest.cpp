@@ -4,6 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <osg/Fog>
@@ -129,7 +130,7 @@ TEST_F(SceneShadingGlTest, FilmCurveCompressesBrightColours) {
     const osg::ref_ptr<osg::Image> filmed = picture();
     for (int i = 0; i < pictureSize * pictureSize; ++i) {
         const unsigned char *from = linear->data() + 4 * i, *to = filmed->data() + 4 * i;
-        const double grey = 0.2126 * from[0] + 0.7152 * from[1] + 0.0722 * from[2];
+        const double grey = luminance({from[0], from[1], from[2]});
         for (int channel = 0; channel < 3; ++channel) {
             const double c = 1.5 * (0.86 * from[channel] + 0.14 * grey) / 255.0;
             ASSERT_NEAR(to[channel], 255.0 * c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 4.0)

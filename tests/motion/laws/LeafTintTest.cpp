@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <gtest/gtest.h>
@@ -25,11 +26,6 @@ Hsv seen(const glm::vec3& linear) {
     }
     const double most = *std::max_element(c, c + 3), least = *std::min_element(c, c + 3);
     return {120.0 + 60.0 * (c[2] - c[0]) / (most - least), 1.0 - least / most}; // of a green
-}
-
-double luminance(const glm::vec3& c) {
-    return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) +
-           0.0722 * static_cast<double>(c.z);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/portraits/LeafEdges.h>
+#include <tests/tool/portraits/LeafEdges.h>
 
-#include <tests/drawing/impostors/SolidMask.h>
+#include <tests/tool/portraits/SolidMask.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
@@ -39,12 +39,7 @@ TEST(LeafEdges, ASolidSquareHasNone) {
     const LeafEdges edges = measureEdges(square, closing);
     EXPECT_EQ(edges.edges, 0.0f);
     EXPECT_EQ(edges.leafRun, 128.0f);
-    EXPECT_NEAR(edges.slope, 1.0f, 0.1f) << "its edge is a line";
     EXPECT_EQ(measureEdges(Silhouette(size), closing).edges, 0.0f);
-}
-
-TEST(LeafEdges, OfFineBarsHaveTheDimensionOfAnArea) {
-    EXPECT_NEAR(measureEdges(bars(1), closing).slope, 2.0f, 0.15f);
 }
 
 /// The aim is a ratio of 0.85 to 1.25.
@@ -64,4 +59,17 @@ TEST(LeafEdges, OfCrownsAreAsFineAsThoseOfSingleLeaves) {
             EXPECT_GT(drawn.skyRun / single.skyRun, 0.6f) << name << ", " << reductions;
         }
     }
+}
+
+TEST(LeafEdges, AreThoseOfTheTierAtADistance) {
+    const Species& oak = *findSpecies("oak");
+    const TreeModel model = makeTreeModel(oak.tree);
+    const auto ratio = [&](int reductions, float distance) {
+        const EdgePicture picture(model, oak.appearance, distance, 0.3f);
+        return picture.cards(reductions).edges / picture.singleLeaves().edges;
+    };
+    EXPECT_EQ(edgesOverSingleLeaves(model, oak.appearance, 10.0f), ratio(0, 10.0f));
+    EXPECT_NE(edgesOverSingleLeaves(model, oak.appearance, 80.0f), ratio(0, 80.0f));
+    for (const float distance : {10.0f, 20.0f, 40.0f, 80.0f})
+        EXPECT_GT(edgesOverSingleLeaves(model, oak.appearance, distance), 0.7f) << distance;
 }

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: MIT
+// Flicker in pictures of a moving tree: 960 x 720 pixels, 40 degrees, 4 samples per pixel.
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
-#include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/scene/Setting.h>
 
-#include <examples/osgtreewind/portraits/LeafEdges.h>
+#include <tests/FullTests.h>
+#include <tests/tool/portraits/LeafEdges.h>
+
+#include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 namespace {
@@ -43,13 +51,13 @@ public:
     Luminance frame(double time, double seenAs = 1.0) {
         _viewer.viewer().getCamera()->setLODScale(static_cast<float>(_samplesAcross / seenAs));
         const osg::Image& image = _viewer.frame(time);
-        Luminance luminance;
+        Luminance values;
         for (int y = 0; y < image.t(); ++y)
             for (int x = 0; x < image.s(); ++x) {
                 const unsigned char* rgb = image.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
-                luminance.push_back(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
+                values.push_back(static_cast<double>(luminance({rgb[0], rgb[1], rgb[2]})));
             }
-        return luminance;
+        return values;
     }
 
 private:
@@ -110,7 +118,15 @@ double changedShare(const Luminance& a, const Luminance& b) {
     return static_cast<double>(changed) / static_cast<double>(a.size());
 }
 
-PortraitMotion::Pop popAt(const Species& species, double height, double pixels) {
+/// Change from one tier of detail to the next, as shares of the pixels around the tree whose luminance
+/// differs by more than 16 of 255.
+struct Pop {
+    double apart; ///< Difference between the two tiers.
+    double pop;   ///< Largest change in one frame when approaching at 2 m/s.
+};
+
+/// @param pixels height of the tree on the screen.
+Pop popAt(const Species& species, double height, double pixels) {
     const double distance = static_cast<double>(EdgePicture::pixelsPerMetreAt1m) * height / pixels;
     TreeInView tree(species, distance, 2);
     const auto seen = [&](double seenAs) {
@@ -118,7 +134,7 @@ PortraitMotion::Pop popAt(const Species& species, double height, double pixels) 
         return tree.frame(0.0, seenAs);
     };
     const double blend = DrawingOptions().blend, nearer = 1.0 + 2.0 / 30.0 / distance;
-    PortraitMotion::Pop pop{pixels, changedShare(seen(1.01), seen(0.99 * (1.0 - blend))), 0.0};
+    Pop pop{changedShare(seen(1.01), seen(0.99 * (1.0 - blend))), 0.0};
     for (const double fade : {0.02, 0.25, 0.5, 0.75, 0.98}) {
         const double at = 1.0 - blend * fade;
         pop.pop = std::max(pop.pop, changedShare(seen(at), seen(at * nearer)));
@@ -128,12 +144,26 @@ PortraitMotion::Pop popAt(const Species& species, double height, double pixels) 
 
 } // namespace
 
-PortraitMotion measureMotion(const Species& species) {
-    PortraitMotion motion;
-    const double coarse = changeOf(species, 2), fine = changeOf(species, 8);
-    motion.flicker = coarse / std::max(fine, 1e-9);
-    const double height = measureTree(makeTreeModel(species.tree)).height;
-    for (const double pixels : thresholds())
-        motion.pops.push_back(popAt(species, height, pixels));
-    return motion;
+/// Prints a row of the table in docs/species.md.
+TEST(RestlessnessGlTest, FewSamplesFlickerLittleAndTiersCrossOver) {
+    const std::vector<double> heights = thresholds();
+    EXPECT_EQ(heights, (std::vector<double>{800.0, 543.0, 369.0, 250.0, 80.0}));
+    const char* const all[] = {"palm", "Norway spruce", "Scots pine", "silver birch", "oak"};
+    for (int i = 0; i < casesToRun(5, 1); ++i) {
+        Species species = *findSpecies(all[i]);
+        species.tree = growthOf(species, true);
+        const double fine = changeOf(species, 8), flicker = changeOf(species, 2) / fine;
+        std::printf("%s: flicker %.1f, with 16 samples %.1f; pop, apart:", all[i], flicker,
+                    changeOf(species, 4) / fine);
+        EXPECT_GT(flicker, 0.9) << "fewer samples are no calmer";
+        EXPECT_LT(flicker, 5.0);
+        const double height = measureTree(makeTreeModel(species.tree)).height;
+        for (const double pixels : heights) {
+            const Pop tiers = popAt(species, height, pixels);
+            std::printf(" %.3f %.2f", tiers.pop, tiers.apart);
+            EXPECT_GT(tiers.apart, 0.01) << "no other tier: " << pixels;
+            EXPECT_LT(tiers.pop, 0.3 * tiers.apart) << "tiers cross over: " << pixels;
+        }
+        std::printf("\n");
+    }
 }

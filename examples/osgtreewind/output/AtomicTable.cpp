@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/output/WholeTable.h>
+#include <examples/osgtreewind/output/AtomicTable.h>
 
 #include <examples/osgtreewind/output/CommandError.h>
 
-WholeTable::WholeTable(const std::string& path) {
+AtomicTable::AtomicTable(const std::string& path) {
     if (path == "-")
         return;
     _whole.emplace(path);
@@ -12,12 +12,12 @@ WholeTable::WholeTable(const std::string& path) {
         throwWriteError(*_whole);
 }
 
-WholeTable::~WholeTable() {
+AtomicTable::~AtomicTable() {
     if (_whole && _file)
         std::fclose(_file);
 }
 
-void WholeTable::finish() {
+void AtomicTable::finish() {
     const bool isGood = std::fflush(_file) == 0 && std::ferror(_file) == 0;
     if (!_whole) {
         if (!isGood)

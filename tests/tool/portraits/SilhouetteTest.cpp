@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <examples/osgtreewind/portraits/Silhouette.h>
 
-#include <tests/drawing/impostors/SolidMask.h>
+#include <tests/tool/portraits/SolidMask.h>
 
 #include <gtest/gtest.h>
 

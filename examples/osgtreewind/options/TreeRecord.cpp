@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeRecord.h>
 
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/CommandError.h>
@@ -54,7 +54,7 @@ Species speciesByName(const std::string& name) {
                                      (names.empty() ? std::string() : "; expected one of " + joined(names))};
 }
 
-TreePlacement OneTree::makePlacement(const Species& kind) {
+TreePlacement TreeRecord::makePlacement(const Species& kind) {
     TreePlacement tree;
     tree.size.height = static_cast<float>(height);
     tree.size.trunkDiameter = static_cast<float>(0.01 * diameter);
@@ -74,7 +74,7 @@ TreePlacement OneTree::makePlacement(const Species& kind) {
     return tree;
 }
 
-void addTreeOptions(CLI::App& command, OneTree& tree) {
+void addTreeOptions(CLI::App& command, TreeRecord& tree) {
     command
         .add_option("--species", tree.species,
                     "Built-in species, or FILE.treewind:NAME for a species of a file")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <examples/osgtreewind/portraits/Silhouette.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/Appearance.h>
 
@@ -13,11 +13,13 @@ struct LeafEdges {
     float edges = 0.0f;   ///< Changes between leaf and sky per pixel.
     float leafRun = 0.0f; ///< Mean length of a run of leaf, pixels.
     float skyRun = 0.0f;  ///< Mean length of a run of sky, pixels.
-    float slope = 0.0f;   ///< Box-counting dimension of the edge, from boxes of 1 to 16 pixels.
 };
 
 /// Measures a picture. @param closing side of the square that closes the outline, pixels.
 LeafEdges measureEdges(const Silhouette& picture, int closing);
+
+/// Edges of a tree at a distance in metres, as drawn there, divided by those of the tree with single leaves.
+float edgesOverSingleLeaves(const TreeModel& model, const Appearance& appearance, float distance);
 
 /// A tree at rest, seen from eye level at a distance in metres by a camera with a picture of 720 pixels and
 /// 40 degrees in height, with 2 x 2 samples per pixel.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <examples/osgtreewind/portraits/Silhouette.h>
 
 #include <osgTreeWind/drawing/looks/Parallelogram.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <examples/osgtreewind/portraits/Silhouette.h>
 
 /// A mask without holes.
 inline const osgTreeWind::Silhouette::Mask solidMask{1, {1}};

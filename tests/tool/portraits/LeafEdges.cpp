@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/portraits/LeafEdges.h>
+#include <tests/tool/portraits/LeafEdges.h>
 
 #include <examples/osgtreewind/portraits/CrownDrawing.h>
-#include <examples/osgtreewind/scene/LeafMasks.h>
+#include <examples/osgtreewind/portraits/LeafMasks.h>
+#include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeDetail.h>
 
 #include <glm/common.hpp>
@@ -53,20 +55,6 @@ private:
     }
 };
 
-/// Number of boxes of a size that contain both leaf and sky.
-double boxesOnEdge(const Silhouette& picture, int size, int box) {
-    double count = 0.0;
-    for (int y = 0; y + box <= size; y += box)
-        for (int x = 0; x + box <= size; x += box) {
-            int black = 0;
-            for (int i = 0; i <= box && x + box < size && y + box < size; ++i)
-                for (int j = 0; j <= box; ++j)
-                    black += picture.black(x + j, y + i);
-            count += black > 0 && black < (box + 1) * (box + 1);
-        }
-    return count;
-}
-
 } // namespace
 
 LeafEdges measureEdges(const Silhouette& picture, int closing) {
@@ -90,18 +78,14 @@ LeafEdges measureEdges(const Silhouette& picture, int closing) {
     edges.edges = static_cast<float>(changes) / static_cast<float>(pixels);
     edges.skyRun = static_cast<float>(lengths[0]) / static_cast<float>(std::max<std::size_t>(runs[0], 1));
     edges.leafRun = static_cast<float>(lengths[1]) / static_cast<float>(std::max<std::size_t>(runs[1], 1));
-    // Least squares through the logarithms.
-    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    constexpr int sizes = 5;
-    for (int i = 0; i < sizes; ++i) {
-        const double box = i, boxes = std::log2(std::max(boxesOnEdge(picture, size, 1 << i), 1.0));
-        x += box / sizes;
-        y += boxes / sizes;
-        xx += box * box / sizes;
-        xy += box * boxes / sizes;
-    }
-    edges.slope = static_cast<float>(-(xy - x * y) / (xx - x * x));
     return edges;
+}
+
+float edgesOverSingleLeaves(const TreeModel& model, const Appearance& appearance, float distance) {
+    const EdgePicture picture(model, appearance, distance, 0.3f);
+    const float height = EdgePicture::pixelsPerMetreAt1m / distance * measureTree(model).height;
+    const int tier = static_cast<int>(TreeTiers().choose(height).tier);
+    return picture.cards(std::min(tier, TreeDetail::reductions)).edges / picture.singleLeaves().edges;
 }
 
 EdgePicture::EdgePicture(const TreeModel& model, const Appearance& appearance, float distance, float azimuth)

@@ -9,13 +9,13 @@
 
 /// Table that is written row by row to standard output, or to a file that appears when it is complete. Throws
 /// CommandError on a write error.
-class WholeTable {
+class AtomicTable {
 public:
     /// @param path "-" for standard output.
-    explicit WholeTable(const std::string& path);
-    ~WholeTable();
-    WholeTable(const WholeTable&) = delete;
-    WholeTable& operator=(const WholeTable&) = delete;
+    explicit AtomicTable(const std::string& path);
+    ~AtomicTable();
+    AtomicTable(const AtomicTable&) = delete;
+    AtomicTable& operator=(const AtomicTable&) = delete;
 
     std::FILE* file() const { return _file; }
     void finish();

@@ -11,7 +11,7 @@
 osgTreeWind::Species speciesByName(const std::string& name);
 
 /// A tree described by command-line options.
-struct OneTree {
+struct TreeRecord {
     std::string species = "broadleaf";
     double diameter = 0.0, height = 0.0, crownWidth = 0.0; ///< cm and m; 0 if not given.
     double leaves = 1.0;                                   ///< Share of the leaves on the tree.
@@ -22,4 +22,4 @@ struct OneTree {
 };
 
 /// Adds --species, --dbh, --height, --crown-width, --open and --leaves.
-void addTreeOptions(CLI::App& command, OneTree& tree);
+void addTreeOptions(CLI::App& command, TreeRecord& tree);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/scene/LeafMasks.h>
+#include <examples/osgtreewind/portraits/LeafMasks.h>
 
 namespace osgTreeWind {
 
