@@ -184,15 +184,15 @@ Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure) {
     return readMetres(rows, measure, rows.number(*measure.column));
 }
 
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure, const Result<double>& number) {
-    if (!number)
-        return number;
-    const double metres = number.value() * measure.unit;
-    if (!measure.range.contains(metres))
-        return rows.problem(rows.columns()[*measure.column], "expected " + measure.range.text() +
-                                                                 " metres, found " +
-                                                                 inQuotes(rows.text(*measure.column)));
-    return metres;
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
+                          const std::optional<double>& number) {
+    const double metres = number.value_or(0.0) * measure.unit;
+    if (number && measure.range.contains(metres))
+        return metres;
+    const std::string cell = rows.text(*measure.column);
+    return rows.problem(rows.columns()[*measure.column],
+                        number ? "expected " + measure.range.text() + " metres, found " + inQuotes(cell)
+                               : expectedFound("a number", cell));
 }
 
 } // namespace osgTreeWind

@@ -30,6 +30,7 @@ private:
 /// A measure of the current row in metres.
 Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure);
 /// Converts a number that was read from the row.
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure, const Result<double>& number);
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
+                          const std::optional<double>& number);
 
 } // namespace osgTreeWind

@@ -77,6 +77,12 @@ public:
     }
 
 private:
+    /// A name that no species has.
+    struct UnknownName {
+        std::optional<std::size_t> related; ///< Species that it is read as.
+        std::size_t rows = 0;
+    };
+
     void readDefaultSpecies() {
         if (_table.read("default_species", _defaultName)) {
             _default = _reading.speciesOrBuiltIn(_defaultName);
@@ -144,8 +150,6 @@ private:
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string id = _columns.id ? _rows->text(*_columns.id) : std::string();
         estimate(tree, id.empty() ? std::to_string(_row) : id);
-        if (_unknownName)
-            ++_unknownSpecies[*_unknownName];
         tree.name = uniqueName(id);
         _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
         _reading.addTree(tree, !place.hasHeight, {!_isOpenGrownGiven});
@@ -171,7 +175,6 @@ private:
     }
 
     std::size_t rowSpecies() {
-        _unknownName.reset();
         if (_columns.species.empty()) {
             if (_defaultName.empty() && !_default)
                 _isSpeciesGiven = false;
@@ -184,26 +187,19 @@ private:
                 return *index;
             name = name.empty() ? cell : name;
         }
-        if (const auto index = findRelatedSpecies(name)) {
-            ++_relatedSpecies[name + " as " + _reading.forest.species[*index].name];
-            return *index;
-        }
-        _unknownName = name;
-        return defaultSpecies();
+        const auto [entry, isNew] = _unknownNames.try_emplace(name);
+        UnknownName& unknown = entry->second;
+        if (isNew)
+            unknown.related = _reading.addBuiltIn(_reading.builtIn().findRelated(name));
+        ++unknown.rows;
+        return unknown.related ? *unknown.related : defaultSpecies();
     }
 
     /// Caches ForestReading::speciesOrBuiltIn().
     std::optional<std::size_t> findSpecies(const std::string& name) {
-        const auto [entry, isNew] = _speciesCache.emplace(name, std::nullopt);
+        const auto [entry, isNew] = _speciesCache.try_emplace(name);
         if (isNew)
             entry->second = _reading.speciesOrBuiltIn(name);
-        return entry->second;
-    }
-    /// Caches SpeciesCatalogue::findRelated().
-    std::optional<std::size_t> findRelatedSpecies(const std::string& name) {
-        const auto [entry, isNew] = _relatedCache.emplace(name, std::nullopt);
-        if (isNew)
-            entry->second = _reading.addBuiltIn(_reading.builtIn().findRelated(name));
         return entry->second;
     }
 
@@ -234,8 +230,8 @@ private:
                 names.push_back(printable(name));
         if (_duplicateIds.size() > maxListedIds)
             names.emplace_back("...");
-        _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_duplicateIds)) +
-                                        " trees have no id, because another tree has it: " + joined(names));
+        addNote(std::to_string(sumOf(_duplicateIds)) +
+                " trees have no id, because another tree has it: " + joined(names));
     }
 
     void reportSkippedRows() {
@@ -245,16 +241,15 @@ private:
                                std::to_string(_row) + " rows: to leave them out, set inventory.skip = true";
             _reading.log.add(problem);
         } else if (_skipped > 0 && _skipped < _row)
-            _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(_skipped) + " of " + std::to_string(_row) +
-                " rows have no place and are left out, the first: " + _firstSkipped.text());
+            addNote(std::to_string(_skipped) + " of " + std::to_string(_row) +
+                    " rows have no place and are left out, the first: " + _firstSkipped.text());
     }
 
     void reportSizes() {
         for (const Diagnostic& problem : _sizes.problems())
             _reading.log.add(problem);
         for (const std::string& note : _sizes.notes())
-            _reading.forest.notes.push_back(_rows->file() + ": " + note);
+            addNote(note);
     }
 
     void reportEstimatedSizes() {
@@ -264,24 +259,29 @@ private:
             if (trees > 0)
                 counts.push_back(std::string(size) + " of " + std::to_string(trees));
         if (!counts.empty())
-            _reading.forest.notes.push_back(
-                _rows->file() + ": estimated by the laws of the species: " + joined(counts) + " trees");
+            addNote("estimated by the laws of the species: " + joined(counts) + " trees");
     }
 
     void reportUnknownSpecies() {
-        if (!_relatedSpecies.empty())
-            _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(sumOf(_relatedSpecies)) +
-                " trees of unknown species are read as related species: " + countsText(_relatedSpecies));
+        RowCounts related, unknown; // by "river birch as silver birch", and by name
+        for (const auto& [name, found] : _unknownNames)
+            if (found.related)
+                related[name + " as " + _reading.forest.species[*found.related].name] = found.rows;
+            else
+                unknown[name] = found.rows;
+        if (!related.empty())
+            addNote(std::to_string(sumOf(related)) +
+                    " trees of unknown species are read as related species: " + countsText(related));
         const std::string name = _default ? inQuotes(_reading.forest.species[*_default].name) : std::string();
         if (!_isSpeciesGiven)
-            _reading.forest.notes.push_back(_rows->file() + ": all trees are read as " + name +
-                                            ", because there is no column of species and no default_species");
-        else if (!_unknownSpecies.empty())
-            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unknownSpecies)) +
-                                            " trees of unknown species are read as " + name + ": " +
-                                            countsText(_unknownSpecies));
+            addNote("all trees are read as " + name +
+                    ", because there is no column of species and no default_species");
+        else if (!unknown.empty())
+            addNote(std::to_string(sumOf(unknown)) + " trees of unknown species are read as " + name + ": " +
+                    countsText(unknown));
     }
+
+    void addNote(const std::string& note) { _reading.forest.notes.push_back(_rows->file() + ": " + note); }
 
     /// "line 17", or "feature 3".
     std::string rowText() const {
@@ -306,7 +306,7 @@ private:
                 _rows->file(),
                 message + "; expected trees within 100 km: leave such rows out with inventory.filter"));
         else
-            _reading.forest.notes.push_back(_rows->file() + ": " + message);
+            addNote(message);
     }
 
     TableReader& _table;
@@ -326,11 +326,9 @@ private:
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
-    std::optional<std::string> _unknownName;               ///< Species name of the row, if it is unknown.
-    std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache, _relatedCache;
-    RowCounts _relatedSpecies; ///< Rows by "river birch as silver birch".
-    RowCounts _unknownSpecies; ///< Rows by species name.
-    RowCounts _duplicateIds;   ///< Rows by id.
+    std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache;
+    std::map<std::string, UnknownName> _unknownNames;
+    RowCounts _duplicateIds; ///< Rows by id.
 };
 
 } // namespace

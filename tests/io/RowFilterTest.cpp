@@ -22,20 +22,18 @@ public:
     const std::vector<std::string>& columns() const override { return _columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind(const CrsTransform&, const std::vector<std::size_t>&) override {}
-    Result<bool> next() override { return true; }
     bool has(std::size_t column) const override { return !_cells[column].empty(); }
     std::string text(std::size_t column) const override { return _cells[column]; }
-    Result<double> number(std::size_t column) const override {
-        const auto number = parseNumber(_cells[column]);
-        return number ? Result<double>(*number) : fileProblem(_file, "no number");
-    }
+    std::optional<double> number(std::size_t column) const override { return parseNumber(_cells[column]); }
     Result<VectorPlace> place() const override { return VectorPlace(); }
     Diagnostic problem(const std::string&, const std::string& message) const override {
         return fileProblem(_file, message);
     }
 
 private:
+    void restart(const CrsTransform&, std::vector<std::size_t>) override {}
+    Result<bool> advance() override { return true; }
+
     std::vector<std::string> _cells, _columns = {"height", "kind", "status", "Höhe (m)"};
     std::string _file = "f.csv";
     std::optional<Crs> _crs;
