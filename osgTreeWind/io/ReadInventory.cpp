@@ -50,20 +50,21 @@ std::string countsText(const RowCounts& rows) {
 /// Converts the rows of one inventory to trees. Problems with a row give the file and the line or feature.
 class InventoryReader {
 public:
-    InventoryReader(TableReader& table, ForestReading& reading) : _table(table), _reading(reading) {}
+    InventoryReader(TableReader& table, DocumentSpecies& species, DocumentTrees& trees)
+        : _table(table), _species(species), _trees(trees) {}
 
-    void read() {
-        std::uint32_t seed = _reading.seed;
+    void read(const InputFolders& folders, const TreeDefaults& defaults, SceneMap& map) {
+        std::uint32_t seed = defaults.seed;
         _table.read("seed", seed);
         _isOpenGrownGiven = _table.read("open_grown", _openGrown);
         _isSkipGiven = _table.read("skip", _skip);
         _table.read("missing", _sizes.missing);
-        _leaves = _reading.leaves;
+        _leaves = defaults.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
         readDefaultSpecies();
-        _rows = openTreeRows(_table, _reading);
+        _rows = openTreeRows(_table, folders);
         _columns.read(_table, _rows.get());
-        auto places = InventoryPlaces::find(_table, _rows.get(), _columns, _reading);
+        auto places = InventoryPlaces::find(_table, _rows.get(), _columns, map);
         if (!places || !_complete || !_columns.isComplete())
             return;
         _places = std::move(*places);
@@ -85,18 +86,18 @@ private:
 
     void readDefaultSpecies() {
         if (_table.read("default_species", _defaultName)) {
-            _default = _reading.speciesOrBuiltIn(_defaultName);
+            _default = _species.findOrAdd(_defaultName);
             if (!_default) {
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_reading.hasSpeciesTables && _reading.declaredSpecies == 1)
+        } else if (_species.isSingle())
             _default = 0;
     }
     /// The species for trees of unknown species.
     std::size_t defaultSpecies() {
         if (!_default)
-            _default = _reading.speciesOrBuiltIn("broadleaf");
+            _default = _species.findOrAdd("broadleaf");
         return _default.value_or(0);
     }
 
@@ -105,12 +106,12 @@ private:
         _places.rewind(*_rows, _columns);
         Result<bool> found = _rows->next();
         for (; found && found.value(); found = _rows->next()) {
-            if (!_reading.canAddTrees(1, _table, "file"))
+            if (!_trees.canAdd(1, _table, "file"))
                 return;
             readRow(random);
         }
         if (!found)
-            _reading.log.add(found.problems().front());
+            _table.report(found.problems().front());
         else if (_row == _skipped)
             reportEmpty();
     }
@@ -124,7 +125,7 @@ private:
             problem = _firstSkipped;
             problem.message += "; no row has a place";
         }
-        _reading.log.add(problem);
+        _table.report(problem);
     }
 
     void readRow(Random& random) {
@@ -135,7 +136,7 @@ private:
         if (!isRowValid())
             return;
         tree.species = rowSpecies();
-        const Species& species = _reading.forest.species[tree.species];
+        const Species& species = _species.all()[tree.species];
         tree.size.height = _sizes.read(*_rows, _columns.height, species.height.largest);
         tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
         if (tree.size.trunkDiameter == 0.0f)
@@ -152,7 +153,7 @@ private:
         estimate(tree, id.empty() ? std::to_string(_row) : id);
         tree.name = uniqueName(id);
         _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
-        _reading.addTree(tree, !place.hasHeight, {!_isOpenGrownGiven});
+        _trees.add(tree, !place.hasHeight, {!_isOpenGrownGiven});
     }
 
     template <typename T>
@@ -169,7 +170,7 @@ private:
             _firstSkipped = _problems.front();
         for (const Diagnostic& problem : _problems)
             if (!_skip)
-                _reading.log.add(problem);
+                _table.report(problem);
         _problems.clear();
         return false;
     }
@@ -190,22 +191,22 @@ private:
         const auto [entry, isNew] = _unknownNames.try_emplace(name);
         UnknownName& unknown = entry->second;
         if (isNew)
-            unknown.related = _reading.addBuiltIn(_reading.builtIn().findRelated(name));
+            unknown.related = _species.addBuiltIn(_species.builtIn().findRelated(name));
         ++unknown.rows;
         return unknown.related ? *unknown.related : defaultSpecies();
     }
 
-    /// Caches ForestReading::speciesOrBuiltIn().
+    /// Caches DocumentSpecies::findOrAdd().
     std::optional<std::size_t> findSpecies(const std::string& name) {
         const auto [entry, isNew] = _speciesCache.try_emplace(name);
         if (isNew)
-            entry->second = _reading.speciesOrBuiltIn(name);
+            entry->second = _species.findOrAdd(name);
         return entry->second;
     }
 
     void estimate(TreePlacement& tree, const std::string& id) {
         const SizeEstimate estimate =
-            estimateSize(tree.size, _reading.forest.species[tree.species], tree.openGrown, id);
+            estimateSize(tree.size, _species.all()[tree.species], tree.openGrown, id);
         tree.size = estimate.size;
         tree.estimated = estimate.estimated;
         _heights += tree.estimated.height;
@@ -215,7 +216,7 @@ private:
 
     /// Empty if another tree has the name.
     std::string uniqueName(const std::string& name) {
-        if (name.empty() || _reading.treeNames.insert(name).second)
+        if (name.empty() || _trees.reserveName(name))
             return name;
         ++_duplicateIds[name];
         return {};
@@ -239,7 +240,7 @@ private:
             Diagnostic problem = _firstSkipped;
             problem.message += "; the same applies to " + std::to_string(_skipped) + " of " +
                                std::to_string(_row) + " rows: to leave them out, set inventory.skip = true";
-            _reading.log.add(problem);
+            _table.report(problem);
         } else if (_skipped > 0 && _skipped < _row)
             addNote(std::to_string(_skipped) + " of " + std::to_string(_row) +
                     " rows have no place and are left out, the first: " + _firstSkipped.text());
@@ -247,7 +248,7 @@ private:
 
     void reportSizes() {
         for (const Diagnostic& problem : _sizes.problems())
-            _reading.log.add(problem);
+            _table.report(problem);
         for (const std::string& note : _sizes.notes())
             addNote(note);
     }
@@ -266,13 +267,13 @@ private:
         RowCounts related, unknown; // by "river birch as silver birch", and by name
         for (const auto& [name, found] : _unknownNames)
             if (found.related)
-                related[name + " as " + _reading.forest.species[*found.related].name] = found.rows;
+                related[name + " as " + _species.all()[*found.related].name] = found.rows;
             else
                 unknown[name] = found.rows;
         if (!related.empty())
             addNote(std::to_string(sumOf(related)) +
                     " trees of unknown species are read as related species: " + countsText(related));
-        const std::string name = _default ? inQuotes(_reading.forest.species[*_default].name) : std::string();
+        const std::string name = _default ? inQuotes(_species.all()[*_default].name) : std::string();
         if (!_isSpeciesGiven)
             addNote("all trees are read as " + name +
                     ", because there is no column of species and no default_species");
@@ -281,7 +282,7 @@ private:
                     countsText(unknown));
     }
 
-    void addNote(const std::string& note) { _reading.forest.notes.push_back(_rows->file() + ": " + note); }
+    void addNote(const std::string& note) { _table.note(_rows->file() + ": " + note); }
 
     /// "line 17", or "feature 3".
     std::string rowText() const {
@@ -302,7 +303,7 @@ private:
             (outlier->count > 1 ? "; " + std::to_string(outlier->count) + " trees are that far"
                                 : std::string());
         if (outlier->distance > maxTreeDistance)
-            _reading.log.add(fileProblem(
+            _table.report(fileProblem(
                 _rows->file(),
                 message + "; expected trees within 100 km: leave such rows out with inventory.filter"));
         else
@@ -310,7 +311,8 @@ private:
     }
 
     TableReader& _table;
-    ForestReading& _reading;
+    DocumentSpecies& _species;
+    DocumentTrees& _trees;
     std::unique_ptr<TreeRows> _rows;
     InventoryColumns _columns;
     InventoryPlaces _places;
@@ -333,8 +335,9 @@ private:
 
 } // namespace
 
-void readInventory(TableReader& table, ForestReading& reading) {
-    InventoryReader(table, reading).read();
+void readInventory(TableReader& table, const InputFolders& folders, const TreeDefaults& defaults,
+                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees) {
+    InventoryReader(table, species, trees).read(folders, defaults, map);
 }
 
 } // namespace osgTreeWind

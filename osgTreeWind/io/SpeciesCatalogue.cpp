@@ -108,19 +108,19 @@ const SpeciesCatalogue& SpeciesCatalogue::current() {
 Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const std::string& file,
                                                 const std::string& folder) const {
     SpeciesCatalogue catalogue = *this;
-    ForestReading reading;
-    reading.log.file = file;
-    reading.folders = {folder};
-    reading.catalogue = &catalogue;
-    const auto& read = reading.forest.species;
-    TableReader::readDocument(text, reading.log, [&](TableReader& root) {
+    ReadLog log;
+    log.file = file;
+    const InputFolders folders(folder);
+    std::vector<Species> read;
+    DocumentSpecies declared(read, log, &catalogue);
+    TableReader::readDocument(text, log, [&](TableReader& root) {
         readVersion(root);
         root.tables("group", [&](TableReader& table) {
-            readSpecies(table, reading);
+            readSpecies(table, folders, declared);
             catalogue._groups[comparableName(read.back().name)] = read.back();
         });
         root.tables("species", [&](TableReader& table) {
-            readSpecies(table, reading);
+            readSpecies(table, folders, declared);
             for (const std::string& alias : read.back().aliases)
                 if (const auto other = catalogue._byName.find(comparableName(alias));
                     other != catalogue._byName.end() &&
@@ -129,8 +129,8 @@ Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const s
             catalogue.add(read.back());
         });
     });
-    if (!reading.log.problems.empty())
-        return std::move(reading.log.problems);
+    if (!log.problems.empty())
+        return log.problems;
     return catalogue;
 }
 

@@ -5,7 +5,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/InputFolders.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/NameMatching.h>
 
@@ -169,8 +169,7 @@ private:
     std::optional<std::size_t> _natural; ///< OpenStreetMap's column `natural`, which is "tree" for trees.
 };
 
-std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& options,
-                                  ForestReading& reading) {
+std::unique_ptr<TreeRows> openCsv(TableReader& table, const std::string& path, const TableOptions& options) {
     Result<std::string> bytes = readBytes(path);
     Result<TableText> text =
         bytes ? decodeTable(std::move(bytes.value()), path, options) : Result<TableText>(bytes.problems());
@@ -179,26 +178,26 @@ std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& o
         rows = std::make_unique<CsvRows>(path, std::move(text.value().text), text.value().format);
     const Diagnostics& problems = rows ? rows->problems() : text.problems();
     for (const Diagnostic& problem : problems)
-        reading.log.add(problem);
+        table.report(problem);
     if (!problems.empty())
         return {};
     for (const std::string& note : text.value().notes)
-        reading.forest.notes.push_back(path + ": " + note);
+        table.note(path + ": " + note);
     return rows;
 }
 
-std::unique_ptr<TreeRows> openFeatures(const std::string& path, const std::string& layer,
-                                       ForestReading& reading) {
+std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& path,
+                                       const std::string& layer) {
     auto file = VectorFile::open(path);
     Diagnostics problems = file.problems();
     if (problems.empty())
         problems = file.value().chooseLayer(layer);
     for (const Diagnostic& problem : problems)
-        reading.log.add(problem);
+        table.report(problem);
     if (!problems.empty())
         return {};
     for (const std::string& warning : file.value().warnings())
-        reading.forest.notes.emplace_back(path).append(": ").append(warning);
+        table.note(path + ": " + warning);
     return std::make_unique<FeatureRows>(std::move(file.value()));
 }
 
@@ -212,12 +211,12 @@ TableOptions readTableOptions(TableReader& table) {
     return options;
 }
 
-std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& reading) {
+std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& folders) {
     const TableOptions options = readTableOptions(table);
     std::string layer, filter;
     table.read("layer", layer);
     table.read("filter", filter);
-    auto file = reading.open(table, "file");
+    auto file = folders.open(table, "file");
     if (!file)
         return {};
     const bool hasFeatures = VectorFile::isSupported(file->path);
@@ -231,7 +230,7 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
     if (!isValid)
         return {};
     std::unique_ptr<TreeRows> rows =
-        hasFeatures ? openFeatures(file->path, layer, reading) : openCsv(file->path, options, reading);
+        hasFeatures ? openFeatures(table, file->path, layer) : openCsv(table, file->path, options);
     if (!rows || filter.empty())
         return rows;
     Result<RowFilter> condition = RowFilter::parse(filter, *rows);

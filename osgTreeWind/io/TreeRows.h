@@ -58,12 +58,12 @@ private:
 };
 
 class TableReader;
-struct ForestReading;
+class InputFolders;
 
 /// Reads the keys `delimiter` and `decimal` of an [inventory] or a [wind] record.
 TableOptions readTableOptions(TableReader& table);
 
 /// Opens the file of an [inventory], with its `layer`, `filter` and `delimiter`. Null after a problem.
-std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& reading);
+std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& folders);
 
 } // namespace osgTreeWind

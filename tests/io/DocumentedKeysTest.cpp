@@ -74,7 +74,7 @@ std::set<std::string> knownKeys() {
           "kind = \"forest_wind\"\nvalues = [0]", "kind = \"series\"\nheight = 1",
           "kind = \"series\"\nfile = \"a.csv\"\n[wind.columns]"}) {
         ForestReading reading;
-        reading.folders = {folder.path()};
+        reading.folders = InputFolders(folder.path());
         TableReader::readDocument(everySection + wind, reading.log,
                                   [&](TableReader& root) { readRoot(root, reading); });
         keys.insert(reading.log.keys.begin(), reading.log.keys.end());
