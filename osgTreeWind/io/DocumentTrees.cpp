@@ -26,13 +26,16 @@ void DocumentTrees::modify(
     });
 }
 
-void DocumentTrees::deriveValues(ForestDescription& forest) {
-    if (!_store.isInMemory())
-        return;
-    modify([&](TreeStore::Trees&, const std::vector<std::size_t>&) {
-        findGrowingSpaces(forest, _derived);
-        varyNeighbourSeeds(forest, _derived);
-    });
+void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
+    if (_store.isInMemory())
+        modify([&](TreeStore::Trees&, const std::vector<std::size_t>&) {
+            osgTreeWind::findGrowingSpaces(forest, _derived);
+        });
+}
+
+void DocumentTrees::varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families) {
+    if (_store.isInMemory())
+        osgTreeWind::varyNeighbourSeeds(forest, families, _derived);
 }
 
 } // namespace osgTreeWind

@@ -37,8 +37,9 @@ public:
     void visit(const std::function<void(const TreeStore::Trees& trees)>& visitor) { _store.visit(visitor); }
     void modify(const std::function<void(TreeStore::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
-    /// Derives values from neighbours, if the trees are in memory. @param forest that holds them.
-    void deriveValues(ForestDescription& forest);
+    // If the trees are in memory, which is that of the forest:
+    void findGrowingSpaces(ForestDescription& forest);
+    void varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families);
     /// Ends the reading: releases memory.
     void forgetNames() { _names.clear(); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/DocumentSpecies.h>
 #include <osgTreeWind/io/DocumentTrees.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -67,6 +68,7 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 
 /// A message if the shapes of the forest have too many vertices; otherwise empty.
-std::string problemOfShapes(const ForestDescription& forest);
+/// @param largest countLargest() of the families.
+std::string problemOfShapes(const ShapeFamilies& families, const std::vector<TreeCounts>& largest);
 
 } // namespace osgTreeWind

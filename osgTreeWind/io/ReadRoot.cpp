@@ -4,10 +4,8 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/HostMap.h>
-#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <glm/common.hpp>
@@ -20,11 +18,9 @@
 
 namespace osgTreeWind {
 
-std::string problemOfShapes(const ForestDescription& forest) {
+std::string problemOfShapes(const ShapeFamilies& families, const std::vector<TreeCounts>& largest) {
     constexpr std::uint64_t maxVertices = 50000000;
     std::uint64_t vertices = 0;
-    const ShapeFamilies families(forest);
-    const std::vector<TreeCounts> largest = families.countLargest();
     for (std::size_t i = 0; i < largest.size(); ++i)
         vertices += largest[i].totalVertices() * families.all()[i].shapes;
     if (vertices <= maxVertices)
@@ -171,14 +167,18 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         removeUnusedDefault(forest.species, trees);
     map.reproject(trees, root);
-    if (root.isDocumentValid())
-        trees.deriveValues(forest);
-    if (root.isDocumentValid())
-        if (const std::string problem = problemOfShapes(forest); !problem.empty())
+    std::optional<ShapeFamilies> families;
+    std::vector<TreeCounts> largest; // by family
+    if (root.isDocumentValid()) {
+        trees.findGrowingSpaces(forest);
+        largest = families.emplace(forest).countLargest();
+        trees.varyNeighbourSeeds(forest, *families);
+        if (const std::string problem = problemOfShapes(*families, largest); !problem.empty())
             root.problem("species", problem);
+    }
     root.table("ground", [&](TableReader& table) { readGround(table, folders, forest, map, trees); });
     if (root.isDocumentValid())
-        if (const std::string problem = problemOfMemory(forest, false); !problem.empty())
+        if (const std::string problem = problemOfMemory(forest, *families, largest); !problem.empty())
             root.problem("", problem);
     readOrigin(root, map, trees, forest);
     if (!forest.hostCrs.empty())
