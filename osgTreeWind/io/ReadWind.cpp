@@ -6,15 +6,17 @@
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/io/ReadWindData.h>
 #include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindInternals.h>
 #include <osgTreeWind/windfiles/WindFile.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -26,6 +28,27 @@ namespace osgTreeWind {
 namespace {
 
 constexpr Range directions = within(-360, 360);
+
+/// Reads the name of a speed unit; default "m/s". @return the unit in m/s; empty if it is unknown.
+std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
+    name = "m/s";
+    table.read(key, name);
+    const auto unit = speedUnit(name);
+    if (unit.ok())
+        return unit.value();
+    table.problem(key, unit.problems().front().message);
+    return std::nullopt;
+}
+
+/// Reports problems of a wind made from this table: at the key that they name, or else at the table.
+void reportWindProblems(const Diagnostics& problems, TableReader& table) {
+    for (const Diagnostic& problem : problems) {
+        if (problem.file.empty())
+            table.problem(table.has(problem.key) ? problem.key : "", problem.message);
+        else
+            table.report(problem);
+    }
+}
 
 /// The field made from this table; null if there is none, after reporting the problems.
 template <typename Field>
@@ -278,6 +301,137 @@ Wind readSeries(TableReader& table, const InputFolders& folders) {
     table.read("repeat", series.repeat);
     complete &= readProfile(table, series.profile);
     return complete ? checked(TimeSeriesWind::create(std::move(series)), table) : nullptr;
+}
+
+/// Finds the paths of `file`, or of all `files` with their `times`. @return false after a problem.
+bool readDataPaths(TableReader& table, const InputFolders& folders, std::vector<std::string>& paths,
+                   std::vector<double>& times) {
+    std::string name;
+    std::vector<std::string> names;
+    const bool isOne = table.read("file", name), areSeveral = table.read("files", names),
+               hasTimes = table.read("times", times);
+    const auto fail = [&](const char* key, const char* message) {
+        table.problem(key, message);
+        return false;
+    };
+    if (table.has("file") && table.has("files"))
+        return fail("files", "give either this or file");
+    if (table.has("times") && !table.has("files"))
+        return fail("times", "cannot be used without files");
+    if (!table.has("file") && !table.has("files"))
+        return table.reportMissing("file");
+    if (!isOne && !(areSeveral && (hasTimes || !table.has("times"))))
+        return false; // the problem is in the log
+    for (const std::string& each : isOne ? std::vector<std::string>{name} : names) {
+        const auto file = folders.open(table, isOne ? "file" : "files", each);
+        if (!file)
+            return false;
+        paths.push_back(file->path);
+    }
+    return true;
+}
+
+/// "x 385000 to 385700, y 5818000 to 5818500".
+std::string extentText(const WindExtent& extent, const glm::dvec2& offset) {
+    std::string text;
+    for (int axis = 0; axis < 2; ++axis)
+        if (!extent.isUnbounded(axis))
+            text += std::string(text.empty() ? "" : ", ") + (axis == 0 ? "x " : "y ") +
+                    rangeText(extent.low[axis] + offset[axis], extent.high[axis] + offset[axis]);
+    return text;
+}
+
+/// Counts the trees outside of a wind's grid, and all trees. For a forest in tiles, it samples their bounds.
+std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, const ForestDescription& forest,
+                                                 DocumentTrees& trees) {
+    const glm::dvec3& origin = forest.origin;
+    std::size_t outside = 0, all = 0;
+    const auto add = [&](const glm::dvec2& place) {
+        outside += !file.covers(place - glm::dvec2(origin));
+        ++all;
+    };
+    trees.visit([&](const TreeStore::Trees& some) {
+        for (const TreePlacement& tree : some)
+            add(glm::dvec2(tree.position));
+    });
+    if (!forest.tiles)
+        return {outside, all};
+    const TreeBounds& bounds = trees.bounds();
+    constexpr int steps = 4;
+    for (int i = 0; i < (steps + 1) * (steps + 1); ++i)
+        add(glm::mix(glm::dvec2(bounds.low), glm::dvec2(bounds.high),
+                     glm::dvec2(i % (steps + 1), i / (steps + 1)) / double(steps)));
+    return {outside, all};
+}
+
+/// Adds a note if some trees are outside of a file's grid, and a problem if all are, unless `allowsOutside`.
+void checkCoverage(const WindFile& file, const std::string& path, const glm::dvec3& offset,
+                   bool allowsOutside, TableReader& table, const ForestDescription& forest,
+                   DocumentTrees& trees) {
+    const auto [outside, all] = countOutside(file, forest, trees);
+    if (outside == 0)
+        return;
+    const bool onOwnMap = !forest.crs.empty() && !file.summary.crs.empty();
+    const std::string extent =
+        extentText(file.summary.extent, onOwnMap ? glm::dvec2(0.0) : glm::dvec2(offset)) +
+        (file.summary.coordinates.empty() ? "" : " of " + file.summary.coordinates);
+    if (outside == all && !allowsOutside) {
+        const TreeBounds& bounds = trees.bounds();
+        return table.problem(
+            table.has("files") ? "files" : "file",
+            "no tree is inside the grid of " + path + ", " + extent + "; the trees stand at " +
+                extentText({glm::dvec2(bounds.low), glm::dvec2(bounds.high)}, glm::dvec2(0.0)) +
+                (onOwnMap ? " of " + forest.crs : "") +
+                "; expected a wind at their place, or beyond = \"hold\" to use that of the edge");
+    }
+    table.note((forest.tiles ? "parts of the world lie"
+                             : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +
+               " outside the grid of " + path + ", " + extent + "; they get the wind at its edge");
+}
+
+/// Limits the wind to the bounds of the trees with a margin.
+void chooseArea(const glm::dvec3& origin, DocumentTrees& trees, WindFileOptions& options) {
+    constexpr double margin = 1000.0; // metres
+    const TreeBounds& bounds = trees.bounds();
+    const glm::dvec3 zero = bounds.count > 0 ? origin : glm::dvec3(0.0);
+    options.low = glm::dvec2(bounds.low - zero) - margin;
+    options.high = glm::dvec2(bounds.high - zero) + margin;
+}
+
+/// Reads files of wind data, in world coordinates moved by `offset`. Null after a problem.
+/// @param date gets that of the time 0, seconds since 1970, if the files state it.
+Wind readWindData(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
+                  DocumentTrees& trees, std::optional<double>& date) {
+    WindFileOptions options;
+    const bool isUnitKnown = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
+    std::vector<double> numbers = {0, 0, 0};
+    table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
+    const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
+    options.origin = forest.origin - offset;
+    options.crs = forest.crs;
+    table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
+    table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
+    bool allowsOutside = false;
+    table.readChoice<bool>("beyond", allowsOutside, {{"hold", true}});
+    chooseArea(forest.origin, trees, options);
+    std::vector<std::string> paths;
+    std::vector<double> times;
+    if (!readDataPaths(table, folders, paths, times) || !isUnitKnown)
+        return nullptr;
+    Result<WindFile> wind =
+        table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
+    if (!wind) {
+        reportWindProblems(wind.problems(), table);
+        return nullptr;
+    }
+    date = parseIsoTime(wind.value().summary.start);
+    for (const std::string& note : wind.value().summary.notes)
+        table.note(paths.front() + ": " + note);
+    checkCoverage(wind.value(), paths.front(), offset, allowsOutside, table, forest, trees);
+    WindInternals::setFiles(wind.value().wind,
+                            {paths, table.has("files"), times, offset, forest.origin, options.crs,
+                             options.roughness, options.height, options.speedUnit, allowsOutside});
+    return std::move(wind.value().wind);
 }
 
 /// Sets the clock's start from `date`, the date of the wind at time 0, which replaces `start`.
