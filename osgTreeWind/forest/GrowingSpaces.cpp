@@ -176,11 +176,11 @@ void findGrowingSpaces(ForestDescription& forest, const std::vector<DerivedTreeV
     }
 }
 
-void varyNeighbourSeeds(ForestDescription& forest, const std::vector<DerivedTreeValues>& derived) {
+void varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families,
+                        const std::vector<DerivedTreeValues>& derived) {
     if (!anyGrowsByLight(forest))
         return;
     const CrownIndex crowns = indexCrowns(forest);
-    const ShapeFamilies families(forest);
     std::vector<std::size_t> familyOf;
     for (const TreePlacement& tree : forest.trees)
         familyOf.push_back(families.indexOf(tree));

@@ -7,6 +7,8 @@
 
 namespace osgTreeWind {
 
+class ShapeFamilies;
+
 /// Which values of a tree are derived from its neighbours because the file does not set them.
 struct DerivedTreeValues {
     bool growingSpace = true; ///< TreePlacement::openGrown and atEdge.
@@ -22,7 +24,8 @@ struct DerivedTreeValues {
 void findGrowingSpaces(ForestDescription& forest, const std::vector<DerivedTreeValues>& derived);
 
 /// Increases seeds so that neighbours have different shapes, as far as there are enough shapes. Call it after
-/// findGrowingSpaces(). Affects only species that grow by light.
-void varyNeighbourSeeds(ForestDescription& forest, const std::vector<DerivedTreeValues>& derived);
+/// findGrowingSpaces(). Affects only species that grow by light. @param families of the forest.
+void varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families,
+                        const std::vector<DerivedTreeValues>& derived);
 
 } // namespace osgTreeWind

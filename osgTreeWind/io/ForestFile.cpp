@@ -40,15 +40,16 @@ void readDocument(std::istream& input, const ForestFileOptions& options, ForestR
     const auto keepAlive = MapProgram::shared();
     reading.log.file = options.file;
     reading.log.settings = options.settings;
-    reading.maxTrees = options.maxTrees;
+    reading.trees.maxCount = options.maxTrees;
     reading.forest.folder = absolute(options.folder);
-    reading.folders = {reading.forest.folder};
+    reading.folders = InputFolders(reading.forest.folder);
     auto text = readText(input, options.file);
     if (!text.ok())
         return reading.log.add(text.problems().front());
     reading.forest.source = std::move(text.value());
     TableReader::readDocument(reading.forest.source, reading.log,
                               [&](TableReader& root) { readRoot(root, reading); });
+    reading.forest.notes = std::move(reading.log.notes);
     if (!options.settings.empty())
         reading.forest.source.clear(); // it does not describe the forest with the settings
     sortProblems(reading.log.problems, options.file);

@@ -2,74 +2,30 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
-#include <osgTreeWind/forest/GrowingSpaces.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
+#include <osgTreeWind/io/DocumentSpecies.h>
+#include <osgTreeWind/io/DocumentTrees.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/io/InputFolders.h>
+#include <osgTreeWind/io/SceneMap.h>
 #include <osgTreeWind/io/TableReader.h>
-#include <osgTreeWind/io/TreeBounds.h>
-#include <osgTreeWind/io/TreeStore.h>
-#include <osgTreeWind/places/CrsTransform.h>
 
-#include <fstream>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 /// Readers and writers for the sections of a .treewind document.
 namespace osgTreeWind {
 
-/// State shared by the section readers while a document is read.
+/// A document while it is read.
 struct ForestReading {
     ReadLog log;
-    std::vector<std::string> folders; ///< Searched for relative paths, in order.
-    std::size_t maxTrees = 1000000;   ///< More trees are an error.
-    std::uint32_t seed = 1;
-    float leaves = 1.0f; ///< Default share of leaves of a tree.
     ForestFile forest;
-    TreeStore trees{forest.trees};
-    std::vector<DerivedTreeValues> derived; ///< By tree.
-    std::optional<Crs> crs;                 ///< CRS of the scene.
-    bool keepsStretchedMap = false;         ///< Key `stretched`: do not leave a stretched map.
-    CrsTransform toScene;                   ///< From the file's map to `crs`, once that is known.
-    std::optional<double> windDate;         ///< Date of the wind's time 0, seconds since 1970, if known.
-    bool hasSpeciesTables = false;          ///< The file has [[species]].
-    std::size_t declaredSpecies = 0;        ///< Number of the file's species. Built-in ones follow them.
-    std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
-    std::set<std::string> treeNames;                  ///< Names of all trees so far.
-    const SpeciesCatalogue* catalogue = nullptr;      ///< Null until builtIn() is called.
-
-    /// Index of the forest's species with this name or alias, ignoring case.
-    std::optional<std::size_t> species(const std::string& name) const;
-    /// Index of the forest's species with this name, or else of the built-in species, which is added to the
-    /// forest if needed (addBuiltIn()).
-    std::optional<std::size_t> speciesOrBuiltIn(const std::string& name);
-    /// Adds a built-in species unless the forest has one of that name. @param found may be null.
-    std::optional<std::size_t> addBuiltIn(const Species* found);
-    /// The species catalogue. Problems with the host's catalogue file go to the log.
-    const SpeciesCatalogue& builtIn();
-    TreeBounds treeBounds();
-    /// Appends a tree. @param onGround as in TreeStore::add().
-    void addTree(const TreePlacement& tree, bool onGround, DerivedTreeValues derivedValues);
-    /// Sets the CRS that an inventory or the ground requires.
-    void setCrs(const Crs& newCrs);
-    /// Transforms a place of the file to the scene's CRS.
-    glm::dvec3 scenePlace(const glm::dvec3& place) const;
-    /// Whether `count` more trees are allowed; otherwise reports a problem with `key`.
-    bool canAddTrees(std::uint64_t count, TableReader& table, const std::string& key);
-
-    /// Folders that OSGTREEWIND_TRUST=folder trusts: those of the file, its host and OSG.
-    std::vector<std::string> trustedFolders() const;
-
-    struct InputFile {
-        std::string path;
-        std::ifstream stream;
-    };
-    /// Opens the file named by `key`; reports a problem if that fails.
-    std::optional<InputFile> open(TableReader& table, const std::string& key);
-    /// Opens the file `name`, one of several named by `key`.
-    std::optional<InputFile> open(TableReader& table, const std::string& key, const std::string& name);
+    InputFolders folders;
+    DocumentSpecies species{forest.species, log};
+    DocumentTrees trees{forest.trees};
+    TreeDefaults defaults;
+    SceneMap map{forest};
 };
 
 /// Reads a whole document. Problems are in the log, sorted by position.
@@ -81,13 +37,26 @@ void readDocumentFile(const std::string& path, std::size_t maxTrees, const std::
 void readRoot(TableReader& root, ForestReading& reading);
 
 void readVersion(TableReader& root);
-void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[species]], or [[group]].
-void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
-void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
-void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
-void readTiles(TableReader& table, ForestReading& reading);     ///< [tiles].
-void readGround(TableReader& table, ForestReading& reading);    ///< [ground], and puts the trees on it.
-void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
+/// One [[species]], or [[group]].
+void readSpecies(TableReader& table, const InputFolders& folders, DocumentSpecies& known);
+/// One [[tree]].
+void readTree(TableReader& table, const TreeDefaults& defaults, DocumentSpecies& species,
+              DocumentTrees& trees);
+/// One [[scatter]].
+void readScatter(TableReader& table, const TreeDefaults& defaults, const SceneMap& map,
+                 DocumentSpecies& species, DocumentTrees& trees);
+/// One [[inventory]].
+void readInventory(TableReader& table, const InputFolders& folders, const TreeDefaults& defaults,
+                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees);
+/// [tiles]. Empty after a problem.
+std::optional<ForestTiles> readTiles(TableReader& table, const InputFolders& folders,
+                                     const DocumentSpecies& species);
+/// [ground], and puts the trees on it.
+void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
+                DocumentTrees& trees);
+/// [wind]. @param forest must have its origin. @param seed of gusts.
+Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
+              const SceneMap& map, DocumentTrees& trees, std::uint32_t seed);
 
 /// Words of the key `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();
@@ -99,6 +68,7 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 
 /// A message if the shapes of the forest have too many vertices; otherwise empty.
-std::string problemOfShapes(const ForestDescription& forest);
+/// @param largest countLargest() of the families.
+std::string problemOfShapes(const ShapeFamilies& families, const std::vector<TreeCounts>& largest);
 
 } // namespace osgTreeWind

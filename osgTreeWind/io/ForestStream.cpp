@@ -19,15 +19,15 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     ForestStream stream;
     stream._reading = std::make_unique<Reading>();
     Reading& reading = *stream._reading;
-    if (!reading.trees.useFile(options.folder, options.treesAtOnce))
+    if (!reading.trees.store().useFile(options.folder, options.treesAtOnce))
         return fileProblem(options.folder, "cannot be written");
     readDocumentFile(path, options.maxTrees, {}, reading);
-    if (reading.trees.hasFailed())
+    if (reading.trees.store().hasFailed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
                                                " trees while they are read, 72 bytes each and their ids");
     if (!reading.log.problems.empty())
         return std::move(reading.log.problems);
-    reading.treeNames.clear();
+    reading.trees.forgetNames();
     return stream;
 }
 
@@ -40,8 +40,9 @@ std::size_t ForestStream::treeCount() const {
 }
 
 bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& visitor) const {
-    _reading->trees.visit(visitor);
-    return !_reading->trees.hasFailed();
+    TreeStore& trees = _reading->trees.store();
+    trees.visit(visitor);
+    return !trees.hasFailed();
 }
 
 } // namespace osgTreeWind

@@ -3,8 +3,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/StretchedMap.h>
+#include <osgTreeWind/io/SceneMap.h>
 
 #include <glm/common.hpp>
 
@@ -108,11 +107,20 @@ glm::dvec2 centreOf(const std::vector<glm::dvec2>& places) {
     return low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0);
 }
 
+/// The CRS for a scene at the places of the rows: their own if it is a map, or else a UTM zone.
+/// @param places gets all places if the zone depends on them.
+Result<Crs> findSceneCrs(TreeRows& rows, const InventoryColumns& columns, const Crs& from,
+                         const SceneMap& map, TableReader& table, std::vector<glm::dvec2>& places) {
+    if (from.problemOfMap().empty())
+        return map.crsAt(centreOf(readPlaces(rows, columns, 1)), from, table);
+    places = readPlaces(rows, columns);
+    return utmZoneOf(centreOf(places), from, "crs");
+}
+
 } // namespace
 
 std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRows* rows,
-                                                     const InventoryColumns& columns,
-                                                     ForestReading& reading) {
+                                                     const InventoryColumns& columns, SceneMap& map) {
     std::string text;
     table.read("crs", text);
     if (!rows || !columns.isComplete())
@@ -132,17 +140,13 @@ std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRow
         return std::nullopt;
     }
     std::vector<glm::dvec2> places;
-    if (!reading.crs) {
-        const bool isMap = from.problemOfMap().empty();
-        if (!isMap)
-            places = readPlaces(*rows, columns);
-        const glm::dvec2 centre = centreOf(isMap ? readPlaces(*rows, columns, 1) : places);
-        const Result<Crs> chosen = isMap ? sceneMapAt(centre, from, reading) : utmZoneOf(centre, from, "crs");
-        if (!chosen)
-            return fail(chosen.problems());
-        reading.setCrs(chosen.value());
+    if (!map.crs()) {
+        const Result<Crs> scene = findSceneCrs(*rows, columns, from, map, table, places);
+        if (!scene)
+            return fail(scene.problems());
+        map.set(scene.value());
     }
-    const auto transform = CrsTransform::between(from, *reading.crs);
+    const auto transform = CrsTransform::between(from, *map.crs());
     if (!transform)
         return fail(transform.problems());
     InventoryPlaces found;
@@ -184,15 +188,15 @@ Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure) {
     return readMetres(rows, measure, rows.number(*measure.column));
 }
 
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure, const Result<double>& number) {
-    if (!number)
-        return number;
-    const double metres = number.value() * measure.unit;
-    if (!measure.range.contains(metres))
-        return rows.problem(rows.columns()[*measure.column], "expected " + measure.range.text() +
-                                                                 " metres, found " +
-                                                                 inQuotes(rows.text(*measure.column)));
-    return metres;
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
+                          const std::optional<double>& number) {
+    const double metres = number.value_or(0.0) * measure.unit;
+    if (number && measure.range.contains(metres))
+        return metres;
+    const std::string cell = rows.text(*measure.column);
+    return rows.problem(rows.columns()[*measure.column],
+                        number ? "expected " + measure.range.text() + " metres, found " + inQuotes(cell)
+                               : expectedFound("a number", cell));
 }
 
 } // namespace osgTreeWind

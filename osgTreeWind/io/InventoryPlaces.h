@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-struct ForestReading;
+class SceneMap;
 
 /// Finds the places of an inventory's rows in the forest's CRS. The source CRS is the key `crs`, or else that
 /// of the file or implied by its column names, or else the forest's. If the forest has no CRS, it is set to
@@ -14,7 +14,7 @@ class InventoryPlaces {
 public:
     /// @param rows may be null. @return empty after a problem.
     static std::optional<InventoryPlaces> find(TableReader& table, TreeRows* rows,
-                                               const InventoryColumns& columns, ForestReading& reading);
+                                               const InventoryColumns& columns, SceneMap& map);
 
     /// Restarts before the first row.
     void rewind(TreeRows& rows, InventoryColumns& columns) const;
@@ -30,6 +30,7 @@ private:
 /// A measure of the current row in metres.
 Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure);
 /// Converts a number that was read from the row.
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure, const Result<double>& number);
+Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
+                          const std::optional<double>& number);
 
 } // namespace osgTreeWind

@@ -13,9 +13,10 @@ namespace osgTreeWind {
 namespace {
 
 /// "trunk diameter of 3".
-std::string countText(std::string key, std::size_t count) {
-    std::replace(key.begin(), key.end(), '_', ' ');
-    return key + " of " + std::to_string(count);
+std::string countText(std::string_view key, std::size_t count) {
+    std::string name(key);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name + " of " + std::to_string(count);
 }
 
 constexpr double maxRecordShare = 1.5; // related species and new records
@@ -50,8 +51,8 @@ float InventorySizes::checked(const MeasureColumn& measure, const Result<double>
 float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure, float record) {
     if (!measure.column || !row.has(*measure.column))
         return 0.0f;
-    const Result<double> number = row.number(*measure.column);
-    if (number ? isMissingMark(number.value()) : isMissing(row.text(*measure.column))) {
+    const std::optional<double> number = row.number(*measure.column);
+    if (number ? isMissingMark(*number) : isMissing(row.text(*measure.column))) {
         ++_columns[measure.key].marked;
         return 0.0f;
     }
@@ -82,7 +83,7 @@ Diagnostics InventorySizes::problems() const {
             Diagnostic problem = column.first;
             problem.message += "; the same applies to " + std::to_string(column.impossible) + " of " +
                                std::to_string(column.impossible + column.used) +
-                               " rows: set their unit with inventory.units." + key +
+                               " rows: set their unit with inventory.units." + std::string(key) +
                                ", or the numbers that mean \"not measured\" with inventory.missing";
             problems.push_back(problem);
         }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace osgTreeWind {
@@ -37,7 +38,7 @@ private:
     /// The size, or 0 and a count if it is impossible.
     float checked(const MeasureColumn& measure, const Result<double>& metres);
 
-    std::map<std::string, Column> _columns; ///< By key.
+    std::map<std::string_view, Column> _columns; ///< By key.
 };
 
 } // namespace osgTreeWind

@@ -160,16 +160,16 @@ void setPalm(const LegacyGrowth& legacy, PalmParameters& palm) {
 }
 
 /// The species whose habit is the starting point for a species without `like`.
-const Species& nearestHabit(const LegacyGrowth& legacy, const Species& species, ForestReading& reading) {
-    if (const Species* namesake = reading.builtIn().find(species.name); namesake && namesake->tree.growth)
+const Species& nearestHabit(const LegacyGrowth& legacy, const Species& species, DocumentSpecies& known) {
+    if (const Species* namesake = known.builtIn().find(species.name); namesake && namesake->tree.growth)
         return *namesake;
     const bool leader = legacy.trunk.value_or(0.75f) >= minLeaderTrunk;
-    return *reading.builtIn().find(leader && legacy.shape == "cone" ? "conifer" : "broadleaf");
+    return *known.builtIn().find(leader && legacy.shape == "cone" ? "conifer" : "broadleaf");
 }
 
 } // namespace
 
-void readLegacyGrowth(TableReader& table, ForestReading& reading, Species& species, bool isPalm) {
+void readLegacyGrowth(TableReader& table, DocumentSpecies& known, Species& species, bool isPalm) {
     const LegacyGrowth legacy(table);
     if (!legacy.shape.empty() && !roundingOf(legacy.shape))
         table.problem("shape", "no crown shape is called " + inQuotes(legacy.shape));
@@ -179,14 +179,13 @@ void readLegacyGrowth(TableReader& table, ForestReading& reading, Species& speci
         tree.growth.reset();
     } else {
         if (!tree.growth)
-            tree.growth = nearestHabit(legacy, species, reading).tree.growth;
+            tree.growth = nearestHabit(legacy, species, known).tree.growth;
         setHabit(legacy, *tree.growth);
         tree.palm.reset();
     }
-    reading.forest.notes.push_back(
-        "species " + inQuotes(species.name) + ": [species.growth] of version 1 is read as " +
-        (isPalm ? "[species.palm]" : "[species.habit]") +
-        ": its size is kept, angles and bends are approximated, and the rest of the form is grown");
+    table.note("species " + inQuotes(species.name) + ": [species.growth] of version 1 is read as " +
+               (isPalm ? "[species.palm]" : "[species.habit]") +
+               ": its size is kept, angles and bends are approximated, and the rest of the form is grown");
 }
 
 } // namespace osgTreeWind

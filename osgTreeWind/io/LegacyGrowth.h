@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/DocumentSpecies.h>
 #include <osgTreeWind/io/TableReader.h>
 #include <osgTreeWind/species/Species.h>
 
@@ -10,6 +10,6 @@ namespace osgTreeWind {
 /// Reads the table `[species.growth]` of version 1 and converts it to a habit or palm. The size is kept, and
 /// angles and bends are approximated. Adds a note.
 /// @param species with the habit of its `like` species, if any. @param isPalm convert to `[species.palm]`.
-void readLegacyGrowth(TableReader& table, ForestReading& reading, Species& species, bool isPalm);
+void readLegacyGrowth(TableReader& table, DocumentSpecies& known, Species& species, bool isPalm);
 
 } // namespace osgTreeWind

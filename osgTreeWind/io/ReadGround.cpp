@@ -2,7 +2,6 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/forest/GroundPlacer.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/places/RasterGround.h>
 
@@ -13,27 +12,27 @@ namespace osgTreeWind {
 namespace {
 
 /// The paths of `file`, which is one name or an array of tiles. Empty after a problem.
-std::vector<std::string> findFiles(TableReader& table, ForestReading& reading) {
+std::vector<std::string> findFiles(TableReader& table, const InputFolders& folders) {
     std::vector<std::string> names(1), paths;
     if (table.hasArray("file") ? !table.read("file", names) : !table.require("file", names.front()))
         return {};
     if (names.empty())
         table.problem("file", "expected at least one file");
     for (const std::string& name : names)
-        if (const auto file = reading.open(table, "file", name))
+        if (const auto file = folders.open(table, "file", name))
             paths.push_back(file->path);
     return paths.size() == names.size() ? paths : std::vector<std::string>();
 }
 
-void putTreesOnGround(TableReader& table, ForestReading& reading) {
+void putTreesOnGround(TableReader& table, const ForestDescription& read, DocumentTrees& trees) {
     ForestDescription forest;
-    forest.species = reading.forest.species;
-    forest.ground = reading.forest.ground;
-    forest.tiles = reading.forest.tiles ? *reading.forest.tiles : ForestTiles();
-    reading.treeBounds().addSpeciesNames(forest.species, *forest.tiles);
+    forest.species = read.species;
+    forest.ground = read.ground;
+    forest.tiles = read.tiles ? *read.tiles : ForestTiles();
+    trees.bounds().addSpeciesNames(forest.species, *forest.tiles);
     GroundPlacer placer(forest);
-    reading.trees.modify([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
-        placer.place(trees, onGround);
+    trees.modify([&](TreeStore::Trees& some, const std::vector<std::size_t>& onGround) {
+        placer.place(some, onGround);
     });
     for (const Diagnostic& problem : placer.problems())
         table.problem("file", problem.message);
@@ -41,7 +40,8 @@ void putTreesOnGround(TableReader& table, ForestReading& reading) {
 
 } // namespace
 
-void readGround(TableReader& table, ForestReading& reading) {
+void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
+                DocumentTrees& trees) {
     bool none = false;
     const bool isRead = table.read("none", none);
     const bool isConflict = none && (table.has("file") || table.has("crs"));
@@ -56,23 +56,23 @@ void readGround(TableReader& table, ForestReading& reading) {
     if (int number = 0; !table.readScalar("band", source.band) && table.has("band"))
         if (table.read("band", number, within(1, 65535)))
             source.band = std::to_string(number);
-    source.files = findFiles(table, reading);
+    source.files = findFiles(table, folders);
     if (source.files.empty())
         return;
-    auto ground = RasterGround::open(source, reading.crs);
-    if (ground && ground.value()->map() && !reading.crs) {
-        reading.setCrs(*ground.value()->map());
-        reprojectStretchedMap(reading);
-        if (!reading.toScene.isIdentity())
-            ground = RasterGround::open(source, reading.crs);
+    auto ground = RasterGround::open(source, map.crs());
+    if (ground && ground.value()->map() && !map.crs()) {
+        map.set(*ground.value()->map());
+        map.reproject(trees, table);
+        if (map.isReprojected())
+            ground = RasterGround::open(source, map.crs());
     }
     if (!ground) {
         const Diagnostic& problem = ground.problems().front();
-        return problem.file.empty() ? table.problem(problem.key, problem.message) : reading.log.add(problem);
+        return problem.file.empty() ? table.problem(problem.key, problem.message) : table.report(problem);
     }
-    reading.forest.ground = ground.value();
-    if (reading.log.problems.empty())
-        putTreesOnGround(table, reading);
+    forest.ground = ground.value();
+    if (table.isDocumentValid())
+        putTreesOnGround(table, forest, trees);
 }
 
 std::string writeGround(std::ostream& output, const ForestDescription& forest) {

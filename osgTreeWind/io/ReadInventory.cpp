@@ -50,20 +50,21 @@ std::string countsText(const RowCounts& rows) {
 /// Converts the rows of one inventory to trees. Problems with a row give the file and the line or feature.
 class InventoryReader {
 public:
-    InventoryReader(TableReader& table, ForestReading& reading) : _table(table), _reading(reading) {}
+    InventoryReader(TableReader& table, DocumentSpecies& species, DocumentTrees& trees)
+        : _table(table), _species(species), _trees(trees) {}
 
-    void read() {
-        std::uint32_t seed = _reading.seed;
+    void read(const InputFolders& folders, const TreeDefaults& defaults, SceneMap& map) {
+        std::uint32_t seed = defaults.seed;
         _table.read("seed", seed);
         _isOpenGrownGiven = _table.read("open_grown", _openGrown);
         _isSkipGiven = _table.read("skip", _skip);
         _table.read("missing", _sizes.missing);
-        _leaves = _reading.leaves;
+        _leaves = defaults.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
         readDefaultSpecies();
-        _rows = openTreeRows(_table, _reading);
+        _rows = openTreeRows(_table, folders);
         _columns.read(_table, _rows.get());
-        auto places = InventoryPlaces::find(_table, _rows.get(), _columns, _reading);
+        auto places = InventoryPlaces::find(_table, _rows.get(), _columns, map);
         if (!places || !_complete || !_columns.isComplete())
             return;
         _places = std::move(*places);
@@ -77,20 +78,26 @@ public:
     }
 
 private:
+    /// A name that no species has.
+    struct UnknownName {
+        std::optional<std::size_t> related; ///< Species that it is read as.
+        std::size_t rows = 0;
+    };
+
     void readDefaultSpecies() {
         if (_table.read("default_species", _defaultName)) {
-            _default = _reading.speciesOrBuiltIn(_defaultName);
+            _default = _species.findOrAdd(_defaultName);
             if (!_default) {
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_reading.hasSpeciesTables && _reading.declaredSpecies == 1)
+        } else if (_species.isSingle())
             _default = 0;
     }
     /// The species for trees of unknown species.
     std::size_t defaultSpecies() {
         if (!_default)
-            _default = _reading.speciesOrBuiltIn("broadleaf");
+            _default = _species.findOrAdd("broadleaf");
         return _default.value_or(0);
     }
 
@@ -99,12 +106,12 @@ private:
         _places.rewind(*_rows, _columns);
         Result<bool> found = _rows->next();
         for (; found && found.value(); found = _rows->next()) {
-            if (!_reading.canAddTrees(1, _table, "file"))
+            if (!_trees.canAdd(1, _table, "file"))
                 return;
             readRow(random);
         }
         if (!found)
-            _reading.log.add(found.problems().front());
+            _table.report(found.problems().front());
         else if (_row == _skipped)
             reportEmpty();
     }
@@ -118,7 +125,7 @@ private:
             problem = _firstSkipped;
             problem.message += "; no row has a place";
         }
-        _reading.log.add(problem);
+        _table.report(problem);
     }
 
     void readRow(Random& random) {
@@ -129,7 +136,7 @@ private:
         if (!isRowValid())
             return;
         tree.species = rowSpecies();
-        const Species& species = _reading.forest.species[tree.species];
+        const Species& species = _species.all()[tree.species];
         tree.size.height = _sizes.read(*_rows, _columns.height, species.height.largest);
         tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
         if (tree.size.trunkDiameter == 0.0f)
@@ -144,11 +151,9 @@ private:
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string id = _columns.id ? _rows->text(*_columns.id) : std::string();
         estimate(tree, id.empty() ? std::to_string(_row) : id);
-        if (_unknownName)
-            ++_unknownSpecies[*_unknownName];
         tree.name = uniqueName(id);
         _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
-        _reading.addTree(tree, !place.hasHeight, {!_isOpenGrownGiven});
+        _trees.add(tree, !place.hasHeight, {!_isOpenGrownGiven});
     }
 
     template <typename T>
@@ -165,13 +170,12 @@ private:
             _firstSkipped = _problems.front();
         for (const Diagnostic& problem : _problems)
             if (!_skip)
-                _reading.log.add(problem);
+                _table.report(problem);
         _problems.clear();
         return false;
     }
 
     std::size_t rowSpecies() {
-        _unknownName.reset();
         if (_columns.species.empty()) {
             if (_defaultName.empty() && !_default)
                 _isSpeciesGiven = false;
@@ -184,32 +188,25 @@ private:
                 return *index;
             name = name.empty() ? cell : name;
         }
-        if (const auto index = findRelatedSpecies(name)) {
-            ++_relatedSpecies[name + " as " + _reading.forest.species[*index].name];
-            return *index;
-        }
-        _unknownName = name;
-        return defaultSpecies();
+        const auto [entry, isNew] = _unknownNames.try_emplace(name);
+        UnknownName& unknown = entry->second;
+        if (isNew)
+            unknown.related = _species.addBuiltIn(_species.builtIn().findRelated(name));
+        ++unknown.rows;
+        return unknown.related ? *unknown.related : defaultSpecies();
     }
 
-    /// Caches ForestReading::speciesOrBuiltIn().
+    /// Caches DocumentSpecies::findOrAdd().
     std::optional<std::size_t> findSpecies(const std::string& name) {
-        const auto [entry, isNew] = _speciesCache.emplace(name, std::nullopt);
+        const auto [entry, isNew] = _speciesCache.try_emplace(name);
         if (isNew)
-            entry->second = _reading.speciesOrBuiltIn(name);
-        return entry->second;
-    }
-    /// Caches SpeciesCatalogue::findRelated().
-    std::optional<std::size_t> findRelatedSpecies(const std::string& name) {
-        const auto [entry, isNew] = _relatedCache.emplace(name, std::nullopt);
-        if (isNew)
-            entry->second = _reading.addBuiltIn(_reading.builtIn().findRelated(name));
+            entry->second = _species.findOrAdd(name);
         return entry->second;
     }
 
     void estimate(TreePlacement& tree, const std::string& id) {
         const SizeEstimate estimate =
-            estimateSize(tree.size, _reading.forest.species[tree.species], tree.openGrown, id);
+            estimateSize(tree.size, _species.all()[tree.species], tree.openGrown, id);
         tree.size = estimate.size;
         tree.estimated = estimate.estimated;
         _heights += tree.estimated.height;
@@ -219,7 +216,7 @@ private:
 
     /// Empty if another tree has the name.
     std::string uniqueName(const std::string& name) {
-        if (name.empty() || _reading.treeNames.insert(name).second)
+        if (name.empty() || _trees.reserveName(name))
             return name;
         ++_duplicateIds[name];
         return {};
@@ -234,8 +231,8 @@ private:
                 names.push_back(printable(name));
         if (_duplicateIds.size() > maxListedIds)
             names.emplace_back("...");
-        _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_duplicateIds)) +
-                                        " trees have no id, because another tree has it: " + joined(names));
+        addNote(std::to_string(sumOf(_duplicateIds)) +
+                " trees have no id, because another tree has it: " + joined(names));
     }
 
     void reportSkippedRows() {
@@ -243,18 +240,17 @@ private:
             Diagnostic problem = _firstSkipped;
             problem.message += "; the same applies to " + std::to_string(_skipped) + " of " +
                                std::to_string(_row) + " rows: to leave them out, set inventory.skip = true";
-            _reading.log.add(problem);
+            _table.report(problem);
         } else if (_skipped > 0 && _skipped < _row)
-            _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(_skipped) + " of " + std::to_string(_row) +
-                " rows have no place and are left out, the first: " + _firstSkipped.text());
+            addNote(std::to_string(_skipped) + " of " + std::to_string(_row) +
+                    " rows have no place and are left out, the first: " + _firstSkipped.text());
     }
 
     void reportSizes() {
         for (const Diagnostic& problem : _sizes.problems())
-            _reading.log.add(problem);
+            _table.report(problem);
         for (const std::string& note : _sizes.notes())
-            _reading.forest.notes.push_back(_rows->file() + ": " + note);
+            addNote(note);
     }
 
     void reportEstimatedSizes() {
@@ -264,24 +260,29 @@ private:
             if (trees > 0)
                 counts.push_back(std::string(size) + " of " + std::to_string(trees));
         if (!counts.empty())
-            _reading.forest.notes.push_back(
-                _rows->file() + ": estimated by the laws of the species: " + joined(counts) + " trees");
+            addNote("estimated by the laws of the species: " + joined(counts) + " trees");
     }
 
     void reportUnknownSpecies() {
-        if (!_relatedSpecies.empty())
-            _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(sumOf(_relatedSpecies)) +
-                " trees of unknown species are read as related species: " + countsText(_relatedSpecies));
-        const std::string name = _default ? inQuotes(_reading.forest.species[*_default].name) : std::string();
+        RowCounts related, unknown; // by "river birch as silver birch", and by name
+        for (const auto& [name, found] : _unknownNames)
+            if (found.related)
+                related[name + " as " + _species.all()[*found.related].name] = found.rows;
+            else
+                unknown[name] = found.rows;
+        if (!related.empty())
+            addNote(std::to_string(sumOf(related)) +
+                    " trees of unknown species are read as related species: " + countsText(related));
+        const std::string name = _default ? inQuotes(_species.all()[*_default].name) : std::string();
         if (!_isSpeciesGiven)
-            _reading.forest.notes.push_back(_rows->file() + ": all trees are read as " + name +
-                                            ", because there is no column of species and no default_species");
-        else if (!_unknownSpecies.empty())
-            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unknownSpecies)) +
-                                            " trees of unknown species are read as " + name + ": " +
-                                            countsText(_unknownSpecies));
+            addNote("all trees are read as " + name +
+                    ", because there is no column of species and no default_species");
+        else if (!unknown.empty())
+            addNote(std::to_string(sumOf(unknown)) + " trees of unknown species are read as " + name + ": " +
+                    countsText(unknown));
     }
+
+    void addNote(const std::string& note) { _table.note(_rows->file() + ": " + note); }
 
     /// "line 17", or "feature 3".
     std::string rowText() const {
@@ -302,15 +303,16 @@ private:
             (outlier->count > 1 ? "; " + std::to_string(outlier->count) + " trees are that far"
                                 : std::string());
         if (outlier->distance > maxTreeDistance)
-            _reading.log.add(fileProblem(
+            _table.report(fileProblem(
                 _rows->file(),
                 message + "; expected trees within 100 km: leave such rows out with inventory.filter"));
         else
-            _reading.forest.notes.push_back(_rows->file() + ": " + message);
+            addNote(message);
     }
 
     TableReader& _table;
-    ForestReading& _reading;
+    DocumentSpecies& _species;
+    DocumentTrees& _trees;
     std::unique_ptr<TreeRows> _rows;
     InventoryColumns _columns;
     InventoryPlaces _places;
@@ -326,17 +328,16 @@ private:
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
-    std::optional<std::string> _unknownName;               ///< Species name of the row, if it is unknown.
-    std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache, _relatedCache;
-    RowCounts _relatedSpecies; ///< Rows by "river birch as silver birch".
-    RowCounts _unknownSpecies; ///< Rows by species name.
-    RowCounts _duplicateIds;   ///< Rows by id.
+    std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache;
+    std::map<std::string, UnknownName> _unknownNames;
+    RowCounts _duplicateIds; ///< Rows by id.
 };
 
 } // namespace
 
-void readInventory(TableReader& table, ForestReading& reading) {
-    InventoryReader(table, reading).read();
+void readInventory(TableReader& table, const InputFolders& folders, const TreeDefaults& defaults,
+                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees) {
+    InventoryReader(table, species, trees).read(folders, defaults, map);
 }
 
 } // namespace osgTreeWind

@@ -11,12 +11,13 @@
 
 namespace osgTreeWind {
 
-/// Problems and known keys collected while a document is read.
+/// Problems, notes and known keys collected while a document is read.
 struct ReadLog {
     static constexpr std::size_t maxProblems = 100;
 
     std::string file;                  ///< Name used in diagnostics.
     std::vector<std::string> settings; ///< ForestFileOptions::settings.
+    std::vector<std::string> notes;    ///< For ForestDescription::notes.
     Diagnostics problems;              ///< The first `maxProblems`, in the order found.
     std::set<std::string> keys;        ///< All dotted keys that are known in the tables read.
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/LegacyGrowth.h>
@@ -31,9 +30,9 @@ void readLeafShape(TableReader& table, LeafParameters& leaves) {
 }
 
 /// Adds the trees of a file named by `scan`. @return false after a problem.
-bool addScans(TableReader& table, ForestReading& reading, const std::string& name,
+bool addScans(TableReader& table, const InputFolders& folders, const std::string& name,
               std::vector<ScannedTree>& scans) {
-    const auto found = reading.open(table, "scan", name);
+    const auto found = folders.open(table, "scan", name);
     if (!found)
         return false;
     const Result<ScanFile> file = readScanFile(found->path);
@@ -49,8 +48,8 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     for (std::size_t i = 0; i < trees.size(); ++i) {
         scans.push_back(makeScannedTree(trees[i]).value());
         if (const std::size_t joined = file.value().joined[i]; joined > 0)
-            reading.forest.notes.push_back(found->path + ": " + std::to_string(joined) +
-                                           " branches without a parent are joined to the nearest cylinder");
+            table.note(found->path + ": " + std::to_string(joined) +
+                       " branches without a parent are joined to the nearest cylinder");
         ScanReport& report = scans.back().report;
         report.file = found->path;
         report.tree = i;
@@ -70,21 +69,21 @@ void useLeaves(LeafParameters& leaves, int clusters) {
 
 /// The species or group that a key `like` names, with a note if it is a generic species; null if there is
 /// none.
-const Species* findTemplate(const std::string& like, ForestReading& reading) {
-    const Species* found = reading.builtIn().findTemplate(like);
+const Species* findTemplate(TableReader& table, const std::string& like, DocumentSpecies& known) {
+    const Species* found = known.builtIn().findTemplate(like);
     if (const std::string note = found ? genericSpeciesNote(like, *found) : ""; !note.empty())
-        reading.forest.notes.push_back("like: " + note);
+        table.note("like: " + note);
     return found;
 }
 
 /// Reads [species.habit] of a species that grows by light.
-void readHabit(TableReader& table, ForestReading& reading, TreeParameters& tree) {
+void readHabit(TableReader& table, DocumentSpecies& known, TreeParameters& tree) {
     if (!tree.growth) {
         tree.growth.emplace();
         useLeaves(tree.leaves, habitClusters);
     }
     if (std::string like; table.read("like", like)) {
-        const Species* model = findTemplate(like, reading);
+        const Species* model = findTemplate(table, like, known);
         if (model && model->tree.growth)
             tree.growth->habit = model->tree.growth->habit;
         else
@@ -124,7 +123,7 @@ void useLeavesOnScans(LeafParameters& leaves) {
 }
 
 /// Reads the files of measured trees named by `scan`, which are the shapes.
-void readScans(TableReader& table, ForestReading& reading, Species& species) {
+void readScans(TableReader& table, const InputFolders& folders, Species& species) {
     std::vector<std::string> names(1);
     if (!(table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front())))
         return;
@@ -133,7 +132,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
             return table.problem(key, "cannot be combined with scan, which defines the shapes");
     std::vector<ScannedTree> scans;
     for (const std::string& name : names)
-        if (!addScans(table, reading, name, scans))
+        if (!addScans(table, folders, name, scans))
             return;
     if (scans.empty())
         return table.problem("scan", "expected at least one file");
@@ -145,20 +144,19 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
 }
 
 /// Adds a note if a species has the name of a built-in one, but neither its shape nor one of its own.
-void noteDefaultShape(TableReader& table, ForestReading& reading, const std::string& name) {
+void noteDefaultShape(TableReader& table, DocumentSpecies& known, const std::string& name) {
     for (const char* key : {"like", "tree", "growth", "habit", "palm", "scan"})
         if (table.has(key))
             return;
-    if (const Species* known = reading.builtIn().find(name))
-        reading.forest.notes.push_back(
-            "the species " + inQuotes(name) +
-            " has the shape of the thesis' tree; for that of the built-in species, "
-            "set like = " +
-            inQuotes(known->name));
+    if (const Species* builtIn = known.builtIn().find(name))
+        table.note("the species " + inQuotes(name) +
+                   " has the shape of the thesis' tree; for that of the built-in species, "
+                   "set like = " +
+                   inQuotes(builtIn->name));
 }
 
 /// Reads the tables that describe a tree's form: `tree`, and at most one of the others, which replaces it.
-void readForm(TableReader& table, ForestReading& reading, Species& species) {
+void readForm(TableReader& table, DocumentSpecies& known, Species& species) {
     const char* first = nullptr;
     for (const char* key : {"growth", "habit", "palm"}) {
         if (!table.has(key))
@@ -177,37 +175,37 @@ void readForm(TableReader& table, ForestReading& reading, Species& species) {
     });
     table.table("growth", [&](TableReader& t) {
         const bool palm = isPalm(table, tree), isNew = !tree.palm && !tree.growth;
-        readLegacyGrowth(t, reading, species, palm);
+        readLegacyGrowth(t, known, species, palm);
         if (isNew)
             useLeaves(tree.leaves, palm ? palmClusters : habitClusters);
     });
-    table.table("habit", [&](TableReader& t) { readHabit(t, reading, tree); });
+    table.table("habit", [&](TableReader& t) { readHabit(t, known, tree); });
     table.table("palm", [&](TableReader& t) { readPalm(t, tree); });
 }
 
-void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
-    if (!reading.speciesByName.emplace(foldedName(name), reading.forest.species.size()).second)
+void addName(TableReader& table, DocumentSpecies& known, const std::string& key, const std::string& name) {
+    if (!known.reserveName(name))
         table.problem(key, "the name " + inQuotes(name) + " is taken already");
 }
 
 } // namespace
 
-void readSpecies(TableReader& table, ForestReading& reading) {
+void readSpecies(TableReader& table, const InputFolders& folders, DocumentSpecies& known) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const Species* model = findTemplate(like, reading))
+        if (const Species* model = findTemplate(table, like, known))
             species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
     if (table.require("name", species.name)) {
-        addName(table, reading, "name", species.name);
-        noteDefaultShape(table, reading, species.name);
+        addName(table, known, "name", species.name);
+        noteDefaultShape(table, known, species.name);
     }
     species.aliases.clear();
-    readScans(table, reading, species);
-    readForm(table, reading, species);
+    readScans(table, folders, species);
+    readForm(table, known, species);
     bool hasSize = false;
     table.table("leaves", [&](TableReader& t) {
         species.tree.leaves.area = 0.0f;
@@ -215,15 +213,15 @@ void readSpecies(TableReader& table, ForestReading& reading) {
         hasSize = t.has("area") || t.has("length") || t.has("width");
     });
     readFields(table, species, [&](TableReader& t, const std::string& key, std::string& name) {
-        const auto file = reading.open(t, key, name);
+        const auto file = folders.open(t, key, name);
         name = file ? file->path : "";
     });
     for (const std::string& alias : species.aliases)
-        addName(table, reading, "aliases", alias);
+        addName(table, known, "aliases", alias);
     if (!hasSize)
         species.tree.leaves.area =
             species.tree.growth || species.tree.palm || species.tree.scans ? cardAreaRatio(species) : 0.0f;
-    reading.forest.species.push_back(std::move(species));
+    known.add(std::move(species));
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -44,13 +43,14 @@ bool readTileGrid(TableReader& table, ForestTiles& tiles) {
     return true;
 }
 
-std::vector<std::string> readNames(TableReader& table, const ForestReading& reading, const std::string& key) {
+std::vector<std::string> readNames(TableReader& table, const DocumentSpecies& species,
+                                   const std::string& key) {
     std::vector<std::string> names;
     if (table.has(key) && !table.hasArray(key))
         table.problem(key, "expected an array of names");
     else if (table.read(key, names))
         for (const std::string& name : names)
-            if (!reading.species(name))
+            if (!species.find(name))
                 table.problem(key, "no [[species]] " + inQuotes(name));
     return names;
 }
@@ -77,14 +77,14 @@ void writeGrid(std::ostream& output, const char* key, const ForestTiles& tiles, 
 
 } // namespace
 
-void readTiles(TableReader& table, ForestReading& reading) {
+std::optional<ForestTiles> readTiles(TableReader& table, const InputFolders& folders,
+                                     const DocumentSpecies& species) {
     ForestTiles tiles;
     std::string folder = "tiles";
     table.read("folder", folder);
-    tiles.folder = inFolder(reading.forest.folder, folder);
+    tiles.folder = inFolder(folders.ofDocument(), folder);
     if (std::error_code error; std::filesystem::exists(tiles.folder, error))
-        if (const std::string problem = problemOfTrust(tiles.folder, reading.trustedFolders());
-            !problem.empty())
+        if (const std::string problem = folders.problemOfTrust(tiles.folder); !problem.empty())
             table.problem("folder", inQuotes(folder) + ' ' + problem);
     table.require("size", tiles.size, tileSizes);
     table.require("range", tiles.range, tileSizes);
@@ -93,15 +93,14 @@ void readTiles(TableReader& table, ForestReading& reading) {
         tiles.corner = {corner[0], corner[1]};
     else
         table.reportMissing("corner");
-    tiles.inForest = readNames(table, reading, "in_forest");
-    tiles.inOpen = readNames(table, reading, "in_open");
+    tiles.inForest = readNames(table, species, "in_forest");
+    tiles.inOpen = readNames(table, species, "in_open");
     int idFiles = 0;
     if (table.read("id_files", idFiles, tileIdFiles))
         tiles.idFiles = static_cast<std::uint32_t>(idFiles);
     if (std::vector<std::string> removed; table.read("removed", removed))
         tiles.removed.insert(removed.begin(), removed.end());
-    if (readTileGrid(table, tiles))
-        reading.forest.tiles = std::move(tiles);
+    return readTileGrid(table, tiles) ? std::optional(std::move(tiles)) : std::nullopt;
 }
 
 void writeTiles(std::ostream& output, const ForestTiles& tiles) {

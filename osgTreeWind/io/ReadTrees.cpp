@@ -6,7 +6,6 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/io/StretchedMap.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -24,23 +23,23 @@ double uniform(Random& random, double low, double high) {
     return low + (high - low) * random.uniformDouble();
 }
 
-std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& reading, const std::string& key,
+std::optional<std::size_t> findSpecies(TableReader& table, DocumentSpecies& species,
                                        const std::string& name) {
-    const auto found = reading.speciesOrBuiltIn(name);
+    const auto found = species.findOrAdd(name);
     if (!found) {
         std::vector<std::string> known;
-        for (const Species& species : reading.forest.species)
-            known.push_back(species.name);
+        for (const Species& each : species.all())
+            known.push_back(each.name);
         const std::string declared = joined(known);
-        for (const Species& built : reading.builtIn().species()) {
+        for (const Species& built : species.builtIn().species()) {
             known.push_back(built.name);
             known.insert(known.end(), built.aliases.begin(), built.aliases.end());
         }
         const std::string similar = nearestName(name, known);
-        table.problem(key, "no species " + inQuotes(name) + "; " +
-                               (similar.empty() ? "known: " + declared +
-                                                      " and the built-in ones (osgtreewind sway --list)"
-                                                : "did you mean " + similar + '?'));
+        table.problem("species", "no species " + inQuotes(name) + "; " +
+                                     (similar.empty() ? "known: " + declared +
+                                                            " and the built-in ones (osgtreewind sway --list)"
+                                                      : "did you mean " + similar + '?'));
     }
     return found;
 }
@@ -111,6 +110,38 @@ struct Scatter {
     float leaves = 1.0f;
     std::uint32_t seed = 0;
 
+    /// About the number of trees that fit into the area: random sequential addition of circles saturates at
+    /// about 0.547 of it.
+    double saturation() const {
+        const double width = high.x - low.x + spacing, depth = high.y - low.y + spacing,
+                     circle = glm::quarter_pi<double>() * spacing * spacing;
+        return 0.547 * width * depth / circle;
+    }
+
+    /// A place for the next tree; empty if none is found.
+    std::optional<glm::dvec2> drawPlace(SpacedPoints& others, Random& random) const {
+        constexpr int maxTries = 2000;
+        for (int tries = 0; tries < maxTries; ++tries) {
+            const double x = uniform(random, low.x, high.x), y = uniform(random, low.y, high.y);
+            if (others.add({x, y}))
+                return glm::dvec2(x, y);
+        }
+        return std::nullopt;
+    }
+
+    TreePlacement drawTree(const glm::dvec2& place, Random& random) const {
+        TreePlacement tree;
+        tree.position = {place, 0.0};
+        tree.species = drawSpecies(random);
+        tree.size = drawSize(random);
+        tree.openGrown = openGrown;
+        tree.leaves = leaves;
+        tree.heading = random.uniform() * glm::two_pi<float>();
+        tree.seed = static_cast<std::uint32_t>(random.next());
+        return tree;
+    }
+
+private:
     std::size_t drawSpecies(Random& random) const {
         double total = 0.0;
         for (double weight : weights)
@@ -152,13 +183,25 @@ bool readArea(TableReader& table, Scatter& scatter) {
     return false;
 }
 
-bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
+bool readSpacing(TableReader& table, const SceneMap& map, Scatter& scatter) {
+    if (!table.read("spacing", scatter.spacing, within(0, 1e6)) || scatter.spacing == 0.0)
+        return true;
+    if (scatter.spacing < 0.001) {
+        table.problem("spacing", "expected 0, or at least 0.001");
+        return false;
+    }
+    if (map.crs())
+        scatter.spacing *= map.metresAt(0.5 * (scatter.low + scatter.high), *map.crs());
+    return true;
+}
+
+bool readMixture(TableReader& table, DocumentSpecies& species, Scatter& scatter) {
     std::vector<std::string> names;
     if (!table.read("species", names))
-        for (std::size_t i = 0; i < reading.declaredSpecies; ++i)
-            names.push_back(reading.forest.species[i].name);
+        for (std::size_t i = 0; i < species.declared(); ++i)
+            names.push_back(species.all()[i].name);
     for (const std::string& name : names)
-        if (const auto index = findSpecies(table, reading, "species", name))
+        if (const auto index = findSpecies(table, species, name))
             scatter.species.push_back(*index);
     if (names.empty())
         table.problem("species", "expected at least one species");
@@ -179,16 +222,35 @@ void readSize(TableReader& table, const Scatter& scatter, const std::string& key
         table.problem(ratioKey, "needs height");
 }
 
+/// Reads all keys. @return false after a problem without which trees could be placed.
+bool readKeys(TableReader& table, const TreeDefaults& defaults, const SceneMap& map, DocumentSpecies& species,
+              Scatter& scatter) {
+    bool complete = table.require("count", scatter.count, atLeast(1));
+    complete &= readArea(table, scatter);
+    complete &= readSpacing(table, map, scatter);
+    complete &= readMixture(table, species, scatter);
+    scatter.height = readDrawnNumber(table, "height", treeRange("height"));
+    readSize(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
+    readSize(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
+    scatter.isOpenGrownGiven = table.read("open_grown", scatter.openGrown);
+    scatter.leaves = defaults.leaves;
+    table.read("leaves", scatter.leaves, treeRange("leaves"));
+    scatter.seed = defaults.seed;
+    table.read("seed", scatter.seed);
+    return complete;
+}
+
 } // namespace
 
-void readTree(TableReader& table, ForestReading& reading) {
+void readTree(TableReader& table, const TreeDefaults& defaults, DocumentSpecies& species,
+              DocumentTrees& trees) {
     TreePlacement tree;
     std::string name;
-    if (!reading.canAddTrees(1, table, ""))
+    if (!trees.canAdd(1, table, ""))
         return table.ignoreRest();
     if (table.read("species", name))
-        tree.species = findSpecies(table, reading, "species", name).value_or(0);
-    else if (reading.declaredSpecies > 1)
+        tree.species = findSpecies(table, species, name).value_or(0);
+    else if (species.declared() > 1)
         table.reportMissing("species");
 
     std::vector<double> position;
@@ -196,72 +258,35 @@ void readTree(TableReader& table, ForestReading& reading) {
         tree.position = {position[0], position[1], position.size() > 2 ? position[2] : 0.0};
     else
         table.reportMissing("position");
-    tree.leaves = reading.leaves;
-    tree.seed = reading.seed + static_cast<std::uint32_t>(reading.trees.size());
+    tree.leaves = defaults.leaves;
+    tree.seed = defaults.seed + static_cast<std::uint32_t>(trees.size());
     readFields(table, tree);
-    if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
+    if (!tree.name.empty() && !trees.reserveName(tree.name))
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
     const bool hasGrowingSpace = table.has("open_grown") || table.has("at_edge");
-    reading.addTree(tree, position.size() == 2,
-                    {!hasGrowingSpace, !table.has("heading"), !table.has("seed")});
+    trees.add(tree, position.size() == 2, {!hasGrowingSpace, !table.has("heading"), !table.has("seed")});
 }
 
-void readScatter(TableReader& table, ForestReading& reading) {
+void readScatter(TableReader& table, const TreeDefaults& defaults, const SceneMap& map,
+                 DocumentSpecies& species, DocumentTrees& trees) {
     Scatter scatter;
-    scatter.seed = reading.seed;
-    bool complete = table.require("count", scatter.count, atLeast(1));
-    complete &= readArea(table, scatter);
-    if (table.read("spacing", scatter.spacing, within(0, 1e6)) && scatter.spacing > 0.0 &&
-        scatter.spacing < 0.001) {
-        table.problem("spacing", "expected 0, or at least 0.001");
-        complete = false;
-    }
-    if (reading.crs && complete && scatter.spacing > 0.0)
-        scatter.spacing *= mapMetresAt(0.5 * (scatter.low + scatter.high), *reading.crs, reading);
-    complete &= readMixture(table, reading, scatter);
-    scatter.height = readDrawnNumber(table, "height", treeRange("height"));
-    readSize(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
-    readSize(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
-    scatter.isOpenGrownGiven = table.read("open_grown", scatter.openGrown);
-    scatter.leaves = reading.leaves;
-    table.read("leaves", scatter.leaves, treeRange("leaves"));
-    table.read("seed", scatter.seed);
-    if (!complete || !reading.canAddTrees(static_cast<std::uint64_t>(scatter.count), table, "count"))
+    if (!readKeys(table, defaults, map, species, scatter) ||
+        !trees.canAdd(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;
-
-    // Random sequential addition of circles saturates at about 0.547 of the area.
-    const double width = scatter.high.x - scatter.low.x + scatter.spacing,
-                 depth = scatter.high.y - scatter.low.y + scatter.spacing,
-                 circle = glm::quarter_pi<double>() * scatter.spacing * scatter.spacing,
-                 saturation = 0.547 * width * depth / circle;
-    if (scatter.spacing > 0.0 && scatter.count > saturation + 3.0 * std::sqrt(saturation))
-        return table.problem("spacing", "only about " + numberText(std::floor(saturation)) + " of " +
-                                            std::to_string(scatter.count) +
-                                            " trees fit into the area with this spacing");
-
-    constexpr int maxTries = 2000;
+    const auto reportFull = [&](const std::string& fitting) {
+        table.problem("spacing", "only " + fitting + " of " + std::to_string(scatter.count) +
+                                     " trees fit into the area with this spacing");
+    };
+    const double saturation = scatter.saturation();
+    if (scatter.count > saturation + 3.0 * std::sqrt(saturation))
+        return reportFull("about " + numberText(std::floor(saturation)));
     Random random(scatter.seed);
-    SpacedPoints points(scatter.spacing);
+    SpacedPoints places(scatter.spacing);
     for (int i = 0; i < scatter.count; ++i) {
-        glm::dvec2 place;
-        int tries = 0;
-        do {
-            place = {uniform(random, scatter.low.x, scatter.high.x),
-                     uniform(random, scatter.low.y, scatter.high.y)};
-        } while (++tries <= maxTries && !points.add(place));
-        if (tries > maxTries)
-            return table.problem("spacing", "only " + std::to_string(i) + " of " +
-                                                std::to_string(scatter.count) +
-                                                " trees fit into the area with this spacing");
-        TreePlacement tree;
-        tree.position = {place, 0.0};
-        tree.species = scatter.drawSpecies(random);
-        tree.size = scatter.drawSize(random);
-        tree.openGrown = scatter.openGrown;
-        tree.leaves = scatter.leaves;
-        tree.heading = random.uniform() * glm::two_pi<float>();
-        tree.seed = static_cast<std::uint32_t>(random.next());
-        reading.addTree(tree, true, {!scatter.isOpenGrownGiven});
+        const auto place = scatter.drawPlace(places, random);
+        if (!place)
+            return reportFull(std::to_string(i));
+        trees.add(scatter.drawTree(*place, random), true, {!scatter.isOpenGrownGiven});
     }
 }
 

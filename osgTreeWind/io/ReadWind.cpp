@@ -6,15 +6,17 @@
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/io/ReadWindData.h>
 #include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/windfiles/WindFile.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -28,12 +30,33 @@ namespace {
 
 constexpr Range directions = within(-360, 360);
 
+/// Reads the name of a speed unit; default "m/s". @return the unit in m/s; empty if it is unknown.
+std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
+    name = "m/s";
+    table.read(key, name);
+    const auto unit = speedUnit(name);
+    if (unit.ok())
+        return unit.value();
+    table.problem(key, unit.problems().front().message);
+    return std::nullopt;
+}
+
+/// Reports problems of a wind made from this table: at the key that they name, or else at the table.
+void reportWindProblems(const Diagnostics& problems, TableReader& table) {
+    for (const Diagnostic& problem : problems) {
+        if (problem.file.empty())
+            table.problem(table.has(problem.key) ? problem.key : "", problem.message);
+        else
+            table.report(problem);
+    }
+}
+
 /// The field made from this table; null if there is none, after reporting the problems.
 template <typename Field>
-WindFieldPtr checked(const Result<Field>& field, TableReader& table, ForestReading& reading) {
+WindFieldPtr checked(const Result<Field>& field, TableReader& table) {
     if (field.ok())
         return field.value();
-    reportWindProblems(field.problems(), table, reading);
+    reportWindProblems(field.problems(), table);
     return nullptr;
 }
 
@@ -61,7 +84,7 @@ glm::vec3 readVelocity(TableReader& table) {
     return velocity * static_cast<float>(unit);
 }
 
-Wind readUniform(TableReader& table, ForestReading&) {
+Wind readUniform(TableReader& table) {
     return std::make_shared<UniformWind>(readVelocity(table));
 }
 
@@ -81,16 +104,16 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     return complete;
 }
 
-Wind readGusts(TableReader& table, ForestReading& reading) {
+Wind readGusts(TableReader& table, std::uint32_t seed) {
     GustWind::Parameters gusts;
     gusts.mean = readVelocity(table);
-    gusts.seed = reading.seed;
+    gusts.seed = seed;
     readFields(table, gusts);
     if (gusts.mean.z != 0.0f)
         table.problem("velocity", "expected a horizontal wind");
     if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
         return nullptr;
-    return checked(GustWind::create(gusts), table, reading);
+    return checked(GustWind::create(gusts), table);
 }
 
 /// Parses finite numbers separated by blanks, line ends, commas or semicolons; '#' starts a comment.
@@ -122,7 +145,7 @@ Result<std::vector<double>> readNumberList(std::istream& input, const std::strin
 }
 
 /// Reads numbers from the array `values` or the text file `file`.
-bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& values) {
+bool readValues(TableReader& table, const InputFolders& folders, std::vector<float>& values) {
     std::vector<double> numbers;
     if (table.has("values") == table.has("file")) {
         table.problem("", "expected either values or file");
@@ -135,12 +158,12 @@ bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& 
     }
     if (table.has("values"))
         return false;
-    auto file = reading.open(table, "file");
+    auto file = folders.open(table, "file");
     if (!file)
         return false;
     const auto list = readNumberList(file->stream, file->path);
     if (!list.ok()) {
-        reading.log.add(list.problems().front());
+        table.report(list.problems().front());
         return false;
     }
     for (double number : list.value())
@@ -153,25 +176,25 @@ bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& 
 }
 
 /// Reads `origin` (world) or `corner` (relative to the forest's origin). @return false after a problem.
-bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& corner) {
-    const glm::dvec3& zero = reading.forest.origin;
+bool readCorner(TableReader& table, const SceneMap& map, const glm::dvec3& zero, glm::dvec3& corner) {
     std::vector<double> from = {0, 0, 0}, world = {zero.x, zero.y, zero.z};
     const bool hasCorner = table.readNumbers("corner", from, 3, 3, worldCoordinates),
                hasOrigin = table.readNumbers("origin", world, 3, 3, worldCoordinates);
     corner = hasCorner   ? glm::dvec3(from[0], from[1], from[2])
-             : hasOrigin ? reading.scenePlace({world[0], world[1], world[2]}) - zero
+             : hasOrigin ? map.toScene({world[0], world[1], world[2]}) - zero
                          : glm::dvec3(0.0);
     if (table.has("corner") && table.has("origin"))
         table.problem("corner", "give either this or origin");
     return hasCorner == table.has("corner") && hasOrigin == table.has("origin") && !(hasCorner && hasOrigin);
 }
 
-Wind readGrid(TableReader& table, ForestReading& reading) {
+Wind readGrid(TableReader& table, const InputFolders& folders, const SceneMap& map,
+              const glm::dvec3& origin) {
     GridWind::Grid grid;
     std::vector<double> points, cell;
     bool complete = table.readNumbers("points", points, 2, 3, gridPoints) || table.reportMissing("points");
     complete &= table.readNumbers("cell", cell, 2, 3, gridCells) || table.reportMissing("cell");
-    complete &= readCorner(table, reading, grid.origin);
+    complete &= readCorner(table, map, origin, grid.origin);
     complete &= table.read("times", grid.times) || !table.has("times");
     std::vector<double> heights;
     complete &= table.read("heights", heights) || !table.has("heights");
@@ -180,7 +203,7 @@ Wind readGrid(TableReader& table, ForestReading& reading) {
         table.read("roughness", grid.roughness, fieldAt(fieldsOf<GridWind::Grid>(), "roughness").range) ||
         !table.has("roughness");
     complete &= table.read("above_ground", grid.aboveGround) || !table.has("above_ground");
-    complete &= readValues(table, reading, grid.values);
+    complete &= readValues(table, folders, grid.values);
     if (!complete)
         return nullptr;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -192,20 +215,21 @@ Wind readGrid(TableReader& table, ForestReading& reading) {
         grid.cell[static_cast<int>(i)] = cell[i];
     if (points.size() == 3 && cell.size() == 2)
         table.problem("cell", "expected 3 numbers, as in points");
-    return checked(GridWind::create(std::move(grid)), table, reading);
+    return checked(GridWind::create(std::move(grid)), table);
 }
 
-Wind readForestWind(TableReader& table, ForestReading& reading) {
+Wind readForestWind(TableReader& table, const InputFolders& folders, const SceneMap& map,
+                    const glm::dvec3& origin) {
     int width = 0, length = 0;
     glm::dvec3 corner(0.0);
     std::vector<float> values;
     bool complete = table.require("width", width, gridPoints);
     complete &= table.require("length", length, gridPoints);
-    complete &= readCorner(table, reading, corner);
-    complete &= readValues(table, reading, values);
+    complete &= readCorner(table, map, origin, corner);
+    complete &= readValues(table, folders, values);
     if (!complete)
         return nullptr;
-    return checked(GridWind::fromForestWind(width, length, std::move(values), corner), table, reading);
+    return checked(GridWind::fromForestWind(width, length, std::move(values), corner), table);
 }
 
 /// Reads the columns of a CSV record.
@@ -235,8 +259,8 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
 }
 
 /// Reads a record from a file. A table needs `columns`; QES sensor XML and EPW do not.
-bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& series) {
-    auto file = reading.open(table, "file");
+bool readSeriesFile(TableReader& table, const InputFolders& folders, WindSeries& series) {
+    auto file = folders.open(table, "file");
     std::string name;
     table.read("file", name);
     const std::string extension = lower(std::filesystem::path(name).extension().string());
@@ -249,14 +273,14 @@ bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& seri
     std::vector<std::string> notes;
     auto record = readWindSeries(file->path, columns, &notes);
     for (const std::string& note : notes)
-        reading.forest.notes.push_back(file->path + ": " + note);
+        table.note(file->path + ": " + note);
     if (record.ok()) {
         series = std::move(record.value());
         return true;
     }
     for (const Diagnostic& problem : record.problems())
         if (problem.line > 0)
-            reading.log.add(problem);
+            table.report(problem);
         else
             table.problem("", problem.text());
     return false;
@@ -273,27 +297,169 @@ bool readSeriesValues(TableReader& table, WindSeries& series) {
     return complete;
 }
 
-Wind readSeries(TableReader& table, ForestReading& reading) {
+Wind readSeries(TableReader& table, const InputFolders& folders) {
     WindSeries series;
     bool complete =
-        table.has("file") ? readSeriesFile(table, reading, series) : readSeriesValues(table, series);
+        table.has("file") ? readSeriesFile(table, folders, series) : readSeriesValues(table, series);
     table.read("repeat", series.repeat);
     complete &= readProfile(table, series.profile);
-    return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
+    return complete ? checked(TimeSeriesWind::create(std::move(series)), table) : nullptr;
+}
+
+/// Finds the paths of `file`, or of all `files` with their `times`. @return false after a problem.
+bool readDataPaths(TableReader& table, const InputFolders& folders, std::vector<std::string>& paths,
+                   std::vector<double>& times) {
+    std::string name;
+    std::vector<std::string> names;
+    const bool isOne = table.read("file", name), areSeveral = table.read("files", names),
+               hasTimes = table.read("times", times);
+    const auto fail = [&](const char* key, const char* message) {
+        table.problem(key, message);
+        return false;
+    };
+    if (table.has("file") && table.has("files"))
+        return fail("files", "give either this or file");
+    if (table.has("times") && !table.has("files"))
+        return fail("times", "cannot be used without files");
+    if (!table.has("file") && !table.has("files"))
+        return table.reportMissing("file");
+    if (!isOne && !(areSeveral && (hasTimes || !table.has("times"))))
+        return false; // the problem is in the log
+    for (const std::string& each : isOne ? std::vector<std::string>{name} : names) {
+        const auto file = folders.open(table, isOne ? "file" : "files", each);
+        if (!file)
+            return false;
+        paths.push_back(file->path);
+    }
+    return true;
+}
+
+/// "x 385000 to 385700, y 5818000 to 5818500".
+std::string extentText(const WindExtent& extent, const glm::dvec2& offset) {
+    std::string text;
+    for (int axis = 0; axis < 2; ++axis)
+        if (!extent.isUnbounded(axis))
+            text += std::string(text.empty() ? "" : ", ") + (axis == 0 ? "x " : "y ") +
+                    rangeText(extent.low[axis] + offset[axis], extent.high[axis] + offset[axis]);
+    return text;
+}
+
+/// Counts the trees outside of a wind's grid, and all trees. For a forest in tiles, it samples their bounds.
+std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, const ForestDescription& forest,
+                                                 DocumentTrees& trees) {
+    const glm::dvec3& origin = forest.origin;
+    std::size_t outside = 0, all = 0;
+    const auto add = [&](const glm::dvec2& place) {
+        outside += !file.covers(place - glm::dvec2(origin));
+        ++all;
+    };
+    trees.visit([&](const TreeStore::Trees& some) {
+        for (const TreePlacement& tree : some)
+            add(glm::dvec2(tree.position));
+    });
+    if (!forest.tiles)
+        return {outside, all};
+    const TreeBounds& bounds = trees.bounds();
+    constexpr int steps = 4;
+    for (int i = 0; i < (steps + 1) * (steps + 1); ++i)
+        add(glm::mix(glm::dvec2(bounds.low), glm::dvec2(bounds.high),
+                     glm::dvec2(i % (steps + 1), i / (steps + 1)) / double(steps)));
+    return {outside, all};
+}
+
+/// Adds a note if some trees are outside of a file's grid, and a problem if all are, unless `allowsOutside`.
+void checkCoverage(const WindFile& file, const std::string& path, const glm::dvec3& offset,
+                   bool allowsOutside, TableReader& table, const ForestDescription& forest,
+                   DocumentTrees& trees) {
+    const auto [outside, all] = countOutside(file, forest, trees);
+    if (outside == 0)
+        return;
+    const bool onOwnMap = !forest.crs.empty() && !file.summary.crs.empty();
+    const std::string extent =
+        extentText(file.summary.extent, onOwnMap ? glm::dvec2(0.0) : glm::dvec2(offset)) +
+        (file.summary.coordinates.empty() ? "" : " of " + file.summary.coordinates);
+    if (outside == all && !allowsOutside) {
+        const TreeBounds& bounds = trees.bounds();
+        return table.problem(
+            table.has("files") ? "files" : "file",
+            "no tree is inside the grid of " + path + ", " + extent + "; the trees stand at " +
+                extentText({glm::dvec2(bounds.low), glm::dvec2(bounds.high)}, glm::dvec2(0.0)) +
+                (onOwnMap ? " of " + forest.crs : "") +
+                "; expected a wind at their place, or beyond = \"hold\" to use that of the edge");
+    }
+    table.note((forest.tiles ? "parts of the world lie"
+                             : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +
+               " outside the grid of " + path + ", " + extent + "; they get the wind at its edge");
+}
+
+/// Limits the wind to the bounds of the trees with a margin.
+void chooseArea(const glm::dvec3& origin, DocumentTrees& trees, WindFileOptions& options) {
+    constexpr double margin = 1000.0; // metres
+    const TreeBounds& bounds = trees.bounds();
+    const glm::dvec3 zero = bounds.count > 0 ? origin : glm::dvec3(0.0);
+    options.low = glm::dvec2(bounds.low - zero) - margin;
+    options.high = glm::dvec2(bounds.high - zero) + margin;
+}
+
+/// Reads files of wind data, in world coordinates moved by `offset`. Null after a problem.
+/// @param date gets that of the time 0, seconds since 1970, if the files state it.
+Wind readWindData(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
+                  DocumentTrees& trees, std::optional<double>& date) {
+    WindFileOptions options;
+    const bool isUnitKnown = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
+    std::vector<double> numbers = {0, 0, 0};
+    table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
+    const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
+    options.origin = forest.origin - offset;
+    options.crs = forest.crs;
+    table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
+    table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
+    bool allowsOutside = false;
+    table.readChoice<bool>("beyond", allowsOutside, {{"hold", true}});
+    chooseArea(forest.origin, trees, options);
+    std::vector<std::string> paths;
+    std::vector<double> times;
+    if (!readDataPaths(table, folders, paths, times) || !isUnitKnown)
+        return nullptr;
+    Result<WindFile> wind =
+        table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
+    if (!wind) {
+        reportWindProblems(wind.problems(), table);
+        return nullptr;
+    }
+    date = parseIsoTime(wind.value().summary.start);
+    for (const std::string& note : wind.value().summary.notes)
+        table.note(paths.front() + ": " + note);
+    checkCoverage(wind.value(), paths.front(), offset, allowsOutside, table, forest, trees);
+    Wind& read = wind.value().wind;
+    WindFiles known = read.files ? *read.files : WindFiles{read.field, {}};
+    known.files = paths;
+    known.series = table.has("files");
+    known.times = times;
+    known.offset = offset;
+    known.origin = forest.origin;
+    known.crs = options.crs;
+    known.roughness = options.roughness;
+    known.height = options.height;
+    known.speedUnit = options.speedUnit;
+    known.allowsOutside = allowsOutside;
+    read.files = std::make_shared<const WindFiles>(std::move(known));
+    return std::move(read);
 }
 
 /// Sets the clock's start from `date`, the date of the wind at time 0, which replaces `start`.
-void setStartDate(const std::string& text, TableReader& table, const ForestReading& reading,
+/// @param windDate as for readWindData().
+void setStartDate(const std::string& text, TableReader& table, const std::optional<double>& windDate,
                   WindClock& clock) {
     const std::optional<double> date = parseIsoTime(text);
     if (table.has("start"))
         table.problem("date", "give either this or start");
     else if (!date)
         table.problem("date", expectedFound("a date and time, as 2017-10-26T15:00:00Z", text));
-    else if (!reading.windDate)
+    else if (!windDate)
         table.problem("date", "expected a wind from files that contain dates");
     else
-        clock.start = *date - *reading.windDate;
+        clock.start = *date - *windDate;
 }
 
 /// Reads `travel`, the velocity with which the wind passes over the forest, or "mean" for that of a record.
@@ -322,7 +488,7 @@ void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
 }
 
 /// Reads one [[wind.source]].
-WindSource readSource(TableReader& table, const ForestReading& reading) {
+WindSource readSource(TableReader& table, const SceneMap& map, const glm::dvec3& origin) {
     WindSource source;
     readFields(table, source);
     const auto readVector = [&](const char* key, glm::dvec3& vector) {
@@ -336,7 +502,7 @@ WindSource readSource(TableReader& table, const ForestReading& reading) {
     readVector("place", source.position);
     readVector("position", source.position);
     if (table.has("position"))
-        source.position = reading.scenePlace(source.position) - reading.forest.origin;
+        source.position = map.toScene(source.position) - origin;
     if (!table.has("kind"))
         table.reportMissing("kind");
     if (table.has("position") && table.has("place"))
@@ -344,10 +510,6 @@ WindSource readSource(TableReader& table, const ForestReading& reading) {
     else if (!table.has("position") && !table.has("place"))
         table.reportMissing("position");
     return source;
-}
-
-Wind readCalm(TableReader&, ForestReading&) {
-    return nullptr;
 }
 
 } // namespace
@@ -358,37 +520,43 @@ const std::vector<std::pair<std::string, WindFrame>>& windFrames() {
     return frames;
 }
 
-void readWind(TableReader& table, ForestReading& reading) {
-    Wind (*kind)(TableReader&, ForestReading&) = nullptr;
-    table.readChoice<decltype(kind)>("kind", kind,
-                                     {{"calm", readCalm},
-                                      {"uniform", readUniform},
-                                      {"gusts", readGusts},
-                                      {"grid", readGrid},
-                                      {"forest_wind", readForestWind},
-                                      {"series", readSeries},
-                                      {"file", readWindData}});
+Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
+              const SceneMap& map, DocumentTrees& trees, std::uint32_t seed) {
+    const glm::dvec3& origin = forest.origin;
+    std::optional<double> windDate;
+    using Read = std::function<Wind()>;
+    const Read readData = [&] { return readWindData(table, folders, forest, trees, windDate); };
+    Read read;
+    table.readChoice<Read>("kind", read,
+                           {{"calm", [] { return Wind(nullptr); }},
+                            {"uniform", [&] { return readUniform(table); }},
+                            {"gusts", [&] { return readGusts(table, seed); }},
+                            {"grid", [&] { return readGrid(table, folders, map, origin); }},
+                            {"forest_wind", [&] { return readForestWind(table, folders, map, origin); }},
+                            {"series", [&] { return readSeries(table, folders); }},
+                            {"file", readData}});
     const bool isOtherKind = table.has("kind") || table.has("columns") || table.has("points");
     if (!isOtherKind && (table.has("file") || table.has("files")))
-        kind = readWindData;
-    if (!kind) {
+        read = readData;
+    if (!read) {
         table.reportMissing("kind");
-        return table.ignoreRest();
+        table.ignoreRest();
+        return nullptr;
     }
-    Wind& wind = reading.forest.wind;
-    wind = kind(table, reading);
+    Wind wind = read();
     WindClock clock;
     readFields(table, clock);
     std::string date;
-    if (table.readScalar("date", date) && (wind.field || kind == readCalm))
-        setStartDate(date, table, reading, clock);
+    if (table.readScalar("date", date) && (wind.field || table.hasText("kind", "calm")))
+        setStartDate(date, table, windDate, clock);
     readTravel(table, wind, clock);
     wind.clock = clock.then(wind.clock);
     readFields(table, wind.adjustment);
     wind.frame = WindFrame::Forest;
     table.readChoice("frame", wind.frame, windFrames());
-    readFields(table, reading.forest.canopy);
-    table.tables("source", [&](TableReader& source) { wind.sources.push_back(readSource(source, reading)); });
+    table.tables("source",
+                 [&](TableReader& source) { wind.sources.push_back(readSource(source, map, origin)); });
+    return wind;
 }
 
 } // namespace osgTreeWind

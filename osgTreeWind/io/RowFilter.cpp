@@ -276,8 +276,7 @@ private:
         return [at = *column](const TreeRows& row) -> std::optional<Value> {
             if (!row.has(at))
                 return std::nullopt;
-            const Result<double> number = row.number(at);
-            return Value{row.text(at), number ? std::optional(number.value()) : std::nullopt};
+            return Value{row.text(at), row.number(at)};
         };
     }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
+#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/base/Unicode.h>
-#include <osgTreeWind/io/CommonNames.h>
 #include <osgTreeWind/io/ForestSections.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <unordered_map>
 
 namespace osgTreeWind {
 
@@ -65,6 +66,62 @@ std::string reordered(const std::string& name) {
     return {};
 }
 
+const std::string noName;
+
+/// Calls `visitor` with each part of a cell such as "Zierkirsche|Kirsche".
+template <typename Visitor>
+void forEachPart(const std::string& cell, const Visitor& visitor) {
+    for (std::size_t from = 0; from <= cell.size();) {
+        const std::size_t to = std::min(cell.find('|', from), cell.size());
+        if (to > from)
+            visitor(cell.substr(from, to - from));
+        from = to + 1;
+    }
+}
+
+/// Scientific names by comparableName() of common ones.
+const std::unordered_map<std::string, std::string>& scientificNames() {
+    static const std::unordered_map<std::string, std::string> all = [] {
+        std::unordered_map<std::string, std::string> names;
+        const EmbeddedText* table = findEmbeddedText("osgTreeWind/species/names.csv");
+        static_cast<void>(
+            readCsvRows(table->text, table->name, ',', [&](const CsvTable&, CsvTable::Row& row) {
+                for (std::size_t language = 1; language < row.cells.size(); ++language)
+                    forEachPart(row.cells[language], [&](const std::string& name) {
+                        names.emplace(comparableName(name), row.cells[0]);
+                    });
+            }));
+        return names;
+    }();
+    return all;
+}
+
+const std::string& findScientificName(const std::string& comparable) {
+    const auto found = scientificNames().find(comparable);
+    return found == scientificNames().end() ? noName : found->second;
+}
+
+/// The scientific name, or genus, for a common name in English, German, French, Spanish, Dutch or Italian
+/// (osgTreeWind/species/names.csv). Empty if the table does not have the name. Of 907 names, 720 were
+/// confirmed in the species lists of American Forests and the Urban Tree Database, OKSTRA and GALK (German),
+/// INBO and Alterra (Dutch), IFN4 (Spanish), and the tree inventories of Paris and Vienna; the others are in
+/// common use.
+const std::string& scientificName(const std::string& commonName) {
+    return findScientificName(comparableName(commonName));
+}
+
+/// The scientific name for the longest common name that ends `name`: a maple for "Kugelahorn". May be empty.
+const std::string& scientificNameOfSuffix(const std::string& name) {
+    constexpr std::size_t minSuffix = 5, minPrefix = 3; // bytes
+    const std::string comparable = comparableName(name);
+    for (std::size_t begin = minPrefix; begin + minSuffix <= comparable.size(); ++begin) {
+        const std::string suffix = comparable.substr(begin);
+        if (const std::string& found = findScientificName(suffix); !found.empty())
+            return found;
+    }
+    return noName;
+}
+
 } // namespace
 
 const SpeciesCatalogue& SpeciesCatalogue::builtIn() {
@@ -108,19 +165,19 @@ const SpeciesCatalogue& SpeciesCatalogue::current() {
 Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const std::string& file,
                                                 const std::string& folder) const {
     SpeciesCatalogue catalogue = *this;
-    ForestReading reading;
-    reading.log.file = file;
-    reading.folders = {folder};
-    reading.catalogue = &catalogue;
-    const auto& read = reading.forest.species;
-    TableReader::readDocument(text, reading.log, [&](TableReader& root) {
+    ReadLog log;
+    log.file = file;
+    const InputFolders folders(folder);
+    std::vector<Species> read;
+    DocumentSpecies declared(read, log, &catalogue);
+    TableReader::readDocument(text, log, [&](TableReader& root) {
         readVersion(root);
         root.tables("group", [&](TableReader& table) {
-            readSpecies(table, reading);
+            readSpecies(table, folders, declared);
             catalogue._groups[comparableName(read.back().name)] = read.back();
         });
         root.tables("species", [&](TableReader& table) {
-            readSpecies(table, reading);
+            readSpecies(table, folders, declared);
             for (const std::string& alias : read.back().aliases)
                 if (const auto other = catalogue._byName.find(comparableName(alias));
                     other != catalogue._byName.end() &&
@@ -129,8 +186,8 @@ Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const s
             catalogue.add(read.back());
         });
     });
-    if (!reading.log.problems.empty())
-        return std::move(reading.log.problems);
+    if (!log.problems.empty())
+        return log.problems;
     return catalogue;
 }
 

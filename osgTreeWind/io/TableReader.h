@@ -88,6 +88,12 @@ public:
 
     /// Reports a problem with the value of `key`, or with the whole table if `key` is empty.
     void problem(const std::string& key, const std::string& message);
+    /// Reports a problem with another file.
+    void report(const Diagnostic& problem) { _log.add(problem); }
+    /// Adds a note on the forest.
+    void note(std::string text) { _log.notes.push_back(std::move(text)); }
+    /// Whether no problem of the document has been reported so far.
+    bool isDocumentValid() const { return _log.problems.empty(); }
     /// Does not report unknown keys; for use after a problem that makes the remaining keys meaningless.
     void ignoreRest() { _ignoreRest = true; }
 

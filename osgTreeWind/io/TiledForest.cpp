@@ -3,13 +3,16 @@
 
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/forest/TileFiles.h>
+#include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/FlightPath.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
-#include <osgTreeWind/io/TileWriter.h>
 #include <osgTreeWind/io/TreeBounds.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 
@@ -20,9 +23,12 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -63,6 +69,86 @@ ForestTiles makeTileGrid(const TreeBounds& all, double size) {
     tiles.tiles.resize(static_cast<std::size_t>(count(0, size) * count(1, size)));
     return tiles;
 }
+
+bool append(const std::string& path, const std::string& text) {
+    return bool((std::ofstream(path, std::ios::binary | std::ios::app) << text).flush());
+}
+
+std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
+    const glm::dvec2 cell =
+        glm::floor(glm::dvec2(place) / tiles.size) - glm::round(tiles.corner / tiles.size);
+    return static_cast<std::size_t>(cell.y) * tiles.columns + static_cast<std::size_t>(cell.x);
+}
+
+/// Writes the files of a tiled forest from batches of trees.
+class TileWriter {
+public:
+    /// @param world without trees, with empty tiles in a folder that has no files of them.
+    TileWriter(const ForestDescription& world, Executor executor)
+        : _tiles(*world.tiles), _executor(std::move(executor)), _shapes(world), _crowns(_tiles.tiles.size()),
+          _idFiles(_tiles.idFiles) {}
+
+    /// The tiles, with counts and heights of the trees so far.
+    const ForestTiles& tiles() const { return _tiles; }
+    const PlacedForest& shapes() const { return _shapes; }
+
+    /// Writes a batch of trees. @return false if a file cannot be written.
+    bool add(const std::vector<TreePlacement>& trees) {
+        std::vector<std::vector<std::uint32_t>> byTile(_tiles.tiles.size());
+        std::map<std::uint32_t, std::string> ids; // rows by file
+        for (std::size_t i = 0; !_failed && i < trees.size(); ++i) {
+            const std::size_t tile = tileAt(_tiles, trees[i].position);
+            const std::string& name = trees[i].name;
+            if (!name.empty()) {
+                const std::uint32_t file = *idFileOf(_tiles, name);
+                const std::size_t number = _tiles.tiles[tile].trees + byTile[tile].size();
+                ids[file] += (_idFiles[file] ? "" : tileIdsHeader()) +
+                             tileIdsRow(name, nameOfTile(_tiles, tile) + '/' + std::to_string(number));
+                _idFiles[file] = true;
+            }
+            byTile[tile].push_back(static_cast<std::uint32_t>(i));
+        }
+        for (const auto& [file, text] : ids)
+            _failed = _failed || !append(fileOfIds(_tiles, file), text);
+        std::atomic<bool> failed = _failed;
+        runJobs(_executor, byTile.size(), [&](std::size_t tile) {
+            if (!failed && !byTile[tile].empty() && !addToTile(tile, trees, byTile[tile]))
+                failed = true;
+        });
+        _failed = failed;
+        return !_failed;
+    }
+
+    /// Completes the files after the last batch. @return false if a file cannot be written.
+    bool finish() {
+        std::string crowns = crownSummaryHeader();
+        for (const CrownAccumulator& each : _crowns)
+            crowns += each.text(_shapes.description().species);
+        return !_failed && append(fileOfCrowns(_tiles), crowns);
+    }
+
+private:
+    bool addToTile(std::size_t tile, const std::vector<TreePlacement>& all,
+                   const std::vector<std::uint32_t>& trees) {
+        ForestTiles::Tile& entry = _tiles.tiles[tile];
+        const std::string header = entry.trees == 0 ? tileHeader() : std::string();
+        for (const std::uint32_t index : trees) {
+            const auto z = static_cast<float>(all[index].position.z);
+            entry.low = entry.trees == 0 ? z : std::min(entry.low, z);
+            entry.high = entry.trees == 0 ? z : std::max(entry.high, z);
+            ++entry.trees;
+            _crowns[tile].add(all[index], _shapes.sizeOf(_shapes.makePlacedTree(all[index])), _tiles);
+        }
+        return append(fileOfTile(_tiles, tile), header + tileRows(all, trees, _shapes.description().species));
+    }
+
+    ForestTiles _tiles;
+    Executor _executor;
+    PlacedForest _shapes;
+    std::vector<CrownAccumulator> _crowns; ///< Per tile.
+    std::vector<bool> _idFiles;            ///< Whether the file has a header.
+    bool _failed = false;
+};
 
 /// Computes the canopy statistics from all trees, or in large forests from every n-th tile.
 CanopySettings computeTiledCanopy(const TileWriter& written, const Executor& executor,

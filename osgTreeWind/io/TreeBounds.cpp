@@ -5,14 +5,17 @@
 
 namespace osgTreeWind {
 
+void TreeBounds::add(const TreePlacement& tree) {
+    low = count == 0 ? tree.position : glm::min(low, tree.position);
+    high = count == 0 ? tree.position : glm::max(high, tree.position);
+    (tree.openGrown ? inOpen : inForest).insert(tree.species);
+    named += tree.name.empty() ? 0 : 1;
+    ++count;
+}
+
 void TreeBounds::add(const std::vector<TreePlacement>& trees) {
-    for (const TreePlacement& tree : trees) {
-        low = count == 0 ? tree.position : glm::min(low, tree.position);
-        high = count == 0 ? tree.position : glm::max(high, tree.position);
-        (tree.openGrown ? inOpen : inForest).insert(tree.species);
-        named += tree.name.empty() ? 0 : 1;
-        ++count;
-    }
+    for (const TreePlacement& tree : trees)
+        add(tree);
 }
 
 void TreeBounds::addSpeciesNames(const std::vector<Species>& species, ForestTiles& tiles) const {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TreeRows.h>
 
-#include <osgTreeWind/base/CsvReader.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/InputFolders.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/NameMatching.h>
-#include <osgTreeWind/io/RowFilter.h>
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <string_view>
 
 namespace osgTreeWind {
 
@@ -28,43 +29,96 @@ std::string TreeRows::problemOfColumn(const std::string& name) const {
            (similar.empty() ? "" : "; did you mean " + inQuotes(similar) + '?');
 }
 
+void TreeRows::rewind(const CrsTransform& transform, std::vector<std::size_t> columns) {
+    if (_filter && !columns.empty())
+        columns.insert(columns.end(), _filter->columns().begin(), _filter->columns().end());
+    restart(transform, std::move(columns));
+}
+
+Result<bool> TreeRows::next() {
+    for (;;) {
+        Result<bool> found = advance();
+        if (!found || !found.value() || !_filter || _filter->matches(*this))
+            return found;
+    }
+}
+
 namespace {
 
+/// The rows of a CSV table, which is parsed once: its text becomes that of the cells below the header, each
+/// with a NUL at its end.
 class CsvRows final : public TreeRows {
 public:
-    /// @param text from decodeTable(), checked by readCsvRows(). @param header from readCsvRows().
-    CsvRows(CsvTable header, std::string text) : _header(std::move(header)), _text(std::move(text)) {
-        rewind({}, {});
+    /// @param text from decodeTable().
+    CsvRows(const std::string& path, std::string text, const CsvFormat& format) : _text(std::move(text)) {
+        std::size_t end = 0;
+        // The cells of a row are never longer than its lines, which are parsed before, and the header's.
+        _header = readCsvRows(_text, path, format, [&](const CsvTable&, const CsvTable::Row& row) {
+            if (_jumps.empty() || row.line != lineOf(_row))
+                _jumps.push_back({_row, row.line});
+            ++_row;
+            for (const std::string& cell : row.cells) {
+                std::memcpy(_text.data() + end, cell.c_str(), cell.size() + 1);
+                end += cell.size() + 1;
+            }
+        });
+        _text.resize(end);
     }
 
-    const std::string& file() const override { return _header.file; }
+    const Diagnostics& problems() const { return _header.problems(); }
+    const std::string& file() const override { return header().file; }
     const std::string& format() const override { return _format; }
-    const std::vector<std::string>& columns() const override { return _header.columns; }
+    const std::vector<std::string>& columns() const override { return header().columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind(const CrsTransform&, const std::vector<std::size_t>&) override {
-        _reader.emplace(_text, _header.file, _header.format.delimiter);
-        static_cast<void>(_reader->next()); // skip the header
-    }
-    Result<bool> next() override { return _reader->next(); }
-    bool has(std::size_t column) const override { return !text(column).empty(); }
-    std::string text(std::size_t column) const override { return _reader->row().cells[column]; }
-    Result<double> number(std::size_t column) const override {
-        return _header.number(_reader->row(), column);
+    bool has(std::size_t column) const override { return !_cells[column].empty(); }
+    std::string text(std::size_t column) const override { return std::string(_cells[column]); }
+    std::optional<double> number(std::size_t column) const override {
+        return header().format.numberOf(text(column));
     }
     Result<VectorPlace> place() const override { return VectorPlace(); }
     Diagnostic problem(const std::string& column, const std::string& message) const override {
-        return {_header.file, _reader->row().line, 0, column, message};
+        return {file(), lineOf(_row - 1), 0, column, message};
     }
 
 private:
-    CsvTable _header;
-    std::string _text;
+    /// A row that does not begin on the line after the previous row's.
+    struct Jump {
+        std::size_t row;
+        int line;
+    };
+
+    const CsvTable& header() const { return _header.value(); }
+    int lineOf(std::size_t row) const {
+        const auto after = std::upper_bound(_jumps.begin(), _jumps.end(), row,
+                                            [](std::size_t at, const Jump& jump) { return at < jump.row; });
+        return std::prev(after)->line + static_cast<int>(row - std::prev(after)->row);
+    }
+    void restart(const CrsTransform&, std::vector<std::size_t>) override {
+        _at = _row = 0;
+        _cells.resize(columns().size());
+    }
+    Result<bool> advance() override {
+        if (_at == _text.size())
+            return false;
+        ++_row;
+        for (std::string_view& cell : _cells) {
+            cell = _text.data() + _at;
+            _at += cell.size() + 1;
+        }
+        return true;
+    }
+
     const std::string _format = "CSV";
-    std::optional<CsvReader> _reader;
-    std::optional<Crs> _crs;
+    const std::optional<Crs> _crs;
+    std::string _text;
+    std::vector<Jump> _jumps;
+    Result<CsvTable> _header = CsvTable();
+    std::vector<std::string_view> _cells; ///< Of the current row.
+    std::size_t _at = 0, _row = 0;        ///< Begin of the next row in the text; number of rows up to it.
 };
 
+/// The features of a layer.
 class FeatureRows final : public TreeRows {
 public:
     explicit FeatureRows(VectorFile file) : _file(std::move(file)), _format(_file.format()) {
@@ -79,29 +133,14 @@ public:
     const std::vector<std::string>& columns() const override { return _file.columns(); }
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
-    void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) override {
-        std::vector<std::size_t> all = columns;
-        if (_natural && !all.empty())
-            all.push_back(*_natural);
-        _file.rewind(transform, all);
-    }
-    Result<bool> next() override {
-        for (;;) {
-            Result<bool> found = _file.next();
-            if (!found || !found.value() || !_natural || _file.text(*_natural) == "tree")
-                return found;
-        }
-    }
     bool has(std::size_t column) const override { return _file.number(column) || !text(column).empty(); }
     std::string text(std::size_t column) const override { return _file.text(column); }
-    Result<double> number(std::size_t column) const override {
+    std::optional<double> number(std::size_t column) const override {
         const std::optional<double> stored = _file.number(column);
         const std::optional<double> number = stored     ? stored
                                              : _natural ? parseMetres(text(column))
                                                         : parseNumber(text(column));
-        if (number && Range().contains(*number))
-            return *number;
-        return problem(columns()[column], expectedFound("a number", text(column)));
+        return number && Range().contains(*number) ? number : std::nullopt;
     }
     Result<VectorPlace> place() const override {
         auto place = _file.place();
@@ -112,78 +151,53 @@ public:
     }
 
 private:
+    void restart(const CrsTransform& transform, std::vector<std::size_t> columns) override {
+        if (_natural && !columns.empty())
+            columns.push_back(*_natural);
+        _file.rewind(transform, std::move(columns));
+    }
+    Result<bool> advance() override {
+        for (;;) {
+            Result<bool> found = _file.next();
+            if (!found || !found.value() || !_natural || _file.text(*_natural) == "tree")
+                return found;
+        }
+    }
+
     VectorFile _file;
     std::string _format;
     std::optional<std::size_t> _natural; ///< OpenStreetMap's column `natural`, which is "tree" for trees.
 };
 
-std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& options,
-                                  ForestReading& reading) {
+std::unique_ptr<TreeRows> openCsv(TableReader& table, const std::string& path, const TableOptions& options) {
     Result<std::string> bytes = readBytes(path);
     Result<TableText> text =
         bytes ? decodeTable(std::move(bytes.value()), path, options) : Result<TableText>(bytes.problems());
-    const Result<CsvTable> table = text ? readCsvRows(text.value().text, path, text.value().format,
-                                                      [](const CsvTable&, CsvTable::Row&) {})
-                                        : Result<CsvTable>(text.problems());
-    for (const Diagnostic& problem : table.problems())
-        reading.log.add(problem);
-    if (!table)
+    std::unique_ptr<CsvRows> rows;
+    if (text)
+        rows = std::make_unique<CsvRows>(path, std::move(text.value().text), text.value().format);
+    const Diagnostics& problems = rows ? rows->problems() : text.problems();
+    for (const Diagnostic& problem : problems)
+        table.report(problem);
+    if (!problems.empty())
         return {};
     for (const std::string& note : text.value().notes)
-        reading.forest.notes.push_back(path + ": " + note);
-    return std::make_unique<CsvRows>(table.value(), std::move(text.value().text));
+        table.note(path + ": " + note);
+    return rows;
 }
 
-/// The rows that match a filter.
-class MatchingRows final : public TreeRows {
-public:
-    MatchingRows(std::unique_ptr<TreeRows> all, RowFilter filter)
-        : _all(std::move(all)), _filter(std::move(filter)) {}
-
-    const std::string& file() const override { return _all->file(); }
-    const std::string& format() const override { return _all->format(); }
-    const std::vector<std::string>& columns() const override { return _all->columns(); }
-    const std::optional<Crs>& crs() const override { return _all->crs(); }
-    bool hasPlaces() const override { return _all->hasPlaces(); }
-    void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) override {
-        std::vector<std::size_t> all = columns;
-        if (!columns.empty())
-            for (const std::size_t column : _filter.columns())
-                all.push_back(column);
-        _all->rewind(transform, all);
-    }
-    Result<bool> next() override {
-        for (;;) {
-            Result<bool> found = _all->next();
-            if (!found || !found.value() || _filter.matches(*_all))
-                return found;
-        }
-    }
-    bool has(std::size_t column) const override { return _all->has(column); }
-    std::string text(std::size_t column) const override { return _all->text(column); }
-    Result<double> number(std::size_t column) const override { return _all->number(column); }
-    Result<VectorPlace> place() const override { return _all->place(); }
-    Diagnostic problem(const std::string& column, const std::string& message) const override {
-        return _all->problem(column, message);
-    }
-
-private:
-    std::unique_ptr<TreeRows> _all;
-    RowFilter _filter;
-};
-
-std::unique_ptr<TreeRows> openFeatures(const std::string& path, const std::string& layer,
-                                       ForestReading& reading) {
+std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& path,
+                                       const std::string& layer) {
     auto file = VectorFile::open(path);
     Diagnostics problems = file.problems();
     if (problems.empty())
         problems = file.value().chooseLayer(layer);
     for (const Diagnostic& problem : problems)
-        reading.log.add(problem);
+        table.report(problem);
     if (!problems.empty())
         return {};
     for (const std::string& warning : file.value().warnings())
-        reading.forest.notes.emplace_back(path).append(": ").append(warning);
+        table.note(path + ": " + warning);
     return std::make_unique<FeatureRows>(std::move(file.value()));
 }
 
@@ -197,12 +211,12 @@ TableOptions readTableOptions(TableReader& table) {
     return options;
 }
 
-std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& reading) {
+std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& folders) {
     const TableOptions options = readTableOptions(table);
     std::string layer, filter;
     table.read("layer", layer);
     table.read("filter", filter);
-    auto file = reading.open(table, "file");
+    auto file = folders.open(table, "file");
     if (!file)
         return {};
     const bool hasFeatures = VectorFile::isSupported(file->path);
@@ -216,14 +230,16 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
     if (!isValid)
         return {};
     std::unique_ptr<TreeRows> rows =
-        hasFeatures ? openFeatures(file->path, layer, reading) : openCsv(file->path, options, reading);
+        hasFeatures ? openFeatures(table, file->path, layer) : openCsv(table, file->path, options);
     if (!rows || filter.empty())
         return rows;
     Result<RowFilter> condition = RowFilter::parse(filter, *rows);
-    if (condition)
-        return std::make_unique<MatchingRows>(std::move(rows), std::move(condition.value()));
-    table.problem("filter", condition.problems().front().message);
-    return {};
+    if (!condition) {
+        table.problem("filter", condition.problems().front().message);
+        return {};
+    }
+    rows->setFilter(std::move(condition.value()));
+    return rows;
 }
 
 } // namespace osgTreeWind

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <osgTreeWind/base/TableText.h>
+#include <osgTreeWind/io/RowFilter.h>
 #include <osgTreeWind/places/VectorFile.h>
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -29,29 +31,39 @@ public:
     /// Whether rows have a geometry.
     virtual bool hasPlaces() const = 0;
 
+    /// From now on, leaves out the rows that do not match.
+    void setFilter(RowFilter filter) { _filter = std::move(filter); }
     /// Restarts before the first row. @param transform for places of geometries. @param columns to read;
     /// empty: all. Other columns have no values.
-    virtual void rewind(const CrsTransform& transform, const std::vector<std::size_t>& columns) = 0;
+    void rewind(const CrsTransform& transform, std::vector<std::size_t> columns);
     /// Advances to the next row. @return false at the end.
-    virtual Result<bool> next() = 0;
+    Result<bool> next();
 
     // The current row:
     virtual bool has(std::size_t column) const = 0;
     virtual std::string text(std::size_t column) const = 0;
-    virtual Result<double> number(std::size_t column) const = 0;
+    /// The cell as a finite number; empty if it is none.
+    virtual std::optional<double> number(std::size_t column) const = 0;
     /// The transformed place of the geometry.
     virtual Result<VectorPlace> place() const = 0;
     /// A problem with the row. @param column name; may be empty.
     virtual Diagnostic problem(const std::string& column, const std::string& message) const = 0;
+
+private:
+    // As rewind() and next(), for all rows.
+    virtual void restart(const CrsTransform& transform, std::vector<std::size_t> columns) = 0;
+    virtual Result<bool> advance() = 0;
+
+    std::optional<RowFilter> _filter;
 };
 
 class TableReader;
-struct ForestReading;
+class InputFolders;
 
 /// Reads the keys `delimiter` and `decimal` of an [inventory] or a [wind] record.
 TableOptions readTableOptions(TableReader& table);
 
 /// Opens the file of an [inventory], with its `layer`, `filter` and `delimiter`. Null after a problem.
-std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& reading);
+std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& folders);
 
 } // namespace osgTreeWind

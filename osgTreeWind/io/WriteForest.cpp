@@ -40,7 +40,8 @@ public:
                 checkName(name, names, "tree[" + std::to_string(i) + "].id", name);
         if (!_problems.empty())
             return;
-        if (const std::string problem = problemOfShapes(forest); !problem.empty())
+        const ShapeFamilies families(forest);
+        if (const std::string problem = problemOfShapes(families, families.countLargest()); !problem.empty())
             add("species", problem);
     }
 

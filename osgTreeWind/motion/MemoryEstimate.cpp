@@ -2,7 +2,6 @@
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <osgTreeWind/base/MemoryLimit.h>
-#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -28,15 +27,23 @@ std::uint64_t shapeBytes(const TreeCounts& counts) {
            counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
 }
 
+std::string problemOfTrees(const ForestDescription& description, std::uint64_t bytes) {
+    return problemOfMemory(std::to_string(description.trees.size()) + " trees of these species", bytes);
+}
+
 } // namespace
 
 MemoryEstimate estimateMemory(const ForestDescription& description) {
     const ShapeFamilies families(description);
+    return estimateMemory(description, families, families.countLargest());
+}
+
+MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeFamilies& families,
+                              const std::vector<TreeCounts>& largest) {
     std::vector<std::uint64_t> trees(families.all().size(), 0);
     for (const TreePlacement& tree : description.trees)
         ++trees[families.indexOf(tree)];
     const bool modal = description.law == MotionLaw::Modal;
-    const std::vector<TreeCounts> largest = families.countLargest();
     MemoryEstimate memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const auto shapes = std::uint64_t(families.all()[i].shapes);
@@ -70,8 +77,12 @@ std::size_t simulatedTreeBytes(ModalLevel level) {
 
 std::string problemOfMemory(const ForestDescription& description, bool withNodes) {
     const MemoryEstimate memory = estimateMemory(description);
-    return problemOfMemory(std::to_string(description.trees.size()) + " trees of these species",
-                           memory.simulation + (withNodes ? memory.nodes : 0));
+    return problemOfTrees(description, memory.simulation + (withNodes ? memory.nodes : 0));
+}
+
+std::string problemOfMemory(const ForestDescription& description, const ShapeFamilies& families,
+                            const std::vector<TreeCounts>& largest) {
+    return problemOfTrees(description, estimateMemory(description, families, largest).simulation);
 }
 
 } // namespace osgTreeWind

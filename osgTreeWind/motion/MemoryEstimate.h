@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -19,6 +20,9 @@ struct MemoryEstimate {
 
 /// @param description must pass check().
 MemoryEstimate estimateMemory(const ForestDescription& description);
+/// The same. @param families of the forest. @param largest their countLargest().
+MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeFamilies& families,
+                              const std::vector<TreeCounts>& largest);
 
 /// Vertices and indices of a tree's bark and leaves at full detail.
 std::uint64_t geometryBytes(const TreeCounts& counts);
@@ -29,5 +33,8 @@ std::size_t simulatedTreeBytes(ModalLevel level);
 /// States the memory that a forest needs and memoryLimit(); empty if the forest fits.
 /// @param description must pass check(). @param withNodes for a Forest; otherwise for a ForestSimulation.
 std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+/// The same for a ForestSimulation. @param families, largest as for estimateMemory().
+std::string problemOfMemory(const ForestDescription& description, const ShapeFamilies& families,
+                            const std::vector<TreeCounts>& largest);
 
 } // namespace osgTreeWind

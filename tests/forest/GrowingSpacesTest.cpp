@@ -148,18 +148,19 @@ TEST(GrowingSpaces, NeighboursGetDifferentShapes) {
         return count;
     };
     EXPECT_GT(equalNeighbours(), 40);
-    varyNeighbourSeeds(forest, derived);
+    varyNeighbourSeeds(forest, ShapeFamilies(forest), derived);
     EXPECT_EQ(equalNeighbours(), 0);
     DerivedTreeValues fixedSeed;
     fixedSeed.seed = false;
     const std::uint32_t before = forest.trees[60].seed = forest.trees[59].seed;
-    varyNeighbourSeeds(forest, std::vector<DerivedTreeValues>(forest.trees.size(), fixedSeed));
+    varyNeighbourSeeds(forest, ShapeFamilies(forest),
+                       std::vector<DerivedTreeValues>(forest.trees.size(), fixedSeed));
     EXPECT_EQ(forest.trees[60].seed, before) << "the file sets it";
 }
 
 TEST(GrowingSpaces, LargestSeedsDoNotOverflow) {
     ForestDescription forest = forestOf({treeAt(0, 0), treeAt(5, 0)});
     forest.trees[0].seed = forest.trees[1].seed = std::numeric_limits<std::uint32_t>::max();
-    varyNeighbourSeeds(forest, std::vector<DerivedTreeValues>(2));
+    varyNeighbourSeeds(forest, ShapeFamilies(forest), std::vector<DerivedTreeValues>(2));
     EXPECT_NE(forest.trees[0].seed % 8, forest.trees[1].seed % 8);
 }

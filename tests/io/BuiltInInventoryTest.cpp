@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/base/IsProblem.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/io/ForestFile.h>
@@ -24,7 +25,7 @@ TEST(BuiltInInventory, UnknownNamesAreBuiltInSpeciesOrTheDefault) {
         names.push_back(forest.value().species[tree.species].name);
     EXPECT_EQ(names, (std::vector<std::string>{"Norway spruce", "mine", "broadleaf", "beech", "broadleaf"}));
     ASSERT_EQ(forest.value().notes.size(), 2u) << "the other is about sizes";
-    EXPECT_NE(forest.value().notes[0].find("moon tree (2)"), std::string::npos);
+    EXPECT_TRUE(hasPart(forest.value().notes[0], "moon tree (2)"));
     EXPECT_FLOAT_EQ(forest.value().gain, 2.5f);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/Number.h>
@@ -74,7 +75,7 @@ std::set<std::string> knownKeys() {
           "kind = \"forest_wind\"\nvalues = [0]", "kind = \"series\"\nheight = 1",
           "kind = \"series\"\nfile = \"a.csv\"\n[wind.columns]"}) {
         ForestReading reading;
-        reading.folders = {folder.path()};
+        reading.folders = InputFolders(folder.path());
         TableReader::readDocument(everySection + wind, reading.log,
                                   [&](TableReader& root) { readRoot(root, reading); });
         keys.insert(reading.log.keys.begin(), reading.log.keys.end());
@@ -234,7 +235,7 @@ TEST(DocumentedKeys, EveryKeyOfTheReaderIsDocumented) {
     const std::set<std::string> keys = knownKeys();
     EXPECT_GT(keys.size(), 100u);
     for (const std::string& key : keys)
-        EXPECT_NE(text.find('`' + key + '`'), std::string::npos) << key << " is not documented";
+        EXPECT_TRUE(hasPart(text, '`' + key + '`')) << key << " is not documented";
 }
 
 TEST(DocumentedKeys, EveryKeyOfTheManualIsRead) {

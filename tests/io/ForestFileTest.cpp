@@ -3,6 +3,7 @@
 #include <tests/Folders.h>
 #include <tests/Near.h>
 #include <tests/TestData.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/io/ForestFile.h>
@@ -163,9 +164,9 @@ TEST(ForestFile, InventoryTreesKeepTheirIds) {
         if (note.find("1 trees have no id, because another tree has it: ") != std::string::npos)
             repeated.push_back(note);
     ASSERT_EQ(repeated.size(), 2u);
-    EXPECT_NE(repeated[0].find("a.csv: "), std::string::npos) << repeated[0];
-    EXPECT_NE(repeated[0].find("T 7"), std::string::npos) << repeated[0];
-    EXPECT_NE(repeated[1].find("0012"), std::string::npos) << repeated[1];
+    EXPECT_TRUE(hasPart(repeated[0], "a.csv: "));
+    EXPECT_TRUE(hasPart(repeated[0], "T 7"));
+    EXPECT_TRUE(hasPart(repeated[1], "0012"));
 }
 
 TEST(ForestFile, PlotTreesKeepTheirTags) {
@@ -350,8 +351,7 @@ TEST(ForestFile, MessagesHaveFileLineAndColumn) {
     std::istringstream input("version = 1\n[[tree]]\nposition = [0, 0]\nheight = -2\n");
     const auto result = readForest(input, {"my.treewind", ""});
     ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.problems().front().text(),
-              "my.treewind:4:10: tree.height: expected a finite number in (0, 150], found -2");
+    EXPECT_TRUE(isProblem(result.problems().front().text(), "my.treewind:4:10: tree.height", "found -2"));
 }
 
 TEST(ForestFile, SettingsOverrideKeysOfTheDocument) {
@@ -371,10 +371,10 @@ TEST(ForestFile, SettingsOverrideKeysOfTheDocument) {
         const auto result = with({setting});
         return result.ok() ? "" : result.problems().front().text();
     };
-    EXPECT_EQ(problem("wind.speed=fast"),
-              "setting \"wind.speed=fast\":1:12: wind.speed: expected a number, found the text \"fast\"");
-    EXPECT_EQ(problem("wind.sped=3"),
-              "setting \"wind.sped=3\":1:6: wind.sped: unknown key; did you mean speed?");
+    EXPECT_TRUE(isProblem(problem("wind.speed=fast"), "setting \"wind.speed=fast\":1:12: wind.speed",
+                          "found the text \"fast\""));
+    EXPECT_TRUE(
+        isProblem(problem("wind.sped=3"), "setting \"wind.sped=3\":1:6: wind.sped", "did you mean speed?"));
     EXPECT_EQ(problem("season").rfind("setting \"season\":1:", 0), 0u) << problem("season");
     EXPECT_NE(problem("tree.height=3"), "") << "keys in arrays of tables cannot be set";
 }
@@ -387,8 +387,8 @@ TEST(ForestFile, RejectsAForestThatDoesNotFitIntoMemory) {
     ASSERT_EQ(forest.problems().size(), 1u);
     const std::string text = forest.problems().front().text();
     EXPECT_EQ(text.rfind("large.treewind:1", 0), 0u) << text;
-    EXPECT_NE(text.find("1000000 trees of these species need about "), std::string::npos) << text;
-    EXPECT_NE(text.find("the limit is 100 MB"), std::string::npos) << text;
+    EXPECT_TRUE(hasPart(text, "1000000 trees of these species need about "));
+    EXPECT_TRUE(hasPart(text, "the limit is 100 MB"));
 }
 
 namespace {

@@ -3,6 +3,7 @@
 // Files of cities, weather services and other programs: synthetic ones and those of shared/data/cases.
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/InventoryReading.h>
 
 #include <osgTreeWind/io/ForestFile.h>
@@ -78,7 +79,7 @@ TEST(FoundFiles, ReadsATypicalSpreadsheet) {
           "4 trees of unknown species are read as \"broadleaf\": Quitte (4)",
           "0 and markers such as -99 count as not measured: circumference of 15, height of 9 rows",
           "estimated by the laws of the species"})
-        EXPECT_NE(notes.find(note), std::string::npos) << note << "\nin\n" << notes;
+        EXPECT_TRUE(hasPart(notes, note)) << note << "\nin\n" << notes;
     EXPECT_EQ(forest.notes.size(), 6u) << notes;
 }
 
@@ -136,7 +137,7 @@ TEST(FoundFiles, ReadsAPlaceFromOneCell) {
     const ForestFile forest = forestIn(folder.path(), lines + "columns = { id = \"id\" }\n");
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_NEAR(forest.trees[1].position.x - forest.trees[0].position.x, 14.7, 0.2);
-    EXPECT_NE(notesOf(forest).find("1 of 3 rows have no place"), std::string::npos) << notesOf(forest);
+    EXPECT_TRUE(hasPart(notesOf(forest), "1 of 3 rows have no place"));
     folder.write("a.csv", "point\n\"356000, 5645000\"\n");
     EXPECT_EQ(forestIn(folder.path(), lines + "crs = \"EPSG:25832\"\ncolumns = { point = \"point\" }\n")
                   .trees.at(0)
@@ -156,9 +157,8 @@ TEST(FoundFiles, ReprojectsWebMaps) {
     ASSERT_EQ(forest.trees.size(), 3u);
     for (std::size_t i = 1; i < 3; ++i)
         EXPECT_NEAR(glm::distance(forest.trees[i].position, forest.trees[0].position), 100.0, 0.1);
-    EXPECT_NE(notesOf(forest).find("a metre of WGS 84 / Pseudo-Mercator is 0.657 m on the ground here"),
-              std::string::npos)
-        << notesOf(forest);
+    EXPECT_TRUE(
+        hasPart(notesOf(forest), "a metre of WGS 84 / Pseudo-Mercator is 0.657 m on the ground here"));
 
     const ForestFile stated = forestIn(
         folder.path(),
@@ -243,7 +243,7 @@ TEST(FoundFiles, ReadsScans) {
         const bool isSwc = std::string(file) == "orphan_swc"; // its radii are those of the upper ends
         EXPECT_NEAR(report.cylinderVolume, isSwc ? 0.43478 : 0.4388, 2.5e-4) << file;
         EXPECT_NEAR(report.height, 8.0, 1e-6) << file;
-        EXPECT_NE(notesOf(forest).find("1 branches without a parent"), std::string::npos) << notesOf(forest);
+        EXPECT_TRUE(hasPart(notesOf(forest), "1 branches without a parent"));
     }
     REQUIRE_REAL_DATA(path, "cases/10-qsm-pytlidar/tree.treewind");
     const ForestFile forest = caseOf(path);
@@ -261,7 +261,7 @@ TEST(FoundFiles, ReadsRecords) {
     for (const char* const file : {"iem", "service", "empty", "sentinel"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/15-station-gaps/") + file + ".treewind");
         const ForestFile forest = caseOf(path);
-        EXPECT_NE(notesOf(forest).find("1 of "), std::string::npos) << notesOf(forest);
+        EXPECT_TRUE(hasPart(notesOf(forest), "1 of "));
         EXPECT_LT(glm::length(velocity(forest, 60.0)), 10.0f) << file;
     }
     REQUIRE_REAL_DATA(epw, "cases/16-epw/year.treewind");
@@ -282,15 +282,14 @@ TEST(FoundFiles, ReadsGriddedWinds) {
                                    "palm_far", "sydney_in_french_wind"}) {
         REQUIRE_REAL_DATA(path, folder + file + ".treewind");
         const auto forest = readForestFile(path);
-        EXPECT_NE(firstProblem(forest).find("no tree is inside the grid of"), std::string::npos) << file;
+        EXPECT_TRUE(hasPart(firstProblem(forest), "no tree is inside the grid of")) << file;
         const auto held = readForestFile(path, 100, {"wind.beyond=hold"});
         ASSERT_TRUE(held) << firstProblem(held);
-        EXPECT_NE(notesOf(held.value()).find("1 of 1 trees stand outside the grid of"), std::string::npos)
-            << file;
+        EXPECT_TRUE(hasPart(notesOf(held.value()), "1 of 1 trees stand outside the grid of")) << file;
     }
     REQUIRE_REAL_DATA(both, folder + "one_in_one_out.treewind");
     const std::string notes = notesOf(caseOf(both));
-    EXPECT_NE(notes.find("map.nc, x 385000 to 385700, y "), std::string::npos) << notes;
+    EXPECT_TRUE(hasPart(notes, "map.nc, x 385000 to 385700, y "));
     REQUIRE_REAL_DATA(palm, folder + "palm_far.treewind");
     const auto far = readForestFile(palm, 100, {"wind.beyond=hold"});
     ASSERT_TRUE(far) << firstProblem(far);
@@ -298,7 +297,7 @@ TEST(FoundFiles, ReadsGriddedWinds) {
         << "of the last cell";
     for (const char* const file : {"grib", "nc"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/17-components-in-two-files/") + file + ".treewind");
-        EXPECT_NE(notesOf(caseOf(path)).find("read from pairs of files"), std::string::npos) << file;
+        EXPECT_TRUE(hasPart(notesOf(caseOf(path)), "read from pairs of files")) << file;
     }
     REQUIRE_REAL_DATA(u, "cases/17-components-in-two-files/u_10m.grib2");
     REQUIRE_REAL_DATA(v, "cases/17-components-in-two-files/v_10m.grib2");

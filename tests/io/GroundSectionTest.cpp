@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/InventoryReading.h>
 #include <tests/places/GeoJson.h>
 #include <tests/places/RasterFile.h>
@@ -75,8 +76,7 @@ TEST(GroundSection, ReadsOneBandOfSeveral) {
     for (const char* band : {"4", "\"Height\""}) {
         std::istringstream input("version = 1\n" + tree + ground + "band = " + band + "\n");
         const auto forest = readForest(input, {"test.treewind", folder.path()});
-        EXPECT_NE(firstProblem(forest).find("among its 3; gdalinfo lists them"), std::string::npos)
-            << firstProblem(forest);
+        EXPECT_TRUE(hasPart(firstProblem(forest), "among its 3; gdalinfo lists them"));
     }
 }
 
@@ -162,8 +162,7 @@ TEST(GroundSection, CallableCannotBeWritten) {
     std::ostringstream output;
     const Diagnostics problems = writeForest(forest, output);
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_EQ(problems.front().text(),
-              "ground: this ground cannot be written to a file: expected one from files, not a callable");
+    EXPECT_TRUE(isProblem(problems.front().text(), "ground", "not a callable"));
 }
 
 TEST(StandOnGround, SupportsCallableGrounds) {
@@ -178,9 +177,8 @@ TEST(StandOnGround, SupportsCallableGrounds) {
         std::make_shared<FunctionGround>([](double x, double) { return x < -1 ? std::nan("") : 3.0; });
     const Diagnostics problems = standOnGround(forest, {0, 1, 2});
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_EQ(problems.front().text(),
-              "ground: no ground below 1 of 3 trees, first tree[2] (id \"7b\") at (-10, 0): "
-              "the ground has a hole there");
+    EXPECT_TRUE(isProblem(problems.front().text(), "ground",
+                          "1 of 3 trees, first tree[2] (id \"7b\") at (-10, 0): the ground has a hole"));
     EXPECT_EQ(forest.trees[1].position.z, 3.0);
     EXPECT_EQ(forest.trees[2].position.z, 5.0);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/base/IsProblem.h>
 #include <tests/io/InventoryReading.h>
 
 #include <osgTreeWind/forest/PlacedForest.h>
@@ -73,10 +74,9 @@ TEST(InventorySizes, EstimatesAreNoted) {
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,\nc,1,3,,\nd,1,3,9,0.3\n");
     const auto notes = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).notes;
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("a.csv: estimated by the laws of the species: height of 2, trunk diameter of 1, "
-                            "crown width of 3 trees"),
-              std::string::npos)
-        << notes[0];
+    EXPECT_TRUE(hasPart(notes[0],
+                        "a.csv: estimated by the laws of the species: height of 2, trunk diameter of 1, "
+                        "crown width of 3 trees"));
 }
 
 TEST(InventorySizes, EstimatesAreWrittenAsSuch) {
@@ -133,13 +133,11 @@ TEST(InventorySizes, SizesFarAboveTheRecordOfASpeciesAreUnknown) {
     EXPECT_NE(forest.trees[1].size.height, 75.0f);
     EXPECT_LE(forest.trees[1].size.height, 46.5f);
     EXPECT_EQ(forest.trees[2].size.height, 75.0f) << "conifers have no common record";
-    EXPECT_NE(forest.notes[0].find("impossible sizes count as not measured: height of 1 rows, the first: "),
-              std::string::npos)
-        << forest.notes[0];
-    EXPECT_NE(forest.notes[0].find("h: expected at most 69.75 metres, 1.5 times species.height.largest, "
-                                   "found \"75\""),
-              std::string::npos)
-        << forest.notes[0];
+    EXPECT_TRUE(
+        hasPart(forest.notes[0], "impossible sizes count as not measured: height of 1 rows, the first: "));
+    EXPECT_TRUE(hasPart(forest.notes[0],
+                        "h: expected at most 69.75 metres, 1.5 times species.height.largest, "
+                        "found \"75\""));
 }
 
 TEST(InventorySizes, InvalidLawsAreOneErrorWithTheirKey) {
@@ -154,8 +152,8 @@ TEST(InventorySizes, InvalidLawsAreOneErrorWithTheirKey) {
         const auto forest = readForest(input, {"test.treewind", ""});
         ASSERT_EQ(forest.problems().size(), 1u) << line;
         const std::string problem = forest.problems()[0].text();
-        EXPECT_NE(problem.find("test.treewind:5:"), std::string::npos) << problem;
-        EXPECT_NE(problem.find(expected), std::string::npos) << problem;
+        EXPECT_TRUE(hasPart(problem, "test.treewind:5:"));
+        EXPECT_TRUE(hasPart(problem, expected));
     }
 }
 
@@ -180,15 +178,10 @@ TEST(InventorySizes, ImpossibleSizesCountAsNotGiven) {
     EXPECT_TRUE(forest.trees[5].estimated.trunkDiameter);
     EXPECT_FALSE(inventoryOf(folder.path(), lines).trees[5].estimated.trunkDiameter);
     const std::string notes = notesOf(forest);
-    EXPECT_NE(
-        notes.find("0 and markers such as -99 count as not measured: height of 2, trunk diameter of 4 rows"),
-        std::string::npos)
-        << notes;
-    EXPECT_NE(notes.find("impossible sizes count as not measured: height of 2 rows, the first: "),
-              std::string::npos)
-        << notes;
-    EXPECT_NE(notes.find("a.csv:3: h: expected in (0, 116] metres, found \"327\""), std::string::npos)
-        << notes;
+    EXPECT_TRUE(hasPart(
+        notes, "0 and markers such as -99 count as not measured: height of 2, trunk diameter of 4 rows"));
+    EXPECT_TRUE(hasPart(notes, "impossible sizes count as not measured: height of 2 rows, the first: "));
+    EXPECT_TRUE(hasPart(notes, "a.csv:3: h: expected in (0, 116] metres, found \"327\""));
 }
 
 TEST(InventorySizes, MostlyImpossibleSizesAreAProblem) {
@@ -198,10 +191,9 @@ TEST(InventorySizes, MostlyImpossibleSizesAreAProblem) {
         folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n");
     ASSERT_FALSE(forest);
     const std::string problem = forest.problems().front().text();
-    EXPECT_NE(problem.find("a.csv:2: h: "), std::string::npos) << problem;
-    EXPECT_NE(problem.find("the same applies to 3 of 4 rows: set their unit with inventory.units.height"),
-              std::string::npos)
-        << problem;
+    EXPECT_TRUE(hasPart(problem, "a.csv:2: h: "));
+    EXPECT_TRUE(
+        hasPart(problem, "the same applies to 3 of 4 rows: set their unit with inventory.units.height"));
 }
 
 TEST(InventorySkip, SkipsAndCountsRowsWithoutAPlace) {
@@ -210,9 +202,7 @@ TEST(InventorySkip, SkipsAndCountsRowsWithoutAPlace) {
     const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
     const ForestFile forest = inventoryOf(folder.path(), lines);
     EXPECT_EQ(forest.trees.size(), 3u);
-    EXPECT_NE(notesOf(forest).find("a.csv: 2 of 5 rows have no place and are left out, the first: "),
-              std::string::npos)
-        << notesOf(forest);
+    EXPECT_TRUE(hasPart(notesOf(forest), "a.csv: 2 of 5 rows have no place and are left out, the first: "));
     EXPECT_EQ(readInventoryOf(folder.path(), lines + "skip = false\n").problems().size(), 3u);
 }
 
@@ -222,10 +212,8 @@ TEST(InventorySkip, MostRowsWithoutAPlaceAreAProblemUnlessRequested) {
     const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
     const auto forest = readInventoryOf(folder.path(), lines);
     ASSERT_FALSE(forest);
-    EXPECT_NE(forest.problems().front().text().find(
-                  "the same applies to 2 of 3 rows: to leave them out, set inventory.skip = true"),
-              std::string::npos)
-        << forest.problems().front().text();
+    EXPECT_TRUE(hasPart(forest.problems().front().text(),
+                        "the same applies to 2 of 3 rows: to leave them out, set inventory.skip = true"));
     EXPECT_EQ(inventoryOf(folder.path(), lines + "skip = true\n").trees.size(), 1u);
 }
 
@@ -235,9 +223,8 @@ TEST(InventorySkip, NoTreesAreAProblem) {
     const auto forest = readInventoryOf(
         folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n");
     ASSERT_FALSE(forest);
-    EXPECT_NE(forest.problems().front().text().find(
-                  "a.csv:2: y: expected a number, found nothing; no row has a place"),
-              std::string::npos);
+    EXPECT_TRUE(hasPart(forest.problems().front().text(),
+                        "a.csv:2: y: expected a number, found nothing; no row has a place"));
 }
 
 TEST(InventoryPlaces, ReportsAnOutlier) {
@@ -250,16 +237,12 @@ TEST(InventoryPlaces, ReportsAnOutlier) {
     EXPECT_EQ(notesOf(inventoryOf(folder.path(), lines)).find("km from"), std::string::npos);
     folder.write("a.csv", rows + "40000,50\n3,3\n");
     const std::string notes = notesOf(inventoryOf(folder.path(), lines));
-    EXPECT_NE(
-        notes.find("line 32: this tree stands 40 km from the middle of the others, which are within 1 km"),
-        std::string::npos)
-        << notes;
+    EXPECT_TRUE(hasPart(
+        notes, "line 32: this tree stands 40 km from the middle of the others, which are within 1 km"));
     folder.write("a.csv", rows + "400000,50\n3,3\n");
     const auto tooFar = readInventoryOf(folder.path(), lines);
     ASSERT_FALSE(tooFar);
-    EXPECT_NE(tooFar.problems().front().text().find("a.csv: line 32: this tree stands 400 km"),
-              std::string::npos)
-        << tooFar.problems().front().text();
+    EXPECT_TRUE(hasPart(tooFar.problems().front().text(), "a.csv: line 32: this tree stands 400 km"));
 }
 
 } // namespace osgTreeWind

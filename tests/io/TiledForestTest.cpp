@@ -5,6 +5,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TiledForest.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -189,7 +190,7 @@ TEST(TiledForestTest, loadsEachTreeOnceAndTheNeighbours) {
     ForestDescription none = edited;
     const Result<std::size_t> beyond = loadTiles(none, {6, 0, 7, 0});
     ASSERT_FALSE(beyond);
-    EXPECT_EQ(beyond.problems().front().text(), "tiles: there are 6 columns and 4 rows of tiles, found 6,0");
+    EXPECT_TRUE(isProblem(beyond.problems().front().text(), "tiles", "found 6,0"));
 }
 
 TEST(TiledForestTest, filesDoNotDependOnThreads) {
@@ -234,8 +235,7 @@ TEST(TiledForestTest, keepsForeignFolders) {
     folder.write("tiles/photo.jpg", "mine");
     const auto tiles = writeTiledForest(variedForest(10), folder.path());
     ASSERT_FALSE(tiles);
-    EXPECT_EQ(tiles.problems().front().text(),
-              folder.path() + "/tiles: expected nothing but tiles in it, found photo.jpg");
+    EXPECT_TRUE(isProblem(tiles.problems().front().text(), folder.path() + "/tiles", "found photo.jpg"));
     EXPECT_EQ(bytesOf(folder.path() + "/tiles/photo.jpg"), "mine");
 }
 
@@ -246,8 +246,7 @@ TEST(TiledForestTest, keepsTheOldWorldUntilTheNewOneIsComplete) {
     const auto before = filesOf(folder.path());
     const auto tiles = writeTiledForest(variedForest(20), folder.path());
     ASSERT_FALSE(tiles);
-    EXPECT_EQ(tiles.problems().front().text(),
-              folder.path() + "/tiles-2: expected a folder of tiles or nothing");
+    EXPECT_TRUE(isProblem(tiles.problems().front().text(), folder.path() + "/tiles-2", "a folder of tiles"));
     EXPECT_EQ(filesOf(folder.path()), before);
 }
 
@@ -265,8 +264,8 @@ TEST(TiledForestTest, locksTheFolder) {
     const TemporaryFolder folder;
     const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
     ASSERT_EQ(flock(other, LOCK_EX), 0);
-    EXPECT_EQ(toString(writeTiledForest(variedForest(10), folder.path()).problems()),
-              folder.path() + ": another program is writing a world into it");
+    EXPECT_TRUE(isProblem(toString(writeTiledForest(variedForest(10), folder.path()).problems()),
+                          folder.path(), "another program"));
     close(other);
     EXPECT_TRUE(writeTiledForest(variedForest(10), folder.path()));
 }
@@ -314,7 +313,7 @@ TEST(TiledForestTest, reportsProblemsOfTheWorld) {
         const auto world = readForestFile(folder.write("bad.treewind", bad));
         ASSERT_FALSE(world) << to;
         const std::string problems = toString(world.problems());
-        EXPECT_NE(problems.find(expected), std::string::npos) << problems;
+        EXPECT_TRUE(hasPart(problems, expected));
     }
 }
 
@@ -341,8 +340,7 @@ TEST(TiledForestTest, reportsProblemsOfATile) {
     };
     for (const auto& [row, expected] : cases)
         EXPECT_EQ(problemOf(head + row + '\n').substr(0, expected.size()), expected) << row;
-    EXPECT_NE(problemOf("x,y\n1,2\n").find("1_2.trees:1: expected the columns species, x"), std::string::npos)
-        << problemOf("x,y\n1,2\n");
+    EXPECT_TRUE(hasPart(problemOf("x,y\n1,2\n"), "1_2.trees:1: expected the columns species, x"));
     EXPECT_NE(problemOf(""), "");
 }
 
@@ -355,6 +353,5 @@ TEST(TiledForestTest, rejectsATileWithMissingTrees) {
     folder.write("tiles/1_0.trees", tile);
     const Diagnostics problems = loadTiles(world).problems();
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_NE(problems.front().text().find("1_0.trees: expected"), std::string::npos)
-        << problems.front().text();
+    EXPECT_TRUE(hasPart(problems.front().text(), "1_0.trees: expected"));
 }

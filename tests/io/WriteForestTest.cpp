@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
 #include <tests/FullTests.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/RandomForest.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -208,54 +209,47 @@ TEST(WriteForest, AcceptsAForestWithoutTrees) {
 }
 
 TEST(WriteForest, ReportsWhatCannotBeWritten) {
-    const auto refused = [](const char* expected, auto spoil) {
+    const auto refused = [](const char* key, const char* part, auto spoil) {
         ForestDescription forest = smallForest();
         spoil(forest);
-        EXPECT_EQ(refusalOf(forest), expected);
+        EXPECT_TRUE(isProblem(refusalOf(forest), key, part));
     };
-    refused("species[0].wood.density: expected a finite number in [1, 10000], found 0",
-            [](auto& f) { f.species[0].wood.density = 0; });
-    refused("species[0].palm.inclination: expected a finite number in [0, 180] degrees, found nan degrees",
-            [](auto& f) {
-                f.species[0].tree.palm.emplace().inclination = std::numeric_limits<float>::quiet_NaN();
-            });
-    refused("species[0].tree.radius: expected at most half the trunk, length * trunk_units",
+    refused("species[0].wood.density", "found 0", [](auto& f) { f.species[0].wood.density = 0; });
+    refused("species[0].palm.inclination", "[0, 180] degrees, found nan", [](auto& f) {
+        f.species[0].tree.palm.emplace().inclination = std::numeric_limits<float>::quiet_NaN();
+    });
+    refused("species[0].tree.radius", "half the trunk",
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
-    refused("drawing.impostor: expected impostor below reduced, found 250 and 250",
-            [](auto& f) { f.drawing.impostor = 250.0f; });
-    refused("crs: expected a projected system in metres, found WGS 84, which uses degrees",
-            [](auto& f) { f.crs = "EPSG:4326"; });
-    refused("tree[0].species: there is no species 3; the forest has 1, from 0 on",
-            [](auto& f) { f.trees[0].species = 3; });
-    refused("tree[0].position: expected at most 100 km from the origin", [](auto& f) { f.origin.x = 2e5; });
-    refused("tree[1].id: the name \"7\" is taken already", [](auto& f) {
+    refused("drawing.impostor", "found 250 and 250", [](auto& f) { f.drawing.impostor = 250.0f; });
+    refused("crs", "found WGS 84, which uses degrees", [](auto& f) { f.crs = "EPSG:4326"; });
+    refused("tree[0].species", "no species 3", [](auto& f) { f.trees[0].species = 3; });
+    refused("tree[0].position", "100 km from the origin", [](auto& f) { f.origin.x = 2e5; });
+    refused("tree[1].id", "\"7\" is taken", [](auto& f) {
         f.trees[0].name = "7";
         f.trees.push_back(f.trees[0]);
     });
-    refused("species[1].name: the name \"OAK \" is taken already", [](auto& f) {
+    refused("species[1].name", "\"OAK \" is taken", [](auto& f) {
         f.species.push_back(f.species[0]);
         f.species[1].name = "OAK ";
     });
-    refused("species[0].name: missing", [](auto& f) { f.species[0].name.clear(); });
-    refused("species[0].name: expected UTF-8", [](auto& f) { f.species[0].name = "\xe9"; });
-    refused("species[0].appearance: no file \"/no.png\"",
+    refused("species[0].name", "missing", [](auto& f) { f.species[0].name.clear(); });
+    refused("species[0].name", "UTF-8", [](auto& f) { f.species[0].name = "\xe9"; });
+    refused("species[0].appearance", "no file \"/no.png\"",
             [](auto& f) { f.species[0].appearance.barkImage = "/no.png"; });
-    refused("species[0].scan: scan 0 was not read from a file", [](auto& f) {
+    refused("species[0].scan", "scan 0 was not read from a file", [](auto& f) {
         const ScannedTree scan = makeScannedTree({{{0, 0, 0}, {0, 0, 5}, 0.1, -1, 0}}).value();
         f.species[0].tree.scans = std::make_shared<const std::vector<ScannedTree>>(1, scan);
         f.species[0].shapes = 1;
     });
-    const char* const noWind =
-        "wind: this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series "
-        "or one from a file, not a callable or streamed one";
-    refused(noWind, [](auto& f) { f.wind = std::make_shared<FunctionWind>(nullptr); });
-    refused("wind: velocity: expected a finite number in [-200, 200]",
+    refused("wind", "not a callable or streamed one",
+            [](auto& f) { f.wind = std::make_shared<FunctionWind>(nullptr); });
+    refused("wind", "velocity: expected a finite number in [-200, 200]",
             [](auto& f) { f.wind = std::make_shared<UniformWind>(glm::vec3(201, 0, 0)); });
 }
 
 TEST(WriteForest, ReportsAFileThatCannotBeWritten) {
-    EXPECT_EQ(writeForestFile(smallForest(), "/nowhere/a.treewind").front().text(),
-              "/nowhere/a.treewind: cannot be written: there is no folder /nowhere");
+    EXPECT_TRUE(isProblem(writeForestFile(smallForest(), "/nowhere/a.treewind").front().text(),
+                          "/nowhere/a.treewind", "there is no folder /nowhere"));
 }
 
 TEST(WriteForest, BuiltInSpeciesAreValid) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/DocumentTrees.h>
+
+namespace osgTreeWind {
+
+bool DocumentTrees::canAdd(std::uint64_t count, TableReader& table, const std::string& key) const {
+    if (count <= maxCount && size() + count <= maxCount)
+        return true;
+    table.problem(key, "more than " + std::to_string(maxCount) + " trees in all");
+    return false;
+}
+
+void DocumentTrees::add(const TreePlacement& tree, bool onGround, DerivedTreeValues derived) {
+    _bounds.add(tree);
+    _store.add(tree, onGround);
+    if (_store.isInMemory())
+        _derived.push_back(derived);
+}
+
+void DocumentTrees::modify(
+    const std::function<void(TreeStore::Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
+    _bounds = {};
+    _store.modify([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+        modifier(trees, onGround);
+        _bounds.add(trees);
+    });
+}
+
+void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
+    if (_store.isInMemory())
+        modify([&](TreeStore::Trees&, const std::vector<std::size_t>&) {
+            osgTreeWind::findGrowingSpaces(forest, _derived);
+        });
+}
+
+void DocumentTrees::varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families) {
+    if (_store.isInMemory())
+        osgTreeWind::varyNeighbourSeeds(forest, families, _derived);
+}
+
+} // namespace osgTreeWind
