@@ -8,6 +8,8 @@
 #include <osgTreeWind/species/SeasonDay.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -52,7 +54,7 @@ std::vector<WindSource> placeableSources(const glm::dvec3& foot, double height, 
     WindSource fan;
     fan.kind = WindSource::Kind::Jet;
     fan.position = foot + glm::dvec3(-height, 0.0, 0.6 * height);
-    fan.toward = 90.0;
+    fan.toward = glm::half_pi<float>();
     fan.radius = 2.0;
     fan.speed = 30.0;
     WindSource vortex;

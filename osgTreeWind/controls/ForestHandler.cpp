@@ -100,7 +100,7 @@ std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
     if (!forest.getInstanced())
         return text;
-    const DrawnTrees drawn(forest.getInstanced()->getTrees()->treesByTier());
+    const DrawnTrees drawn(instancedTrees(*forest.getInstanced()).treesByTier());
     return text + formatted("; drawn: %zu in full detail, %zu by boughs, %zu as pictures", drawn.full,
                             drawn.byBoughs, drawn.asPictures);
 }

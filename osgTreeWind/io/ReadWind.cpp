@@ -432,7 +432,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
         table.note(paths.front() + ": " + note);
     checkCoverage(wind.value(), paths.front(), offset, allowsOutside, table, forest, trees);
     Wind& read = wind.value().wind;
-    WindFiles known = read.files ? *read.files : WindFiles{read.field, {}};
+    WindFiles known = knownOf(read) ? *knownOf(read) : WindFiles();
     known.files = paths;
     known.series = table.has("files");
     known.times = times;
@@ -443,7 +443,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     known.height = options.height;
     known.speedUnit = options.speedUnit;
     known.allowsOutside = allowsOutside;
-    read.files = std::make_shared<const WindFiles>(std::move(known));
+    setKnown(read, std::move(known));
     return std::move(read);
 }
 

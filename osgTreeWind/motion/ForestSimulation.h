@@ -122,7 +122,7 @@ public:
     /// As above, but `modal` computes into `values`, which the result refers to.
     TreeMotion motion(TreeId tree, UnitValues& values) const;
     /// One unit of motion(), for the cost of its ancestor units; at rest for an unknown tree or unit.
-    /// @param unit index into skeleton().units.
+    /// @param tree id of the tree. @param unit index into skeleton().units.
     UnitMotion unitMotion(TreeId tree, std::size_t unit) const;
 
     /// The present sway of a tree, its moment at the foot and its limit, under `modal`; empty for an unknown

@@ -358,7 +358,7 @@ void Forest::report(osg::NodeVisitor& cullVisitor, double cullTime) const {
     if (_tiles)
         statistics.tiles = _tiles->loadedTileCount();
     if (const InstancedForest* instanced = getInstanced())
-        statistics.drawn = DrawnTrees(instanced->getTrees()->treesByTier());
+        statistics.drawn = DrawnTrees(instancedTrees(*instanced).treesByTier());
     statistics.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
 }
 

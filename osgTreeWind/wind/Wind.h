@@ -38,8 +38,6 @@ struct OSGTREEWIND_EXPORT Wind {
     WindAdjustment adjustment;          ///< Scales and turns velocities.
     WindFrame frame = WindFrame::Scene; ///< The frame of the field and of the sources.
     std::vector<WindSource> sources;    ///< Local sources, such as rotors, above and among the trees.
-    /// What a reader of files knows of `field`: its files and its map. Ignored once `field` is another one.
-    std::shared_ptr<const WindFiles> files;
 
     Wind() = default; ///< Calm.
     /// A field without modifications.
@@ -49,6 +47,11 @@ struct OSGTREEWIND_EXPORT Wind {
     Wind(std::nullptr_t) {} ///< Calm.
 
     bool isCalm() const { return !field && sources.empty(); } ///< No field and no sources.
+
+private:
+    friend const WindFiles* knownOf(const Wind& wind);
+    friend void setKnown(Wind& wind, WindFiles known);
+    std::shared_ptr<const WindFiles> _known; ///< Of the field that a reader of files has made.
 };
 
 /// A wind as a single field, for a forest at the scene's zero; null if calm.

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -13,7 +14,7 @@ namespace osgTreeWind {
 /// The map of a wind's field, the files that it was read from, and the options used, as a forest file stores
 /// them.
 struct WindFiles {
-    WindFieldPtr field;               ///< The field that this is about.
+    WindFieldPtr field; ///< That this is about; setKnown() sets it.
     std::optional<DataTransform> map; ///< To the data of the field; empty if they are in the scene's CRS.
     std::vector<std::string> files{}; ///< Empty if the field was not read for a forest file.
     bool series = false; ///< Whether the files are time steps (key `files`), even if there is only one.
@@ -29,7 +30,12 @@ struct WindFiles {
 
 /// What is known of the present field of a wind; null if nothing is.
 inline const WindFiles* knownOf(const Wind& wind) {
-    return wind.files && wind.files->field == wind.field ? wind.files.get() : nullptr;
+    return wind._known && wind._known->field == wind.field ? wind._known.get() : nullptr;
+}
+/// Sets what is known of the present field.
+inline void setKnown(Wind& wind, WindFiles known) {
+    known.field = wind.field;
+    wind._known = std::make_shared<const WindFiles>(std::move(known));
 }
 
 /// The files that the field was read from; null if it was not read for a forest file.

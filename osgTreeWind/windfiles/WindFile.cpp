@@ -207,8 +207,7 @@ Result<WindFile> makeGridFile(WindContent&& content, const WindFileOptions& opti
         file.wind.clock.travel.x = content.travelSpeed;
     }
     if (mesh)
-        file.wind.files = std::make_shared<const WindFiles>(
-            WindFiles{file.wind.field, DataTransform{mesh, origin, itsOrigin}});
+        setKnown(file.wind, {nullptr, DataTransform{mesh, origin, itsOrigin}});
     return file;
 }
 

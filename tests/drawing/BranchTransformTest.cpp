@@ -47,7 +47,7 @@ TEST(BranchTransformTest, RotatesAboutItsBase) {
 
 TEST(BranchTransformTest, JointsStayConnectedUnderAnyAngles) {
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     turnAllBranches(tree);
     for (unsigned unit = 1; unit < tree.getNumBranches(); ++unit) {
         const BranchUnit& rest = skeletonOf(tree).units[unit];
@@ -63,7 +63,7 @@ TEST(BranchTransformTest, JointsStayConnectedUnderAnyAngles) {
 
 TEST(BranchTransformTest, RotatingABranchDoesNotMoveItsSiblings) { // Fig 3.10
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     turnAllBranches(tree);
     const std::vector<BranchUnit>& units = skeletonOf(tree).units;
     const unsigned turned = 2; // the first branch on the trunk
@@ -86,7 +86,7 @@ TEST(BranchTransformTest, RotatingABranchDoesNotMoveItsSiblings) { // Fig 3.10
 TEST(BranchTransformTest, HierarchyPosesTheBarkAsTheSimulationDoes) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     updateFrames(*forest, 1, 60);
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     const PosedTree& posed = *tree.getPosedTree();
     const osg::Matrix toTree = osg::Matrix::inverse(worldMatrix(tree));
     double furthest = 0.0, moved = 0.0;

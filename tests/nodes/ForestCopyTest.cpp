@@ -62,8 +62,8 @@ TEST_P(ForestCopyTest, SharesImmutableData) {
     EXPECT_EQ(movingForest(copy->getSimulation()).models(), movingForest(forest->getSimulation()).models());
     EXPECT_EQ(&movingForest(copy->getSimulation()).modal()->archetype(0),
               &movingForest(forest->getSimulation()).modal()->archetype(0));
-    const InstancedResources &one = forest->getInstanced()->getTrees()->resources(),
-                             &other = copy->getInstanced()->getTrees()->resources();
+    const InstancedResources &one = instancedTrees(*forest->getInstanced()).resources(),
+                             &other = instancedTrees(*copy->getInstanced()).resources();
     EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].hostLeaves, own);

@@ -116,7 +116,7 @@ TEST(ForestTest, ANewDescriptionReplacesTheTreesAndKeepsTheHostsChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    const osg::ref_ptr<InstancedTrees> former = forest->getInstanced()->getTrees();
+    const osg::ref_ptr<InstancedTrees> former = &instancedTrees(*forest->getInstanced());
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2).value();
     EXPECT_TRUE(forest->setDescription(smallForest(5)).empty());
     EXPECT_EQ(forest->getNumTrees(), 5u);
@@ -139,7 +139,7 @@ TEST(ForestTest, ANewDescriptionMayChangeTheLaw) {
     EXPECT_EQ(forest->getInstanced(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
     EXPECT_EQ(forest->branch(TreeId(1), 2).value(),
-              forest->getBranchwise()->getTrees()->nodes()[1]->getBranch(2));
+              branchwiseTrees(*forest->getBranchwise()).nodes()[1]->getBranch(2));
     EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     updateFrames(*forest, 1, 5);
@@ -273,7 +273,7 @@ TEST(ForestTest, ReadReturnsTheForestOfAFileOrItsProblems) {
         Forest::read(folder.write("good.treewind", species + "[[tree]]\nposition = [1, 2, 0]\n"));
     ASSERT_TRUE(good) << toString(good.problems());
     EXPECT_EQ(good.value()->getNumTrees(), 1u);
-    const auto bad = Forest::read(folder.write("bad.treewind", species + "[[tree]]\nposition = [1, 2]\n"));
+    const auto bad = Forest::read(folder.write("bad.treewind", species + "[[tree]]\nposition = 1\n"));
     ASSERT_FALSE(bad);
     EXPECT_EQ(bad.problems().front().line, 5);
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1");

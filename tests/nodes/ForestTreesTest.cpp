@@ -95,7 +95,7 @@ TEST(ForestTreesTest, ATreeThatChangesInEveryFrameHasOneTransform) {
         update(*forest, frame, frame / 25.0);
         EXPECT_TRUE(forest->removeTree(other).empty());
     }
-    EXPECT_LE(forest->getInstanced()->getTrees()->nearTreeCount(), 5u);
+    EXPECT_LE(instancedTrees(*forest->getInstanced()).nearTreeCount(), 5u);
 }
 
 TEST(ForestTreesTest, AMovedTreeKeepsSwaying) {
@@ -330,9 +330,9 @@ TEST(ForestTreesTest, AHiddenTreeWithABranchTransformStepsInEveryFrame) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(forest->getInstanced()->getTrees()->nearTreeCount(), 0u);
+    ASSERT_EQ(instancedTrees(*forest->getInstanced()).nearTreeCount(), 0u);
     EXPECT_TRUE(forest->branch(TreeId(5), 0));
-    EXPECT_EQ(forest->getInstanced()->getTrees()->nearTreeCount(), 1u);
+    EXPECT_EQ(instancedTrees(*forest->getInstanced()).nearTreeCount(), 1u);
     updateFrames(*forest, 1, 200);
     EXPECT_EQ(movingForest(forest->getSimulation()).modal()->level(5), ModalMotion::Level::Near);
     EXPECT_EQ(movingForest(forest->getSimulation()).modal()->level(6), ModalMotion::Level::Far);

@@ -148,7 +148,7 @@ TEST_F(OutOfMemoryTest, AFailedUpdateStopsTheForest) {
 TEST_F(OutOfMemoryTest, AFailedCullRestoresItsVisitor) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(8));
     updateFrames(*forest, 1, 2);
-    InstancedTrees* const trees = forest->getInstanced()->getTrees();
+    InstancedTrees* const trees = &instancedTrees(*forest->getInstanced());
     osg::ref_ptr<osgUtil::CullVisitor> visitor = new osgUtil::CullVisitor;
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     visitor->setFrameStamp(stamp);

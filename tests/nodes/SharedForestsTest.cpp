@@ -21,7 +21,7 @@ namespace {
 using Forests = std::vector<osg::ref_ptr<Forest>>;
 
 const InstancedResources& resourcesOf(const Forest& forest) {
-    return forest.getInstanced()->getTrees()->resources();
+    return instancedTrees(*forest.getInstanced()).resources();
 }
 
 /// All parts that take time to make or much memory.
@@ -116,8 +116,8 @@ TEST(SharedForests, ShareUnderABranchLawToo) {
     description.law = MotionLaw::ThesisSmooth;
     const osg::ref_ptr<Forest> one = new Forest(description), other = new Forest(description);
     EXPECT_EQ(movingForest(one->getSimulation()).models(), movingForest(other->getSimulation()).models());
-    EXPECT_EQ(one->getBranchwise()->getTrees()->buffers(0).skin(),
-              other->getBranchwise()->getTrees()->buffers(0).skin());
+    EXPECT_EQ(branchwiseTrees(*one->getBranchwise()).buffers(0).skin(),
+              branchwiseTrees(*other->getBranchwise()).buffers(0).skin());
 }
 
 TEST(SharedForests, ParallelLoadsMakeEachPartOnce) {

@@ -17,7 +17,7 @@ int main() {
     osgTreeWind::ForestSimulation simulation(description);
     for (int frame = 0; frame <= 60; ++frame)
         simulation.advance(frame / 60.0);
-    const osgTreeWind::TreeMotion motion = simulation.motion(0);
+    const osgTreeWind::TreeMotion motion = simulation.motion(osgTreeWind::TreeId(0));
     const float halfAngle = motion.rotations[0].y; // the trunk bends downwind
     std::cout << forest->getNumTrees() << " tree, half its rotation " << halfAngle << " rad\n";
     return forest->getNumTrees() == 1 && halfAngle > 0.0f ? 0 : 1;

@@ -51,7 +51,7 @@ TEST_F(ReaderWriterTreewindTest, ReadsTheReferenceTree) {
     EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin has a second Forest class";
     EXPECT_EQ(forest->getNumTrees(), 1u);
     EXPECT_EQ(forest->getName(), "thesis.treewind") << "for messages";
-    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getNumBranches(), 122u);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getNumBranches(), 122u);
     EXPECT_EQ(messages(), "");
 }
 

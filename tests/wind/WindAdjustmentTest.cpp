@@ -29,7 +29,7 @@ TEST(WindAdjustment, DoesNotMovePlaces) {
     const WindSampler wind = withAdjustment(std::make_shared<FunctionWind>([](const glm::vec3& p, double t) {
                                                 return glm::vec3(p.x, 0.0f, static_cast<float>(t));
                                             }),
-                                            {1.0, 180.0});
+                                            {1.0, glm::pi<float>()});
     expectNear(wind.velocity({7.0f, 5.0f, 0.0f}, 2.0), {-7.0f, 0.0f, 2.0f});
 }
 

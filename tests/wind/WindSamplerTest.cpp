@@ -101,9 +101,10 @@ TEST(WindSampler, DegenerateMatrixDoesNotTurn) {
 
 TEST(WindSampler, ReplacingTheFieldDropsFilesAndMap) {
     Wind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)));
-    WindFiles files{wind.field, DataTransform()};
-    files.files = {"a.asc"};
-    wind.files = std::make_shared<const WindFiles>(files);
+    WindFiles known;
+    known.map = DataTransform();
+    known.files = {"a.asc"};
+    setKnown(wind, known);
     EXPECT_TRUE(filesOf(wind));
     EXPECT_TRUE(filesOf(Wind(wind))) << "a copy";
     EXPECT_TRUE(mapOf(wind));

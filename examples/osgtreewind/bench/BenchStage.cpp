@@ -72,7 +72,7 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
-        TreeNode& tree = *forest.getBranchwise()->getTrees()->nodes()[i].get();
+        TreeNode& tree = *branchwiseTrees(*forest.getBranchwise()).nodes()[i];
         osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
         tree.traverse(picking);
         for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit) {

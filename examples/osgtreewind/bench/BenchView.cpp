@@ -119,7 +119,7 @@ BenchView runBenchView(const std::string& name, const std::function<ForestDescri
             viewer.measure(Full, time);
     }
     if (forest->getInstanced())
-        result.tiers = forest->getInstanced()->getTrees()->treesByTier();
+        result.tiers = instancedTrees(*forest->getInstanced()).treesByTier();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);

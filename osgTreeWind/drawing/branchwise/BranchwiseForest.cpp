@@ -65,6 +65,14 @@ BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::Cop
 
 BranchwiseForest::~BranchwiseForest() = default;
 
+BranchwiseTrees& branchwiseTrees(const BranchwiseForest& forest) {
+    return *forest._trees;
+}
+
+const ForestAnglePasses* anglePasses(const BranchwiseForest& forest) {
+    return forest._prePass.get();
+}
+
 void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
     if (!simulation || !movingForest(*simulation).branches()) {
         OSG_WARN << "osgTreeWind: expected a simulation under a branchwise law; no trees are drawn"

@@ -51,11 +51,6 @@ public:
     /// The node of a tree, in the order of the description; null beyond the last one.
     osg::Node* getTree(unsigned index) const;
 
-    /// The nodes of all trees, a class of this library's own. New in each setSimulation().
-    BranchwiseTrees* getTrees() const { return _trees.get(); }
-    /// The running passes, a class of this library's own; null with CPU_ANGLES.
-    const ForestAnglePasses* getPasses() const { return _prePass.get(); }
-
     /// Draws no trees, with a warning, for null and for a simulation under the law `modal`.
     void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     bool stepsItself() const override { return _prePass != nullptr; }
@@ -73,6 +68,8 @@ protected:
     ~BranchwiseForest() override;
 
 private:
+    friend BranchwiseTrees& branchwiseTrees(const BranchwiseForest& forest);
+    friend const ForestAnglePasses* anglePasses(const BranchwiseForest& forest);
     class FloatTargetProbe;
 
     void startPasses();

@@ -11,6 +11,9 @@
 
 namespace osgTreeWind {
 
+class BranchwiseForest;
+class ForestAnglePasses;
+
 /// The trees of one simulation under a branchwise law: a TreeNode for each tree, and the textures from which
 /// shaders pose trees that are drawn without transforms.
 class BranchwiseTrees : public osg::Group {
@@ -46,5 +49,10 @@ private:
     std::vector<osg::ref_ptr<TreeNode>> _nodes;
     DataTexture _unitPoses, _leafAngles;
 };
+
+/// The nodes of a technique; new ones after its setSimulation().
+BranchwiseTrees& branchwiseTrees(const BranchwiseForest& forest);
+/// Its running passes; null with CPU_ANGLES.
+const ForestAnglePasses* anglePasses(const BranchwiseForest& forest);
 
 } // namespace osgTreeWind

@@ -36,6 +36,10 @@ InstancedForest::InstancedForest(const InstancedForest& other, const osg::CopyOp
 
 InstancedForest::~InstancedForest() = default;
 
+InstancedTrees& instancedTrees(const InstancedForest& forest) {
+    return *forest._trees;
+}
+
 bool InstancedForest::setBarkState(std::size_t species, osg::StateSet* state) {
     return setState(&SpeciesLooks::hostBark, species, state);
 }

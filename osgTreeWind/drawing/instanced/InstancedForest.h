@@ -51,8 +51,6 @@ public:
     bool releaseBranch(TreeId tree, unsigned unit) override;
     InstancedForest* asInstancedForest() override { return this; }
 
-    /// The drawable of all trees, a class of this library's own. New in each setSimulation().
-    InstancedTrees* getTrees() const { return _trees.get(); }
     /// A conservative bound that includes the sway of the trees. Bounding boxes hold the trees at rest.
     osg::BoundingSphere computeBound() const override;
 
@@ -60,6 +58,7 @@ protected:
     ~InstancedForest() override;
 
 private:
+    friend InstancedTrees& instancedTrees(const InstancedForest& forest);
     void setTrees(const osg::ref_ptr<InstancedTrees>& trees,
                   const std::shared_ptr<ForestSimulation>& simulation);
     bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);

@@ -15,6 +15,8 @@
 
 namespace osgTreeWind {
 
+class InstancedForest;
+
 /// The drawable of all trees of a forest under the law `modal`. Trees are instances, without a node, drawable
 /// or state set for each. A part of a Forest.
 ///
@@ -105,5 +107,8 @@ private:
     };
     std::vector<View> _views; ///< Empty without a budget.
 };
+
+/// The drawable of a technique; a new one after its setSimulation().
+InstancedTrees& instancedTrees(const InstancedForest& forest);
 
 } // namespace osgTreeWind

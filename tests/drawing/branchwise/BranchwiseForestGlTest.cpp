@@ -72,8 +72,8 @@ TEST_F(BranchwiseForestGlTest, ThesisExampleUsesAnglePassesAndBranchTransforms) 
                                                 bound.center(), osg::Z_AXIS);
     frames(4);
     const BranchwiseForest& branchwise = *forest->getBranchwise();
-    ASSERT_NE(branchwise.getPasses(), nullptr) << "the angle passes do not run";
-    const osg::Group& full = *branchwise.getTrees()->nodes()[0]->getLod()->level(TreeLod::FULL);
+    ASSERT_NE(anglePasses(branchwise), nullptr) << "the angle passes do not run";
+    const osg::Group& full = *branchwiseTrees(branchwise).nodes()[0]->getLod()->level(TreeLod::FULL);
     ASSERT_EQ(full.getNumChildren(), 1u);
     const auto* trunk = dynamic_cast<const BranchTransform*>(full.getChild(0));
     ASSERT_NE(trunk, nullptr) << "a branch is not a transform";
@@ -89,7 +89,7 @@ TEST_F(BranchwiseForestGlTest, DoesNotDisableCullingOfItsParents) {
     frames(1);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the probe";
     frames(3);
-    ASSERT_NE(forest->getBranchwise()->getPasses(), nullptr);
+    ASSERT_NE(anglePasses(*forest->getBranchwise()), nullptr);
     EXPECT_EQ(forest->getNumChildrenWithCullingDisabled(), 0u);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the passes";
     const std::vector<glm::vec4> before = states();
@@ -140,7 +140,7 @@ TEST_F(BranchwiseForestGlTest, ReleasingATreeKeepsObjectsOfOtherTrees) {
     const auto* textures = osg::get<osg::TextureObjectManager>(context);
     const unsigned buffersBefore = buffers->getNumberActiveGLBufferObjects();
     const unsigned texturesBefore = textures->getNumberActiveTextureObjects();
-    forest->getBranchwise()->getTrees()->nodes()[0]->releaseGLObjects();
+    branchwiseTrees(*forest->getBranchwise()).nodes()[0]->releaseGLObjects();
     EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), buffersBefore);
     EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
     frames(1);
@@ -193,7 +193,7 @@ TEST_P(BranchwiseThreadingGlTest, ForestMayBeRemovedWhileItsFrameIsDrawn) {
         scene->addChild(forest);
     }
     frames(4);
-    EXPECT_NE(forest->getBranchwise()->getPasses(), nullptr);
+    EXPECT_NE(anglePasses(*forest->getBranchwise()), nullptr);
     viewer().setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
 }
 

@@ -147,9 +147,9 @@ TEST_F(GpuForestGlTest, WindReachesTransformsOneFrameLater) {
     osg::ref_ptr<Forest> forest = start(calm);
     const auto windTexel = [&] {
         return reinterpret_cast<const float*>(
-            forest->getBranchwise()->getPasses()->wind()->getImage()->data())[0];
+            anglePasses(*forest->getBranchwise())->wind()->getImage()->data())[0];
     };
-    BranchTransform* branch = forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(1);
+    BranchTransform* branch = branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getBranch(1);
     frame(0.1);
     frame(0.2);
     EXPECT_EQ(windTexel(), 0.0f);
@@ -327,8 +327,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
         }
         std::vector<osg::Matrix> matrices;
     } leaves;
-    forest->getBranchwise()->getTrees()->nodes()[0]->accept(leaves);
-    const PosedTree& tree = *forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree();
+    branchwiseTrees(*forest->getBranchwise()).nodes()[0]->accept(leaves);
+    const PosedTree& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree();
     ASSERT_EQ(leaves.matrices.size(), tree.model().leaves.size());
     std::vector<osg::Vec3> expected, found;
     glm::vec3 corners[verticesPerLeafCluster];

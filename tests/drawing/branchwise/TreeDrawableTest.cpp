@@ -40,7 +40,7 @@ struct BentTree {
         now = middle();
     }
     osg::Vec3d middle() const {
-        const PosedTree& tree = *forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree();
+        const PosedTree& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree();
         const std::size_t last = tree.model().skeleton.units.size() - 1;
         return toOsg(tree.pose(last).apply(tree.scale().axes * tree.model().skeleton.point(last, 7)));
     }
@@ -69,7 +69,7 @@ TEST(PickingTest, HitsALeafAtItsCurrentPlace) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     updateFrames(*forest, 1, 20);
     glm::vec3 corners[verticesPerLeafCluster];
-    forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree()->leafPoints(20, corners);
+    branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->leafPoints(20, corners);
     const glm::vec3 inside = 0.3f * corners[0] + 0.4f * corners[1] + 0.3f * corners[2];
     const glm::vec3 across = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const auto hits = pick(*forest, toOsg(inside + 0.05f * across), toOsg(inside - 0.05f * across));
@@ -84,7 +84,7 @@ TEST(BoundsTest, ContainEveryPosedPointInAStorm) {
         if (frame % 20)
             continue;
         for (unsigned i = 0; i < forest->getNumTrees(); ++i) {
-            const PosedTree& tree = *forest->getBranchwise()->getTrees()->nodes()[i]->getPosedTree();
+            const PosedTree& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[i]->getPosedTree();
             for (const SkinVertex& v : tree.model().skin.vertices)
                 ASSERT_TRUE(tree.bounds().contains(
                     toOsg(tree.skinPoint(v, tree.pose(static_cast<std::size_t>(v.unit))))))
@@ -104,7 +104,7 @@ TEST(BoundsTest, SceneBoundsGrowWithTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 45.0f)));
     const osg::BoundingSphere rest = forest->getBound();
     updateFrames(*forest, 1, 100);
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     const osg::Group& drawn = *tree.getLod()->level(TreeLod::STAND_IN);
     for (unsigned i = 0; i < drawn.getNumChildren(); ++i)
         EXPECT_TRUE(
@@ -117,10 +117,10 @@ TEST(BoundsTest, SettleInASteadyWind) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 250);
     const osg::BoundingBox settled =
-        forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree()->bounds();
+        branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds();
     updateFrames(*forest, 251, 400);
-    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree()->bounds()._max, settled._max);
-    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getPosedTree()->bounds()._min, settled._min);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._max, settled._max);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._min, settled._min);
 }
 
 TEST(StatisticsTest, ReferenceTreeHasTheCountsOfTheThesis) {

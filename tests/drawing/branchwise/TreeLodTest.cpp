@@ -24,7 +24,7 @@ protected:
         description.law = MotionLaw::ThesisSmooth;
         forest = new Forest(description);
         forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
-        tree = forest->getBranchwise()->getTrees()->nodes()[0].get();
+        tree = branchwiseTrees(*forest->getBranchwise()).nodes()[0].get();
         height = tree->getLod()->getCenter().z() * 2.0f;
     }
     /// Classes of the drawables that a camera draws from a distance in heights of the tree.
@@ -140,7 +140,7 @@ TEST_F(TreeLodTest, RangesAreInHeightsOfTheTree) {
 TEST_F(TreeLodTest, CopyOfTheForestKeepsTheRanges) {
     EXPECT_TRUE(forest->getBranchwise()->setLodRanges({3.0f, 20.0f}).empty());
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
-    EXPECT_EQ(copy->getBranchwise()->getTrees()->nodes()[0]->getLod()->getRanges().full, 3.0f);
+    EXPECT_EQ(branchwiseTrees(*copy->getBranchwise()).nodes()[0]->getLod()->getRanges().full, 3.0f);
 }
 
 TEST_F(TreeLodTest, DistantTreeIsABillboard) {

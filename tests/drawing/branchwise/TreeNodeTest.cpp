@@ -15,7 +15,7 @@ using namespace osgTreeWind;
 
 TEST(TreeNodeTest, HasOneBranchPerUnit) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     EXPECT_EQ(tree.getNumBranches(), 122u);
     EXPECT_NE(tree.getBranch(121), nullptr);
     EXPECT_EQ(tree.getBranch(122), nullptr);
@@ -24,15 +24,15 @@ TEST(TreeNodeTest, HasOneBranchPerUnit) {
 
 TEST(TreeNodeTest, ReturnsTheSameBranchEveryTime) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    BranchTransform* const branch = forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(9);
-    EXPECT_EQ(forest->getBranchwise()->getTrees()->nodes()[0]->getBranch(9), branch);
+    BranchTransform* const branch = branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getBranch(9);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getBranch(9), branch);
     EXPECT_EQ(branch->getUnit(), 9u);
 }
 
 TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
     const unsigned unit = 13, treeIndex = 4;
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[treeIndex].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[treeIndex];
     const glm::vec3 tip =
         tree.getPosedTree()->scale().axes * tree.getPosedTree()->model().skeleton.units[unit].tip;
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(toOsg(tip)));
@@ -52,7 +52,7 @@ TEST(TreeNodeTest, AttachedNodeFollowsTheSimulatedTip) {
 TEST(TreeNodeTest, NewBranchTransformHasTheCurrentPose) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     const osg::Matrix late = worldMatrix(*tree.getBranch(13));
     tree.updatePose();
     EXPECT_EQ(worldMatrix(*tree.getBranch(13)), late);
@@ -61,7 +61,7 @@ TEST(TreeNodeTest, NewBranchTransformHasTheCurrentPose) {
 
 TEST(TreeNodeTest, ReleasedBranchLosesItsNodesAndStopsFollowing) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     BranchTransform* const branch = forest->branch(TreeId(0), 9).value();
     const unsigned own = branch->getNumChildren();
     branch->addChild(new osg::Group);
@@ -90,7 +90,7 @@ TEST(TreeNodeTest, EmptyNodeAcceptsAllCalls) {
 
 TEST(TreeNodeTest, SeasonChangeKeepsAttachedNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[0].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[0];
     osg::ref_ptr<osg::Group> nest = new osg::Group;
     tree.getBranch(5)->addChild(nest);
     osgUtil::IntersectionVisitor picking; // makes the tree create its transforms
@@ -107,7 +107,7 @@ class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
 TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[1].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[1];
     tree.setName("by the gate");
     tree.addChild(new osg::Group);
     tree.getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
@@ -126,7 +126,7 @@ TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
 
 TEST_P(TreeNodeCopyTest, DoesNotChangeTheOriginal) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
-    TreeNode& tree = *forest->getBranchwise()->getTrees()->nodes()[1].get();
+    TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[1];
     int before = -2, after = -2;
     tree.getStateSet()->getUniform("treeFirstUnit")->get(before);
     osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));

@@ -128,7 +128,7 @@ TEST_F(ChangingTreesGlTest, ThousandTreesPerSecondAreAddedAndRemoved) {
         EXPECT_TRUE(forest->getSimulation().holds(tree));
     EXPECT_LE(movingForest(forest->getSimulation()).trees().size(), 201u)
         << "slots of removed trees are reused";
-    EXPECT_LE(forest->getInstanced()->getTrees()->nearTreeCount(), 201u);
+    EXPECT_LE(instancedTrees(*forest->getInstanced()).nearTreeCount(), 201u);
     EXPECT_LT(residentMemory(), settled + keptMemory);
     EXPECT_GT(covered(image()), 0.02);
 }
@@ -139,14 +139,14 @@ TEST_F(ChangingTreesGlTest, DrawingAFrameRepeatedlyNeedsNoMoreMemory) {
     osg::ref_ptr<Forest> forest = new Forest(squareForest(200, 2.0));
     show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
     frame(0.0);
-    const auto listed = forest->getInstanced()->getTrees()->treesByTier();
+    const auto listed = instancedTrees(*forest->getInstanced()).treesByTier();
     std::size_t settled = 0;
     for (int i = 0; i < 200; ++i) {
         viewer().renderingTraversals();
         if (i == 50)
             settled = residentMemory();
     }
-    EXPECT_EQ(forest->getInstanced()->getTrees()->treesByTier(), listed);
+    EXPECT_EQ(instancedTrees(*forest->getInstanced()).treesByTier(), listed);
     EXPECT_LT(residentMemory(), settled + (1u << 20));
 }
 
@@ -238,7 +238,7 @@ TEST_F(ChangingTreesGlTest, PosesAreCorrectOnEveryPage) {
     show(few, eye, at);
     osg::ref_ptr<osg::Image> expected = later(0, 1);
     ASSERT_GT(covered(*expected), 0.2);
-    EXPECT_LT(few->getInstanced()->getTrees()->treesByTier()[0], 1000u);
+    EXPECT_LT(instancedTrees(*few->getInstanced()).treesByTier()[0], 1000u);
 
     osg::ref_ptr<Forest> all = new Forest(description);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
@@ -255,6 +255,6 @@ TEST_F(ChangingTreesGlTest, PosesAreCorrectOnEveryPage) {
     scene->addChild(all);
     show(scene, eye, at);
     osg::ref_ptr<osg::Image> picture = later(0, 1);
-    EXPECT_GE(all->getInstanced()->getTrees()->treesByTier()[0], 4600u);
+    EXPECT_GE(instancedTrees(*all->getInstanced()).treesByTier()[0], 4600u);
     EXPECT_EQ(difference(*picture, *expected).mean, 0.0);
 }

@@ -158,7 +158,7 @@ TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
             followed->branch(TreeId(tree), unit).value()->addChild(whiteTriangles(corners));
         }
     }
-    followed->getInstanced()->getTrees()->setNodeMask(0);
+    instancedTrees(*followed->getInstanced()).setNodeMask(0);
     osg::ref_ptr<osg::Image> trees = picture(drawn, 30), things = picture(followed, 30);
     EXPECT_GT(covered(*trees), 0.01);
     EXPECT_LT(differing(*trees, *things), 0.001);
@@ -301,7 +301,7 @@ TEST_F(InstancedTreesGlTest, DoesNotChangeOtherDrawings) { // passes restore the
     look(with);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     osg::ref_ptr<osg::Image> together = run(0, 2);
-    const auto listed = forest->getInstanced()->getTrees()->treesByTier();
+    const auto listed = instancedTrees(*forest->getInstanced()).treesByTier();
     EXPECT_GT(std::accumulate(listed.begin(), listed.begin() + branchTiers, std::size_t{0}), 0u);
     EXPECT_GT(covered(*alone), 0.02);
     EXPECT_EQ(difference(*alone, *together).mean, 0.0);

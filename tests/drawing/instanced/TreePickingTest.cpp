@@ -200,7 +200,7 @@ TEST(TreePickingTest, EveryIntersectorOfAGroupHitsItsTree) {
 
 TEST(TreePickingTest, NodeMaskHidesTrees) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    forest->getInstanced()->getTrees()->setNodeMask(0x2);
+    instancedTrees(*forest->getInstanced()).setNodeMask(0x2);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
     osg::ref_ptr<LineSegmentIntersector> line =
         new LineSegmentIntersector(trunk - osg::Vec3d(0, 1, 0), trunk + osg::Vec3d(0, 1, 0));

@@ -101,7 +101,7 @@ protected:
         forest.trees.resize(trees);
         show(forest);
         pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-        const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+        const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
         return {listed.begin(), listed.end()};
     }
     osg::ref_ptr<Forest> _forest;
@@ -119,7 +119,7 @@ TEST_F(TreeTiersGlTest, ForestLooksTheSameWithAndWithoutTiers) {
                 pictureFrom(eye, {0, 140, 8}, i / 30.0);
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
-                const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+                const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
                 EXPECT_GT(listed[static_cast<std::size_t>(Tier::Impostor)], 0u)
                     << "the test draws no impostors";
             }
@@ -195,7 +195,7 @@ TEST_F(TreeTiersGlTest, DefineColoursTheTiers) {
         yellow += g > b + 40 && g > r - 60;
         blue += b > r + 40 && b > g + 40;
     }
-    const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+    const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
     EXPECT_EQ(listed.front() > 0, red > 100) << red;
     EXPECT_GT(yellow, 100u);
     EXPECT_GT(blue, 100u);
@@ -238,7 +238,7 @@ TEST_F(TreeTiersGlTest, CrownKeepsItsDensityDuringATransition) {
         show(forest);
         for (int i = 0; i < 3; ++i)
             covered[step] = coveredPixels(pictureFrom({-17.0, -36.0, 6.5}, {-14.0, 4.0, 6.5}, 0.0));
-        const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+        const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Sprays)], step < 2) << step;
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Boughs)], step > 0) << step;
     }
@@ -296,7 +296,7 @@ TEST_F(TreeTiersGlTest, HiddenTreeIsNotDrawn) {
     EXPECT_EQ(count(behind + 1), drawn + 1) << "a small tree in front of the others";
     _forest->getInstanced()->setLeafState(1, new osg::StateSet); // may make more of a tree visible
     pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-    const auto ofHost = _forest->getInstanced()->getTrees()->treesByTier();
+    const auto ofHost = instancedTrees(*_forest->getInstanced()).treesByTier();
     EXPECT_GE(std::accumulate(ofHost.begin(), ofHost.end(), std::size_t{0}), drawn + 51)
         << "trees with state of a host hide nothing and are not hidden";
 }
@@ -317,13 +317,13 @@ TEST_F(TreeTiersGlTest, DetailFollowsTheBudgetOfTheView) {
         const unsigned frame = viewer().getFrameStamp()->getFrameNumber();
         ASSERT_TRUE(viewer().getCamera()->getStats()->getAttribute(frame, "Tree detail", detail));
         EXPECT_EQ(detail, each.detail) << each.budget << " ms";
-        const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+        const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
         (each.detail == 1.0 ? full : least).assign(listed.begin(), listed.end());
     }
     ForestDescription without = wood(12, true);
     show(without);
     pictureFrom({0, -20, 3}, {0, 140, 8}, 0.0);
-    const auto listed = _forest->getInstanced()->getTrees()->treesByTier();
+    const auto listed = instancedTrees(*_forest->getInstanced()).treesByTier();
     EXPECT_EQ(full, std::vector<std::size_t>(listed.begin(), listed.end()));
     double detail = 0.0;
     EXPECT_FALSE(viewer().getCamera()->getStats()->getAttribute(1, "Tree detail", detail))

@@ -201,8 +201,8 @@ TEST(WindDamage, ReplacedTreesStand) {
     EXPECT_TRUE(damageBetween(forest, 40.0, 41.0).empty());
     EXPECT_EQ(damageBetween(forest, 41.0, 80.0).size(), 2u) << "and falls again";
     forest.reset();
-    for (std::size_t slot = 0; slot < movingForest(forest).trees().size(); ++slot)
-        EXPECT_TRUE(forest.isStanding(TreeId(slot)));
+    for (const TreeId tree : forest.trees())
+        EXPECT_TRUE(forest.isStanding(tree));
 }
 
 TEST(WindDamage, ACopyHasAllTreesStanding) {
