@@ -3,6 +3,7 @@
 
 #include <plugins/weather/GribChoice.h>
 #include <plugins/weather/GribValues.h>
+#include <plugins/weather/PointColumn.h>
 #include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/base/IsoTime.h>
@@ -14,7 +15,6 @@
 #include <cpl_virtualmem.h>
 #include <cpl_vsi.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -30,42 +30,17 @@ namespace {
 using Numbers = std::vector<float>;
 constexpr float missingValue = std::numeric_limits<float>::quiet_NaN();
 
-/// The points above one place at one time.
-struct PointColumn {
-    GridWind::Grid& grid;
-    std::size_t first, layerStep, layers;
-
-    float& height(std::size_t layer) const { return grid.heights[first + layer * layerStep]; }
-    float* velocity(std::size_t layer) const { return grid.values.data() + 3 * (first + layer * layerStep); }
-
-    /// The lowest layer at such a height; the number of layers if there is none.
-    template <typename Test>
-    std::size_t lowestWhere(Test test) const {
-        std::size_t layer = 0;
-        while (layer < layers && !test(height(layer)))
-            ++layer;
-        return layer;
-    }
-
-    void replaceWindBelowGround() const {
-        const float ground = grid.aboveGround ? 0.0f : -1e9f;
-        const std::size_t lowest = lowestWhere([&](float height) { return height > ground; });
-        for (std::size_t layer = 0; lowest < layers && layer < lowest; ++layer)
-            std::copy_n(velocity(lowest), 3, velocity(layer));
-    }
-
-    void increaseUpward() const {
-        constexpr float minStep = 0.01f; // metres; resolved by floats up to 100 km
-        std::size_t known = lowestWhere([](float height) { return std::isfinite(height); });
-        if (known == layers)
-            height(known = 0) = 0.0f;
-        for (std::size_t layer = known; layer > 0; --layer)
-            height(layer - 1) = height(layer) - minStep;
-        for (std::size_t layer = known + 1; layer < layers; ++layer)
-            if (const float least = height(layer - 1) + minStep; !(height(layer) >= least))
-                height(layer) = least;
-    }
-};
+void increaseUpward(const PointColumn& column) {
+    constexpr float minStep = 0.01f; // metres; resolved by floats up to 100 km
+    std::size_t known = column.lowestWhere([](float height) { return std::isfinite(height); });
+    if (known == column.layers)
+        column.height(known = 0) = 0.0f;
+    for (std::size_t layer = known; layer > 0; --layer)
+        column.height(layer - 1) = column.height(layer) - minStep;
+    for (std::size_t layer = known + 1; layer < column.layers; ++layer)
+        if (const float least = column.height(layer - 1) + minStep; !(column.height(layer) >= least))
+            column.height(layer) = least;
+}
 
 /// Makes heights increase upward in each column, as GridWind requires. A level that has no height, or is not
 /// above the previous one, is placed 1 cm above it.
@@ -74,15 +49,10 @@ struct PointColumn {
 /// the wind of the lowest level above the ground.
 /// @param grid with heights (NaN if missing) and values for each point and time.
 void makeHeightsIncrease(GridWind::Grid& grid) {
-    const auto layers = static_cast<std::size_t>(grid.points.z);
-    const std::size_t perLayer =
-        static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);
-    for (std::size_t step = 0; step * perLayer * layers < grid.heights.size(); ++step)
-        for (std::size_t place = 0; place < perLayer; ++place) {
-            const PointColumn column{grid, step * perLayer * layers + place, perLayer, layers};
-            column.replaceWindBelowGround();
-            column.increaseUpward();
-        }
+    forEachColumn(grid, [&](const PointColumn& column) {
+        column.replaceWindUpTo(grid.aboveGround ? 0.0f : -1e9f);
+        increaseUpward(column);
+    });
 }
 
 class GribReader {
