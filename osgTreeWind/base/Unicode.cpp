@@ -2,56 +2,29 @@
 #include <osgTreeWind/base/Unicode.h>
 
 #include <algorithm>
-#include <cwctype>
+#include <array>
 #include <utility>
 
-#include <locale.h>
+#include <utf8proc.h>
 
 namespace osgTreeWind {
 
 namespace {
 
-constexpr char32_t replacement = 0xfffd;
+constexpr utf8proc_int32_t replacement = 0xfffd;
 
 /// Removes the first character of a UTF-8 text. @return it, or `replacement` for an invalid byte.
-char32_t takeCharacter(std::string_view& text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    const std::size_t length = first < 0x80    ? 1
-                               : first > 0xf4  ? 0
-                               : first >= 0xf0 ? 4
-                               : first >= 0xe0 ? 3
-                               : first >= 0xc2 ? 2
-                                               : 0;
-    constexpr unsigned char firstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
-    constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    char32_t character = first & firstBits[length];
-    bool isValid = length > 0 && length <= text.size();
-    for (std::size_t i = 1; isValid && i < length; ++i) {
-        isValid = (byte(i) & 0xc0) == 0x80;
-        character = character << 6 | (byte(i) & 0x3f);
-    }
-    isValid = isValid && character >= least[length] && character <= 0x10ffff &&
-              (character < 0xd800 || character > 0xdfff);
-    text.remove_prefix(isValid ? length : 1);
-    return isValid ? character : replacement;
+utf8proc_int32_t takeCharacter(std::string_view& text) {
+    utf8proc_int32_t character = 0;
+    const auto size = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                                       static_cast<utf8proc_ssize_t>(text.size()), &character);
+    text.remove_prefix(size > 0 ? static_cast<std::size_t>(size) : 1);
+    return size > 0 ? character : replacement;
 }
 
-void append(std::string& text, char32_t character) {
-    const auto add = [&](char32_t bits) { text += static_cast<char>(bits); };
-    if (character < 0x80)
-        return add(character);
-    if (character < 0x800) {
-        add(0xc0 | character >> 6);
-    } else if (character < 0x10000) {
-        add(0xe0 | character >> 12);
-        add(0x80 | (character >> 6 & 0x3f));
-    } else {
-        add(0xf0 | character >> 18);
-        add(0x80 | (character >> 12 & 0x3f));
-        add(0x80 | (character >> 6 & 0x3f));
-    }
-    add(0x80 | (character & 0x3f));
+void append(std::string& text, utf8proc_int32_t character) {
+    std::array<utf8proc_uint8_t, 4> bytes{};
+    text.append(bytes.begin(), bytes.begin() + utf8proc_encode_char(character, bytes.data()));
 }
 
 /// The characters 0x80 to 0x9f of Windows-1252; 0: unassigned.
@@ -65,7 +38,7 @@ std::string fromWindows1252(std::string_view bytes) {
     text.reserve(bytes.size() + bytes.size() / 8);
     for (const char c : bytes) {
         const auto byte = static_cast<unsigned char>(c);
-        const char32_t special = byte >= 0x80 && byte < 0xa0 ? windows1252[byte - 0x80] : byte;
+        const utf8proc_int32_t special = byte >= 0x80 && byte < 0xa0 ? windows1252[byte - 0x80] : byte;
         append(text, special != 0 ? special : replacement);
     }
     return text;
@@ -75,13 +48,13 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian) {
     const auto unit = [&](std::size_t at) {
         const auto first = static_cast<unsigned char>(bytes[at]),
                    second = static_cast<unsigned char>(bytes[at + 1]);
-        return static_cast<char32_t>(bigEndian ? first << 8 | second : second << 8 | first);
+        return static_cast<utf8proc_int32_t>(bigEndian ? first << 8 | second : second << 8 | first);
     };
     std::string text;
     for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
-        char32_t character = unit(at);
+        utf8proc_int32_t character = unit(at);
         const bool isHigh = character >= 0xd800 && character < 0xdc00;
-        const char32_t low = isHigh && at + 3 < bytes.size() ? unit(at + 2) : 0;
+        const utf8proc_int32_t low = isHigh && at + 3 < bytes.size() ? unit(at + 2) : 0;
         if (low >= 0xdc00 && low < 0xe000) {
             character = 0x10000 + ((character - 0xd800) << 10) + (low - 0xdc00);
             at += 2;
@@ -91,53 +64,30 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian) {
     return text;
 }
 
-/// Base letters of accented Latin letters.
-struct BaseLetters {
-    char32_t character;
-    const char* letters;
-};
-constexpr BaseLetters baseLetterTable[] = {
-    {0xdf, "ss"}, {0xe6, "a"},  {0xe7, "c"},  {0xf0, "d"},  {0xf1, "n"},  {0xf8, "o"},  {0xfe, "th"},
-    {0xfd, "y"},  {0xff, "y"},  {0x107, "c"}, {0x10d, "c"}, {0x10f, "d"}, {0x111, "d"}, {0x119, "e"},
-    {0x11b, "e"}, {0x11f, "g"}, {0x131, "i"}, {0x142, "l"}, {0x144, "n"}, {0x148, "n"}, {0x151, "o"},
-    {0x153, "o"}, {0x159, "r"}, {0x15b, "s"}, {0x15f, "s"}, {0x161, "s"}, {0x165, "t"}, {0x16f, "u"},
-    {0x171, "u"}, {0x17a, "z"}, {0x17c, "z"}, {0x17e, "z"}, {0x103, "a"}, {0x105, "a"}, {0x163, "t"},
-    {0x219, "s"}, {0x21b, "t"}};
-
-std::string baseLetters(char32_t character) {
-    if (character >= 0xe0 && character <= 0xe5)
-        return "a";
-    if (character >= 0xe8 && character <= 0xeb)
-        return "e";
-    if (character >= 0xec && character <= 0xef)
-        return "i";
-    if (character >= 0xf2 && character <= 0xf6)
-        return "o";
-    if (character >= 0xf9 && character <= 0xfc)
-        return "u";
-    for (const BaseLetters& entry : baseLetterTable)
-        if (entry.character == character)
-            return entry.letters;
+/// Base letters of a small Latin letter; the character itself if it is another.
+std::string baseLetters(utf8proc_int32_t character) {
+    constexpr std::pair<utf8proc_int32_t, const char*> joined[] = {{0xdf, "ss"}, {0xe6, "a"},  {0xf0, "d"},
+                                                                   {0xf8, "o"},  {0xfe, "th"}, {0x111, "d"},
+                                                                   {0x131, "i"}, {0x142, "l"}, {0x153, "o"}};
+    for (const auto& [each, letters] : joined)
+        if (each == character)
+            return letters;
+    std::array<utf8proc_int32_t, 4> parts{};
+    int last = 0;
+    utf8proc_decompose_char(character, parts.data(), parts.size(), UTF8PROC_DECOMPOSE, &last);
     std::string text;
-    append(text, character);
+    append(text, parts[0] < 0x80 ? parts[0] : character);
     return text;
 }
 
-char32_t lowerCase(char32_t character) {
-    if (character < 0x80)
-        return character >= 'A' && character <= 'Z' ? character + ('a' - 'A') : character;
-    static const locale_t unicode = newlocale(LC_CTYPE_MASK, "C.UTF-8", locale_t());
-    return unicode ? static_cast<char32_t>(towlower_l(static_cast<wint_t>(character), unicode)) : character;
-}
-
 /// Includes control characters and zero-width spaces.
-bool isBlank(char32_t c) {
+bool isBlank(utf8proc_int32_t c) {
     return c <= ' ' || c == 0xa0 || (c >= 0x2000 && c <= 0x200d) || c == 0x2028 || c == 0x2029 ||
            c == 0x202f || c == 0x205f || c == 0x3000 || c == 0xfeff;
 }
 
 /// Hyphens and dashes, apostrophes, and combining accents.
-bool isIgnored(char32_t c) {
+bool isIgnored(utf8proc_int32_t c) {
     return c == '-' || c == '\'' || c == '`' || c == 0xad || c == 0xb4 || (c >= 0x300 && c <= 0x36f) ||
            (c >= 0x2010 && c <= 0x2019);
 }
@@ -169,7 +119,7 @@ std::string foldedName(std::string_view text) {
     std::string name;
     bool isBlankPending = false;
     while (!text.empty()) {
-        const char32_t character = lowerCase(takeCharacter(text));
+        const auto character = utf8proc_tolower(takeCharacter(text));
         if (isBlank(character)) {
             isBlankPending = !name.empty();
             continue;
@@ -185,7 +135,7 @@ std::string foldedName(std::string_view text) {
 std::string comparableName(std::string_view text) {
     std::string name;
     while (!text.empty()) {
-        const char32_t character = lowerCase(takeCharacter(text));
+        const auto character = utf8proc_tolower(takeCharacter(text));
         if (isBlank(character) || isIgnored(character))
             continue;
         const std::string letters = baseLetters(character);

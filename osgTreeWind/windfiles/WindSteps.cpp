@@ -103,22 +103,39 @@ FileTimes timesOf(const WindContent& step) {
     return times;
 }
 
-/// Appends the times of the next file.
-Diagnostics appendTimes(const std::string& file, const FileTimes& own, bool isDated,
-                        std::vector<double>& times) {
+/// Appends the times of the next file to those of the previous ones.
+Diagnostics appendTimes(const std::string& file, const FileTimes& own, FileTimes& all) {
     if (own.seconds.empty())
         return {
             keyProblem("times", "expected one time for each file, because " + file + " contains no time")};
-    if (own.isDated != isDated)
-        return {fileProblem(file, isDated ? "expected a date, as in the first file"
-                                          : "expected seconds, as in the first file, found a date")};
-    if (!times.empty() && own.seconds.front() <= times.back()) {
-        const double zero = isDated ? times.front() : 0.0;
-        return {fileProblem(file, "expected a time after " + numberText(times.back() - zero) +
+    if (all.seconds.empty())
+        all.isDated = own.isDated;
+    else if (own.isDated != all.isDated)
+        return {fileProblem(file, all.isDated ? "expected a date, as in the first file"
+                                              : "expected seconds, as in the first file, found a date")};
+    else if (own.seconds.front() <= all.seconds.back()) {
+        const double zero = all.isDated ? all.seconds.front() : 0.0;
+        return {fileProblem(file, "expected a time after " + numberText(all.seconds.back() - zero) +
                                       " s, the last time of the previous file, found " +
                                       numberText(own.seconds.front() - zero) + " s")};
     }
-    times.insert(times.end(), own.seconds.begin(), own.seconds.end());
+    all.seconds.insert(all.seconds.end(), own.seconds.begin(), own.seconds.end());
+    return {};
+}
+
+/// Appends the velocities of the next file. @return why they do not fit; empty if they do.
+std::string appendVelocities(WindContent& wind, WindContent& step, const std::string& firstFile) {
+    if (const std::string what = difference(wind, step, firstFile); !what.empty())
+        return what;
+    if (const std::string what = problemOfMemory("all files up to this one",
+                                                 sizeof(float) * (valueCount(wind) + valueCount(step)));
+        !what.empty())
+        return what;
+    if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
+        return "expected the heights of " + firstFile;
+    wind.missingCount += step.missingCount;
+    wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
+    wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
     return {};
 }
 
@@ -135,8 +152,7 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         return problems;
 
     WindContent wind;
-    std::vector<double> fileTimes;
-    bool isDated = false;
+    FileTimes fileTimes;
     std::vector<std::string> firstNotes;
     for (const std::string& file : files) {
         Result<WindContent> one = read(file);
@@ -145,40 +161,28 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         WindContent& step = one.value();
         if (const std::string what = problemOfStep(step, !times.empty()); !what.empty())
             return fileProblem(file, what);
-        if (times.empty()) {
-            const FileTimes own = timesOf(step);
-            if (files.size() == 1 && own.seconds.empty())
-                return one; // a steady wind
-            isDated = fileTimes.empty() ? own.isDated : isDated;
-            if (Diagnostics problems = appendTimes(file, own, isDated, fileTimes); !problems.empty())
+        const FileTimes own = timesOf(step);
+        if (times.empty() && files.size() == 1 && own.seconds.empty())
+            return one; // a steady wind
+        if (times.empty())
+            if (Diagnostics problems = appendTimes(file, own, fileTimes); !problems.empty())
                 return problems;
-        }
         if (&file == &files.front()) {
             wind = std::move(step);
             firstNotes = wind.summary.notes;
             continue;
         }
-        if (const std::string what = difference(wind, step, files.front()); !what.empty())
+        if (const std::string what = appendVelocities(wind, step, files.front()); !what.empty())
             return fileProblem(file, what);
-        if (const std::string memory = problemOfMemory("all files up to this one",
-                                                       sizeof(float) * (valueCount(wind) + valueCount(step)));
-            !memory.empty())
-            return fileProblem(file, memory);
-        if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
-            return fileProblem(file, "expected the heights of " + files.front());
-        const std::string source = file + ": ";
         for (const std::string& note : step.summary.notes)
             if (std::find(firstNotes.begin(), firstNotes.end(), note) == firstNotes.end())
-                wind.summary.notes.push_back(source + note);
-        wind.missingCount += step.missingCount;
-        wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
-        wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
+                wind.summary.notes.push_back(file + ": " + note);
     }
+    const double zero = fileTimes.isDated ? fileTimes.seconds.front() : 0.0;
+    for (double& seconds : fileTimes.seconds)
+        seconds -= zero;
     auto& all = std::get<GridWind::Grid>(wind.data).times;
-    if (const double zero = isDated ? fileTimes.front() : 0.0; zero != 0.0)
-        for (double& seconds : fileTimes)
-            seconds -= zero;
-    all = times.empty() ? fileTimes : times;
+    all = times.empty() ? fileTimes.seconds : times;
     if (all.front() != 0.0)
         wind.summary.start.clear(); // the date of the first file is not time 0
     return wind;

@@ -52,6 +52,7 @@ class OsgTreeWind(ConanFile):
         self.requires("gdal/[>=3.4 <4]")
         self.requires("pugixml/[>=1.12 <2]")
         self.requires("tomlplusplus/[>=3.3 <4]")
+        self.requires("utf8proc/[>=2.8 <3]")
         self.requires("zlib/[>=1.2.11 <2]")
         if self.options.matlab:
             self.requires("matio/[>=1.5.23 <2]")

@@ -17,7 +17,7 @@ struct GribGrid {
     bool isEven = false; ///< Points are evenly spaced in longitude and latitude or in a map projection.
     bool relativeToGrid = false; ///< Vector components are along the grid axes, not toward east and north.
     std::uint64_t columns = 0, rows = 0;
-    std::string definition; ///< Bytes to compare grids, without `relativeToGrid`.
+    std::string definition; ///< To compare grids, without `relativeToGrid`.
 };
 
 /// What the value of a level means.
@@ -26,17 +26,17 @@ enum class GribLevelKind { AboveGround, AboveSea, Isobaric, Model, Surface, Othe
 /// A vertical level.
 struct GribLevel {
     GribLevelKind kind = GribLevelKind::Other;
-    int type = 0;       ///< Number in the tables of its edition.
+    long type = 0;      ///< Number in the tables of its edition.
     double value = 0.0; ///< Metres, Pa or a number.
 };
 
 /// The quantity of a field, as numbers of its edition.
 struct GribParameter {
     int edition = 2;
-    int centre = 0;   ///< Edition 1 only.
-    int table = 0;    ///< Edition 1: version of the table; edition 2: discipline.
-    int category = 0; ///< Edition 2 only.
-    int number = 0;
+    long centre = 0;   ///< Edition 1 only.
+    long table = 0;    ///< Edition 1: version of the table; edition 2: discipline.
+    long category = 0; ///< Edition 2 only.
+    long number = 0;
 };
 
 /// The description of a field of a file, without its values.

@@ -20,25 +20,20 @@ codes_context* quietContext() {
 } // namespace
 
 GribHandle::GribHandle(const std::vector<std::string_view>& parts) : _handle(nullptr, codes_handle_delete) {
-    std::string_view message = parts.front();
-    if (parts.size() > 1) {
-        for (const std::string_view part : parts)
-            _copy += part;
-        message = _copy;
-        for (std::size_t octet = 0; octet < 8;
-             ++octet) // the length was that of a message with several fields
-            _copy[8 + octet] = static_cast<char>(_copy.size() >> (8 * (7 - octet)) & 0xff);
-    }
-    _handle.reset(codes_handle_new_from_message(quietContext(), message.data(), message.size()));
+    for (const std::string_view part : parts)
+        _message += part;
+    if (_message.size() > 16 && _message[7] == 2) // its size may be that of a message with several fields
+        for (std::size_t octet = 0; octet < 8; ++octet)
+            _message[8 + octet] = static_cast<char>(_message.size() >> (8 * (7 - octet)) & 0xff);
+    _handle.reset(codes_handle_new_from_message(quietContext(), _message.data(), _message.size()));
 }
 
-std::optional<long> GribHandle::integer(const char* key) const {
+long GribHandle::integer(const char* key, long otherwise) const {
     long value = 0;
     int error = 0;
-    if (codes_get_long(_handle.get(), key, &value) != CODES_SUCCESS ||
-        codes_is_missing(_handle.get(), key, &error))
-        return {};
-    return value;
+    const bool isKnown = codes_get_long(_handle.get(), key, &value) == CODES_SUCCESS &&
+                         !codes_is_missing(_handle.get(), key, &error);
+    return isKnown ? value : otherwise;
 }
 
 double GribHandle::real(const char* key) const {
@@ -53,11 +48,9 @@ std::string GribHandle::text(const char* key) const {
     return codes_get_string(_handle.get(), key, value.data(), &size) == CODES_SUCCESS ? value.data() : "";
 }
 
-std::optional<std::size_t> GribHandle::offset(const char* key) const {
-    std::size_t at = 0;
-    if (grib_get_offset(_handle.get(), key, &at) != CODES_SUCCESS) // ecCodes 2.28 has no codes_get_offset()
-        return {};
-    return at;
+void GribHandle::set(const char* key, const std::string& value) const {
+    std::size_t size = value.size();
+    codes_set_string(_handle.get(), key, value.c_str(), &size);
 }
 
 std::string GribHandle::withZeroValues(std::size_t numbers) const {

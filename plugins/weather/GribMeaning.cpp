@@ -11,13 +11,13 @@ constexpr double ofGeopotential = 1.0 / 9.80665; // metres per m^2/s^2
 
 /// A parameter of a table.
 struct Row {
-    int table, category, number;
+    long table, category, number;
     Quantity quantity;
     double metres = 1.0;
     double height = 0.0; ///< Height above ground implied by the parameter, metres; 0 if there is none.
 };
 
-constexpr int noCategory = 0;
+constexpr long noCategory = 0;
 
 /// Edition 2: by discipline, category, number.
 constexpr Row rows2[] = {{0, 2, 2, Quantity::East},
@@ -57,7 +57,7 @@ constexpr Row rowsOfEcmwf[] = {{128, noCategory, 131, Quantity::East},
                                {228, noCategory, 240, Quantity::North, 1.0, 200.0}};
 
 template <std::size_t N>
-const Row* rowOf(const Row (&rows)[N], int table, int category, int number) {
+const Row* rowOf(const Row (&rows)[N], long table, long category, long number) {
     for (const Row& row : rows)
         if (row.table == table && row.category == category && row.number == number)
             return &row;
@@ -65,7 +65,7 @@ const Row* rowOf(const Row (&rows)[N], int table, int category, int number) {
 }
 
 const Row* rowOf(const GribParameter& parameter) {
-    constexpr int ecmwf = 98, lastSharedTable = 3;
+    constexpr long ecmwf = 98, lastSharedTable = 3;
     if (parameter.edition == 2)
         return rowOf(rows2, parameter.table, parameter.category, parameter.number);
     if (parameter.table <= lastSharedTable)

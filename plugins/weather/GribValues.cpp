@@ -53,6 +53,34 @@ private:
     void* _data;
 };
 
+/// The order of the values of a message.
+struct ScanOrder {
+    std::size_t columns, rows;
+    bool westward, northward, byColumns, alternating;
+
+    /// Index of a point whose column is counted eastward and row southward.
+    std::size_t indexOf(std::size_t column, std::size_t row) const {
+        if (westward)
+            column = columns - 1 - column;
+        if (northward)
+            row = rows - 1 - row;
+        if (alternating && !byColumns && row % 2 == 1)
+            column = columns - 1 - column;
+        if (alternating && byColumns && column % 2 == 1)
+            row = rows - 1 - row;
+        return byColumns ? column * rows + row : row * columns + column;
+    }
+};
+
+/// Columns from the first one of a message to the first one of GDAL, which starts the globe at -180 degrees.
+std::size_t columnsToStart(double west, const EvenAxis& x) {
+    const auto columns = static_cast<double>(x.count);
+    if (x.period == 0.0 || std::abs(columns * x.step - x.period) >= 0.5 * x.step)
+        return 0;
+    const double turn = std::round((x.first - west) / x.step);
+    return static_cast<std::size_t>(turn - std::floor(turn / columns) * columns);
+}
+
 /// A message of GDAL without the name of the memory file.
 std::string reasonOf(std::string text) {
     for (std::size_t at; (at = text.find("/vsimem/")) != std::string::npos;)
@@ -106,38 +134,23 @@ Result<GribGeoreference> GribValues::georeference(const GribField& field) {
 Result<std::vector<float>> GribValues::read(const GribField& field, const AxisPart& x,
                                             const AxisPart& y) const {
     const GribHandle handle(field.parts);
-    const std::size_t columns = field.grid.columns, rows = field.grid.rows;
-    std::vector<double> numbers(columns * rows);
+    const auto is = [&](const char* flag) { return handle.integer(flag) != 0; };
+    const ScanOrder order{field.grid.columns,          field.grid.rows,
+                          is("iScansNegatively"),      is("jScansPositively"),
+                          is("jPointsAreConsecutive"), is("alternativeRowScanning")};
+    std::vector<double> numbers(order.columns * order.rows);
     if (const auto reason = handle.readValues(numbers))
         return problem(field, "its values, packed as " + handle.text("packingType") +
                                   ", cannot be read: " + *reason);
-    const auto is = [&](const char* flag) { return handle.integer(flag).value_or(0) != 0; };
-    const bool westward = is("iScansNegatively"), northward = is("jScansPositively"),
-               byColumns = is("jPointsAreConsecutive"), alternating = is("alternativeRowScanning");
-    const double west =
-        handle.real(westward ? "longitudeOfLastGridPointInDegrees" : "longitudeOfFirstGridPointInDegrees");
-    // GDAL counts longitudes around the globe from -180.
-    const bool isGlobe =
-        _georeference.x.period > 0.0 &&
-        std::abs(static_cast<double>(columns) * _georeference.x.step - 360.0) < 0.5 * _georeference.x.step;
-    const double turn = isGlobe ? std::round((_georeference.x.first - west) / _georeference.x.step) : 0.0;
-    const auto shift = static_cast<std::size_t>(turn - std::floor(turn / static_cast<double>(columns)) *
-                                                           static_cast<double>(columns));
+    const double west = handle.real(order.westward ? "longitudeOfLastGridPointInDegrees"
+                                                   : "longitudeOfFirstGridPointInDegrees");
+    const std::size_t shift = columnsToStart(west, _georeference.x);
     std::vector<float> values;
     values.reserve(x.indices.size() * y.indices.size());
-    for (const std::size_t southward : y.indices)
-        for (const std::size_t eastward : x.indices) {
-            std::size_t row = northward ? rows - 1 - southward : southward,
-                        column = (eastward + shift) % columns;
-            if (westward)
-                column = columns - 1 - column;
-            if (alternating && !byColumns && row % 2 == 1)
-                column = columns - 1 - column;
-            if (alternating && byColumns && column % 2 == 1)
-                row = rows - 1 - row;
+    for (const std::size_t row : y.indices)
+        for (const std::size_t column : x.indices)
             values.push_back(
-                static_cast<float>(numbers[byColumns ? column * rows + row : row * columns + column]));
-        }
+                static_cast<float>(numbers[order.indexOf((column + shift) % order.columns, row)]));
     return values;
 }
 

@@ -2,8 +2,8 @@
 #include <plugins/weather/GribWind.h>
 
 #include <plugins/weather/GribChoice.h>
-#include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribValues.h>
+#include <plugins/weather/PointColumn.h>
 #include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/base/IsoTime.h>
@@ -31,6 +31,31 @@ namespace {
 
 using Numbers = std::vector<float>;
 constexpr float missingValue = std::numeric_limits<float>::quiet_NaN();
+
+void increaseUpward(const PointColumn& column) {
+    constexpr float minStep = 0.01f; // metres; resolved by floats up to 100 km
+    std::size_t known = column.lowestWhere([](float height) { return std::isfinite(height); });
+    if (known == column.layers)
+        column.height(known = 0) = 0.0f;
+    for (std::size_t layer = known; layer > 0; --layer)
+        column.height(layer - 1) = column.height(layer) - minStep;
+    for (std::size_t layer = known + 1; layer < column.layers; ++layer)
+        if (const float least = column.height(layer - 1) + minStep; !(column.height(layer) >= least))
+            column.height(layer) = least;
+}
+
+/// Makes heights increase upward in each column, as GridWind requires. A level that has no height, or is not
+/// above the previous one, is placed 1 cm above it.
+///
+/// If heights are above ground, levels below the ground (extrapolated by the model) or without a height get
+/// the wind of the lowest level above the ground.
+/// @param grid with heights (NaN if missing) and values for each point and time.
+void makeHeightsIncrease(GridWind::Grid& grid) {
+    forEachColumn(grid, [&](const PointColumn& column) {
+        column.replaceWindUpTo(grid.aboveGround ? 0.0f : -1e9f);
+        increaseUpward(column);
+    });
+}
 
 class GribReader {
 public:

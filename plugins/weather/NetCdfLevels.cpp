@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/NetCdfLevels.h>
 
+#include <plugins/weather/PointColumn.h>
 #include <plugins/weather/Words.h>
 
 #include <osgTreeWind/base/Number.h>
@@ -26,41 +27,28 @@ double metresIn(const NetCdfArray& array) {
                : 0.0;
 }
 
-/// The levels at one point and time. `stride` is the number of points between levels.
-struct LevelColumn {
-    float* heights;
-    float* values;
-    std::size_t levels, stride;
-};
-
 /// Extrapolates missing heights in steps of 1 m; without any height the wind becomes NaN.
-void completeHeights(const LevelColumn& column) {
-    const auto height = [&](std::size_t z) -> float& { return column.heights[z * column.stride]; };
-    std::size_t known = 0;
-    while (known < column.levels && std::isnan(height(known)))
-        ++known;
-    if (known == column.levels)
-        for (std::size_t z = 0; z < column.levels; ++z) {
-            height(z) = static_cast<float>(z + 1);
-            column.values[3 * z * column.stride] = std::numeric_limits<float>::quiet_NaN();
+void completeHeights(const PointColumn& column) {
+    const std::size_t known = column.lowestWhere([](float height) { return !std::isnan(height); });
+    if (known == column.layers)
+        for (std::size_t layer = 0; layer < column.layers; ++layer) {
+            column.height(layer) = static_cast<float>(layer + 1);
+            *column.velocity(layer) = std::numeric_limits<float>::quiet_NaN();
         }
-    for (std::size_t z = std::min(known, column.levels - 1); z-- > 0;)
-        height(z) = height(z + 1) - 1.0f;
-    for (std::size_t z = known + 1; z < column.levels; ++z)
-        if (std::isnan(height(z)))
-            height(z) = height(z - 1) + 1.0f;
+    for (std::size_t layer = std::min(known, column.layers - 1); layer-- > 0;)
+        column.height(layer) = column.height(layer + 1) - 1.0f;
+    for (std::size_t layer = known + 1; layer < column.layers; ++layer)
+        if (std::isnan(column.height(layer)))
+            column.height(layer) = column.height(layer - 1) + 1.0f;
 }
 
-/// Replaces winds at heights of 0 or less by that of the lowest level above. @return their number.
-std::size_t fillBelowGround(const LevelColumn& column) {
-    std::size_t lowest = 0;
-    while (lowest < column.levels && column.heights[lowest * column.stride] <= 0.0f)
-        ++lowest;
-    if (lowest == column.levels)
-        return 0;
-    for (std::size_t z = 0; z < lowest; ++z)
-        std::copy_n(column.values + 3 * lowest * column.stride, 3, column.values + 3 * z * column.stride);
-    return lowest;
+/// Why a column cannot be read; empty if its heights increase upward.
+std::string problemOf(const PointColumn& column) {
+    for (std::size_t layer = 1; layer < column.layers; ++layer)
+        if (const float below = column.height(layer - 1), above = column.height(layer); !(above > below))
+            return "expected heights that increase upward, found " + numberText(below) + " m below " +
+                   numberText(above) + " m";
+    return {};
 }
 
 } // namespace
@@ -161,36 +149,18 @@ void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, Grid
     if (_origin != 0.0)
         summary.notes.push_back("heights include the model's origin_z, " + numberText(_origin) + " m");
     grid.heights = _heights;
-    grid.aboveGround = _aboveGround;
-    if (!_geopotential)
+    grid.aboveGround = _aboveGround || _ground;
+    if (_geopotential)
+        grid.heights = heightsOfPoints(file, points);
+    if (!_geopotential || !file.good())
         return;
-    const std::vector<float> geopotential = readAtPoints(file, *_geopotential, points),
-                             ground =
-                                 _ground ? readAtPoints(file, *_ground, points, true) : std::vector<float>(1);
-    if (!file.good())
-        return;
-    grid.aboveGround = _ground != nullptr;
-    grid.heights.resize(points.count());
-    for (std::size_t i = 0; i < grid.heights.size(); ++i) {
-        const std::size_t below = i / points.perTime() * points.perLevel() + i % points.perLevel();
-        grid.heights[i] = static_cast<float>(geopotential[i % geopotential.size()] * _geopotentialScale -
-                                             (_ground ? ground[below % ground.size()] * _groundScale : 0.0));
-    }
     std::size_t held = 0;
-    for (std::size_t t = 0; t < points.times.size(); ++t)
-        for (std::size_t i = 0; i < points.perLevel(); ++i) {
-            const std::size_t at = t * points.perTime() + i;
-            const LevelColumn column{&grid.heights[at], &grid.values[3 * at], points.levels.size(),
-                                     points.perLevel()};
-            completeHeights(column);
-            held += grid.aboveGround ? fillBelowGround(column) : 0;
-        }
-    for (std::size_t i = points.perLevel(); i < grid.heights.size(); ++i)
-        if (i % points.perTime() >= points.perLevel() &&
-            !(grid.heights[i] > grid.heights[i - points.perLevel()]))
-            return file.fail(_geopotential->name, "expected heights that increase upward, found " +
-                                                      numberText(grid.heights[i - points.perLevel()]) +
-                                                      " m below " + numberText(grid.heights[i]) + " m");
+    forEachColumn(grid, [&](const PointColumn& column) {
+        completeHeights(column);
+        held += _ground ? column.replaceWindUpTo(0.0f) : 0;
+        if (const std::string problem = problemOf(column); !problem.empty())
+            file.fail(_geopotential->name, problem);
+    });
     const std::string how = _geopotential->name + (_geopotentialScale == 1.0 ? "" : " over 9.80665");
     summary.notes.push_back(_ground
                                 ? "heights are " + how + " minus the terrain of the model, " + _ground->name +
@@ -203,6 +173,20 @@ void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, Grid
             std::to_string(held) + " of " + std::to_string(points.count()) +
             " velocities are below the terrain of the model and replaced by those of the lowest "
             "level above it");
+}
+
+/// Heights in the order time, level, row, column; NaN if missing.
+std::vector<float> NetCdfLevels::heightsOfPoints(NetCdfFile& file, const NetCdfPoints& points) const {
+    const std::vector<float> geopotential = readAtPoints(file, *_geopotential, points),
+                             ground =
+                                 _ground ? readAtPoints(file, *_ground, points, true) : std::vector<float>(1);
+    std::vector<float> heights(file.good() ? points.count() : 0);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const std::size_t below = i / points.perTime() * points.perLevel() + i % points.perLevel();
+        heights[i] = static_cast<float>(geopotential[i % geopotential.size()] * _geopotentialScale -
+                                        ground[below % ground.size()] * _groundScale);
+    }
+    return heights;
 }
 
 } // namespace osgTreeWind

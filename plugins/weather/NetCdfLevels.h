@@ -25,6 +25,7 @@ private:
     void findLevels(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points);
     void findGeopotential(const NetCdfFile& file, const NetCdfArray& wind);
     void findGround(const NetCdfFile& file);
+    std::vector<float> heightsOfPoints(NetCdfFile& file, const NetCdfPoints& points) const;
     bool isUpward(NetCdfFile& file, const NetCdfPoints& points) const;
 
     std::vector<float> _heights; ///< Heights of layers that are the same at all points.

@@ -3,7 +3,6 @@
 #include <tests/FullTests.h>
 #include <tests/io/TemporaryFolder.h>
 
-#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/Toml.h>
 
@@ -70,32 +69,6 @@ TEST_P(DamagedInputTest, SurvivesTruncation) {
     ASSERT_FALSE(text.empty());
     for (std::size_t length = 0; length < text.size(); length += 7)
         expectForestOrProblems(text.substr(0, length));
-}
-
-TEST_P(DamagedInputTest, SurvivesChangedBytes) {
-    const std::string text = readAll(GetParam());
-    ASSERT_FALSE(text.empty());
-    Random random(2);
-    for (int trial = 0; trial < 600; ++trial) {
-        std::string damaged = text;
-        for (std::uint64_t changes = 1 + random.next() % 4; changes > 0; --changes) {
-            const std::size_t at = random.next() % damaged.size();
-            switch (random.next() % 4) {
-            case 0:
-                damaged[at] = static_cast<char>(random.next());
-                break;
-            case 1:
-                damaged.erase(at, random.next() % 9);
-                break;
-            case 2: // a digit more, a bracket less
-                damaged.insert(at, 1, "0123456789.-+eE[]{}\"'=\n#,"[random.next() % 25]);
-                break;
-            default:
-                damaged.insert(at, damaged.substr(random.next() % damaged.size(), random.next() % 40));
-            }
-        }
-        expectForestOrProblems(damaged);
-    }
 }
 
 TEST(DamagedInput, RejectsDeepNesting) {

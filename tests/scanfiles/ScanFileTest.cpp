@@ -6,7 +6,6 @@
 #include <tests/io/TemporaryFolder.h>
 #include <tests/scanfiles/ScanProblem.h>
 
-#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 
@@ -115,19 +114,6 @@ TEST_P(ScanFormat, TruncatedFilesAreReadCompletelyOrRefused) {
     ASSERT_FALSE(whole.empty());
     for (std::size_t length = 0; length < whole.size(); ++length)
         expectTreesOrProblem(whole.substr(0, length), "cut at " + std::to_string(length));
-}
-
-TEST_P(ScanFormat, DamagedFilesAreReadOrRefused) {
-    const std::string whole = bytesOf(folder + GetParam().file);
-    Random random(5);
-    for (int round = 0; round < 3000; ++round) {
-        std::string text = whole;
-        for (std::uint64_t changes = random.next() % 4 + 1; changes > 0; --changes)
-            text[random.next() % text.size()] = random.next() % 3
-                                                    ? "0123456789-.eE ,\t\n#n"[random.next() % 20]
-                                                    : static_cast<char>(random.next());
-        expectTreesOrProblem(text, "round " + std::to_string(round));
-    }
 }
 
 TEST_P(ScanFormat, AcceptsWindowsLineEndsAndAByteOrderMark) {

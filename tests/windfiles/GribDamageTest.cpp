@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Damaged and inconsistent GRIB files: refused with a clear reason, without a crash.
-#include <tests/FullTests.h>
 #include <tests/MissingReader.h>
 #include <tests/windfiles/GribReading.h>
-
-#include <random>
 
 namespace osgTreeWind {
 
@@ -254,22 +251,6 @@ TEST(GribDamage, RefusesValuesThatContradictTheirSection) {
                     "U at 10 m above ground at 2017-06-03T18:00:00Z: its values, packed "
                     "as grid_png, cannot be read: "))
         << problemOfGrib(second);
-}
-
-TEST(GribDamage, ReadsOrRefusesDamagedFilesWithAReason) {
-    std::mt19937 random(16);
-    for (int round = 0; round < casesToRun(200, 30); ++round) {
-        grib::Field field = round % 2 ? grib::Field() : edition1();
-        std::string bytes = messageOf(field) + messageOf(northwardOf(field));
-        for (unsigned changes = 1u << round % 5; changes > 0; --changes)
-            bytes[random() % bytes.size()] = static_cast<char>(random());
-        const auto file = readGribBytes(bytes);
-        if (file)
-            continue;
-        ASSERT_EQ(file.problems().size(), 1u);
-        const std::string reason = firstProblem(file);
-        EXPECT_NE(reason.substr(reason.size() - 2), ": ") << reason;
-    }
 }
 
 TEST(GribDamage, NamesTheMissingReaderProgram) {

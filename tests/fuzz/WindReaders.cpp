@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <tests/fuzz/ReadersOfWind.h>
+
+#include <osgTreeWind/windfiles/WindFormats.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+void readCsvWind(const std::string& bytes) {
+    WindSeriesColumns columns;
+    columns.time = "time";
+    columns.timeUnit = bytes.find('T') == std::string::npos ? "s" : "iso8601";
+    columns.speed = "speed";
+    columns.direction = "direction";
+    requireValid(readWindCsv(bytes, "fuzz", columns));
+}
+
+void readEsriWind(const std::string& bytes) {
+    const Result<MapCells> cells = readEsriGrid(bytes, "fuzz");
+    if (isRead(cells))
+        requireValid(windFromCells(cells.value(), cells.value(), "fuzz"));
+}
+
+const FuzzReaders windReaders = {
+    {"Csv", readCsvWind},
+    {"EsriGrid", readEsriWind},
+    {"QesSensor", [](const std::string& bytes) { requireValid(readQesSensor(bytes, "fuzz")); }},
+    {"Toa5", [](const std::string& bytes) { requireValid(readToa5(bytes, "fuzz", {})); }},
+    {"TurbSim", [](const std::string& bytes) { requireValid(readTurbSim(bytes, "fuzz")); }},
+    {"VtkLegacy", [](const std::string& bytes) { requireValid(readVtkLegacy(bytes, "fuzz")); }},
+    {"VtkXml", [](const std::string& bytes) { requireValid(readVtkXml(bytes, "fuzz")); }}};
+
+} // namespace
+
+} // namespace osgTreeWind
