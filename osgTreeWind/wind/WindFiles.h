@@ -14,7 +14,7 @@ namespace osgTreeWind {
 /// The map of a wind's field, the files that it was read from, and the options used, as a forest file stores
 /// them.
 struct WindFiles {
-    WindFieldPtr field; ///< That this is about; setKnown() sets it.
+    WindFieldPtr field;               ///< That this is about; setKnown() sets it.
     std::optional<DataTransform> map; ///< To the data of the field; empty if they are in the scene's CRS.
     std::vector<std::string> files{}; ///< Empty if the field was not read for a forest file.
     bool series = false; ///< Whether the files are time steps (key `files`), even if there is only one.

@@ -119,8 +119,10 @@ TEST(BoundsTest, SettleInASteadyWind) {
     const osg::BoundingBox settled =
         branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds();
     updateFrames(*forest, 251, 400);
-    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._max, settled._max);
-    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._min, settled._min);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._max,
+              settled._max);
+    EXPECT_EQ(branchwiseTrees(*forest->getBranchwise()).nodes()[0]->getPosedTree()->bounds()._min,
+              settled._min);
 }
 
 TEST(StatisticsTest, ReferenceTreeHasTheCountsOfTheThesis) {
