@@ -115,7 +115,7 @@ void checkOutput(const RenderOptions& options) {
 /// Keeps trees drawn by their stand-ins in the next frame; these have the shading of the crown.
 void keepStandIns(const BranchwiseForest& forest) {
     for (unsigned i = 0; i < forest.getNumTrees(); ++i)
-        instancedTrees(forest).nodes()[i]->getLod()->takeFullRequest();
+        branchwiseTrees(forest).nodes()[i]->getLod()->takeFullRequest();
 }
 
 /// @param posed forest that shaders pose in all frames; may be null.
