@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/growth/HabitCases.h>
 
-#include <osgTreeWind/growth/GrowingStand.h>
+#include <osgTreeWind/growth/GrowTree.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 
 #include <glm/geometric.hpp>

@@ -3,11 +3,10 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/growth/GrowthGoal.h>
+#include <osgTreeWind/growth/ShadeGrid.h>
 #include <osgTreeWind/growth/TreeHabit.h>
 
 #include <glm/common.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,13 +65,15 @@ struct TreeState {
     bool mature = false;                         ///< Whether it has its height and only fills its crown.
     glm::vec2 crownCentre{0.0f};                 ///< Place of the trunk's top.
     float height = 0.0f;                         ///< Height of the highest living node.
-    float crownRadius = 0.0f;                    ///< meanCrownRadius() of the metamers.
+    float crownRadius = 0.0f;                    ///< Mean reach of the living nodes in eight directions.
     glm::vec2 leanAtFoot{0.0f}, leanAbove{0.0f}; ///< Lean of the stem, sideways per metre up.
     float sideLight = 1.0f; ///< Light around its crown: 1 in the open, low in a closed stand.
 
     ShootAxis& axisOf(const Bud& bud) { return axes[static_cast<std::size_t>(bud.axis)]; }
     const ShootAxis& axisOf(const Bud& bud) const { return axes[static_cast<std::size_t>(bud.axis)]; }
-    const Metamer& metamerOf(const Bud& bud) const { return metamers[static_cast<std::size_t>(bud.node)]; }
+    const ShootAxis& axisOf(const Metamer& part) const { return axes[static_cast<std::size_t>(part.axis)]; }
+    Metamer& metamerOf(const Bud& bud) { return metamers[static_cast<std::size_t>(bud.node)]; }
+    Metamer& parentOf(const Metamer& part) { return metamers[static_cast<std::size_t>(part.parent)]; }
     /// Index into a ByOrder.
     static std::size_t rank(int order) { return static_cast<std::size_t>(std::min(order, 3)); }
     /// Height / goal height, at most 1.
@@ -87,5 +88,9 @@ struct TreeState {
     /// TreeHabit::lightNeed, reduced for the shade leaves of trees in a stand.
     float lightNeed() const { return habit.lightNeed * glm::mix(0.5f, 1.0f, openness()); }
 };
+
+/// Grows a tree by a year, with the leaves and the light that its metamers and buds have: sheds branches,
+/// allots the growth to buds, grows shoots, and sinks boughs. @param foot position of the tree in `light`.
+void growYear(TreeState& tree, const ShadeGrid& light, const glm::vec3& foot);
 
 } // namespace osgTreeWind
