@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 
 #include <climits>
 #include <cmath>
@@ -55,25 +55,25 @@ public:
         return {number<T>(), number<T>(), number<T>()};
     }
 
-    /// Sets one field of a struct to a random value.
-    void corrupt(const Fields& fields, void* owner) {
-        const Field& field = fields[below(fields.size())];
-        std::visit(Corrupt{*this, field}, field.member(owner));
+    /// Sets one key of a struct to a random value.
+    void corrupt(const Keys& keys, void* owner) {
+        const Key& key = keys[below(keys.size())];
+        std::visit(Corrupt{*this, key}, key.member(owner));
     }
     template <typename Struct>
     void corrupt(Struct& value) {
-        corrupt(fieldsOf<Struct>(), &value);
+        corrupt(keysOf<Struct>(), &value);
     }
 
 private:
     struct Corrupt {
         RandomValues& any;
-        const Field& field;
+        const Key& key;
 
         /// Either end of the range, or the given number.
         template <typename T>
         T numberInRange(T other) const {
-            const Range range = std::is_same_v<T, double> ? field.range : memberRange(field);
+            const Range range = std::is_same_v<T, double> ? key.range : memberRange(key);
             return any.oneIn(3)   ? static_cast<T>(range.min)
                    : any.oneIn(3) ? static_cast<T>(range.max)
                                   : other;
@@ -81,9 +81,8 @@ private:
         void operator()(bool* member) const { *member = any.oneIn(2); }
         void operator()(std::optional<bool>* member) const { *member = any.oneIn(2); }
         void operator()(int* member) const {
-            const bool isOpen = field.range.max > INT_MAX || any.oneIn(3);
-            *member =
-                isOpen ? any.integer() : static_cast<int>(any.oneIn(2) ? field.range.min : field.range.max);
+            const bool isOpen = key.range.max > INT_MAX || any.oneIn(3);
+            *member = isOpen ? any.integer() : static_cast<int>(any.oneIn(2) ? key.range.min : key.range.max);
         }
         void operator()(std::uint32_t* member) const { *member = any.count(); }
         void operator()(float* member) const { *member = numberInRange(any.number<float>()); }
@@ -108,7 +107,7 @@ private:
                     (*member)[any.below(member->size())] = any.number<T>();
         }
         void operator()(const EnumMember& word) const { word.set(word.object, any.integer()); }
-        void operator()(const NestedMember& part) const { any.corrupt(*part.fields, part.object); }
+        void operator()(const NestedMember& part) const { any.corrupt(*part.keys, part.object); }
     };
 
     std::mt19937 _random;

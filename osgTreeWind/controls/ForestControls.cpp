@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/controls/FormattedText.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/SeasonDay.h>
 #include <osgTreeWind/wind/WindLimits.h>

@@ -3,13 +3,13 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/model/CheckScan.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/places/Crs.h>
-#include <osgTreeWind/species/SpeciesFields.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <glm/geometric.hpp>
 
@@ -30,9 +30,9 @@ void add(Diagnostics& problems, const std::string& key, const std::string& messa
 template <typename Struct>
 void checkStruct(const Struct& value, const std::string& path, Diagnostics& problems) {
     const std::size_t before = problems.size();
-    checkFields(value, path, problems);
+    checkKeys(value, path, problems);
     if (problems.size() == before)
-        for (const FieldConflict& conflict : conflictsOf(value))
+        for (const KeyConflict& conflict : conflictsOf(value))
             add(problems, path + (conflict.key.empty() ? "" : '.' + conflict.key), conflict.message);
 }
 
@@ -73,7 +73,7 @@ void checkTiles(const ForestTiles& tiles, Diagnostics& problems) {
 }
 
 void checkMotion(const ForestDescription& forest, Diagnostics& problems) {
-    checkFields(forest, "motion", problems);
+    checkKeys(forest, "motion", problems);
     if (forest.damage && forest.law != MotionLaw::Modal)
         add(problems, "motion.damage", "expected false, since the law is not \"modal\"");
     if (forest.tiles && forest.law != MotionLaw::Modal)
@@ -94,15 +94,15 @@ void addPartProblems(Diagnostics&& partProblems, const char* list, std::size_t i
 
 Diagnostics check(const Species& species) {
     Diagnostics problems;
-    checkFields(species, "", problems);
+    checkKeys(species, "", problems);
     checkStruct(species.tree.wood, "tree", problems);
     if (species.tree.palm)
         checkStruct(*species.tree.palm, "palm", problems);
     if (species.tree.growth)
-        checkFields(*species.tree.growth, "habit", problems);
+        checkKeys(*species.tree.growth, "habit", problems);
     if (species.tree.scans)
         checkScans(*species.tree.scans, "scan", problems);
-    checkFields(species.tree.leaves, "leaves", problems);
+    checkKeys(species.tree.leaves, "leaves", problems);
     return problems;
 }
 
@@ -119,7 +119,7 @@ Diagnostics check(const TreePlacement& tree, const ForestDescription& forest) {
     for (float* size : {&given.size.height, &given.size.trunkDiameter, &given.size.crownWidth})
         if (*size <= 0.0f && std::isfinite(*size))
             *size = 1.0f; // not given
-    checkFields(given, "", problems);
+    checkKeys(given, "", problems);
     return problems;
 }
 
@@ -132,7 +132,7 @@ Diagnostics check(const ForestDescription& forest) {
     if (!frameSteps.contains(forest.step))
         add(problems, "step", "expected a finite number " + frameSteps.text());
     checkStruct(forest.drawing, "drawing", problems);
-    checkFields(forest.canopy, "wind", problems);
+    checkKeys(forest.canopy, "wind", problems);
     for (Diagnostic& problem : check(forest.wind))
         problems.push_back(std::move(problem));
     if (!seasons.contains(static_cast<double>(forest.season)))

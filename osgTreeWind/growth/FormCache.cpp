@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/growth/FormDiskCache.h>
 #include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/growth/GrowthSourceHash.h>
 #include <osgTreeWind/growth/PackedForm.h>
 
@@ -91,7 +91,7 @@ std::string formKey(const GrowthParameters& parameters) {
     for (const float number :
          {site.shade, site.distance, site.openSide ? 1.0f : 0.0f, site.openSide.value_or(0.0f)})
         key.append(reinterpret_cast<const char*>(&number), sizeof number);
-    addFieldBytes(shape, key);
+    addKeyBytes(shape, key);
     return key;
 }
 

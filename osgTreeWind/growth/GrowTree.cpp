@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/UnitVectors.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -345,7 +345,7 @@ private:
 
 GrownForm growTree(const GrowthParameters& parameters) {
     const GrowthSite site = inRange(parameters.site);
-    const GrowthParameters growth = clampedFields(parameters);
+    const GrowthParameters growth = clampedKeys(parameters);
     const GrowthGoal goal = growth.size;
     const TreeHabit habit = scaleMetamers(goal, growth.habit);
     std::optional<TreeState> best;

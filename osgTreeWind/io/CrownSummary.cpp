@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 
 #include <glm/common.hpp>
 

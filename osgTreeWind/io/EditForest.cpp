@@ -2,7 +2,7 @@
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TomlEdit.h>
 
@@ -48,11 +48,11 @@ std::optional<std::string> writtenText(ForestDescription forest) {
 /// Whether both have the same trees. Positions may differ by the rounding of a Forest.
 bool areTreesEqual(const ForestDescription& read, const ForestDescription& now) {
     const auto isEqual = [&](const TreePlacement& tree, const TreePlacement& other) {
-        const auto differs = [&](const Field& field) { return !isFieldEqual(field, &tree, &other); };
-        const Fields& fields = fieldsOf<TreePlacement>();
+        const auto differs = [&](const Key& key) { return !isKeyEqual(key, &tree, &other); };
+        const Keys& members = keysOf<TreePlacement>();
         return tree.species == other.species && tree.name == other.name &&
                glm::vec3(tree.position - read.origin) == glm::vec3(other.position - now.origin) &&
-               std::none_of(fields.begin(), fields.end(), differs);
+               std::none_of(members.begin(), members.end(), differs);
     };
     return std::equal(read.trees.begin(), read.trees.end(), now.trees.begin(), now.trees.end(), isEqual);
 }

@@ -2,7 +2,7 @@
 #include <osgTreeWind/io/LegacyGrowth.h>
 
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/model/PalmTree.h>
 
 #include <algorithm>
@@ -137,7 +137,7 @@ void setHabit(const LegacyGrowth& legacy, GrowthParameters& growth) {
     float length = std::max(0.5f * size.crownWidth, 0.1f);
     for (std::size_t bearer = 0; bearer < legacy.branches.size(); ++bearer, length *= 0.5f)
         setBranches(habit, bearer, legacy.branches[bearer], length);
-    growth = clampedFields(growth);
+    growth = clampedKeys(growth);
 }
 
 void setPalm(const LegacyGrowth& legacy, PalmParameters& palm) {

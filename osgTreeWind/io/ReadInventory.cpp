@@ -3,7 +3,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/InventoryPlaces.h>

@@ -2,10 +2,10 @@
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <glm/common.hpp>
@@ -58,13 +58,13 @@ void readSeason(TableReader& root, float& season) {
 }
 
 void readMotion(TableReader& table, ForestDescription& forest, float& leaves) {
-    Fields fields = fieldsOf<ForestDescription>();
+    Keys fields = keysOf<ForestDescription>();
     if (table.hasText("law", "damped")) { // a law of version 1.0
         table.note("motion.law: \"damped\" no longer exists; it is read as \"modal\"");
         fields.front().words.emplace_back("damped", static_cast<int>(MotionLaw::Modal));
     }
-    readFields(table, fields, &forest);
-    table.read("leaves", leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
+    readKeys(table, fields, &forest);
+    table.read("leaves", leaves, keyAt(keysOf<TreePlacement>(), "leaves").range);
     bool isFractal = false;
     const bool isKnown = table.readChoice<bool>("noise", isFractal, {{"perlin", false}, {"1/f", true}});
     float exponent = 1.0f;
@@ -145,12 +145,12 @@ void readRoot(TableReader& root, ForestReading& reading) {
     readVersion(root);
     root.read("seed", reading.defaults.seed);
     readSearch(root, reading.folders);
-    readFields(root, forestFileFields(), &forest);
+    readKeys(root, forestFileFields(), &forest);
     map.read(root);
     readSeason(root, forest.season);
     root.table("motion", [&](TableReader& table) { readMotion(table, forest, reading.defaults.leaves); });
     root.table("drawing", [&](TableReader& table) {
-        readFields(table, forest.drawing);
+        readKeys(table, forest.drawing);
         reportConflicts(table, conflictsOf(forest.drawing));
     });
     readAllSpecies(root, folders, species);
@@ -186,7 +186,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) {
         forest.wind = readWind(table, folders, forest, map, trees, defaults.seed);
-        readFields(table, forest.canopy);
+        readKeys(table, forest.canopy);
     });
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/LegacyGrowth.h>
-#include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/io/ReadKeys.h>
+#include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 #include <osgTreeWind/species/LeafCoverage.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <filesystem>
 
@@ -19,12 +19,12 @@ constexpr int scanClusters = 1300, palmClusters = 240, habitClusters = 3000;
 constexpr float defaultInclination = 0.6f; // of leaves, radians
 
 void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
-    readFields(table, tree);
+    readKeys(table, tree);
     reportConflicts(table, conflictsOf(tree));
 }
 
 void readLeafShape(TableReader& table, LeafParameters& leaves) {
-    readFields(table, leaves);
+    readKeys(table, leaves);
     if (table.has("clusters_per_branch") && !table.has("clusters"))
         leaves.clusters = 0;
 }
@@ -89,7 +89,7 @@ void readHabit(TableReader& table, DocumentSpecies& known, TreeParameters& tree)
         else
             table.problem("like", "no built-in species with a habit is called " + inQuotes(like));
     }
-    readFields(table, *tree.growth);
+    readKeys(table, *tree.growth);
     tree.palm.reset();
 }
 
@@ -99,7 +99,7 @@ void readPalm(TableReader& table, TreeParameters& tree) {
         tree.leaves.clusters = palmClusters;
         tree.leaves.frond = true;
     }
-    readFields(table, *tree.palm);
+    readKeys(table, *tree.palm);
     reportConflicts(table, conflictsOf(*tree.palm));
     tree.growth.reset();
 }
@@ -212,7 +212,7 @@ void readSpecies(TableReader& table, const InputFolders& folders, DocumentSpecie
         readLeafShape(t, species.tree.leaves);
         hasSize = t.has("area") || t.has("length") || t.has("width");
     });
-    readFields(table, species, [&](TableReader& t, const std::string& key, std::string& name) {
+    readKeys(table, species, [&](TableReader& t, const std::string& key, std::string& name) {
         const auto file = folders.open(t, key, name);
         name = file ? file->path : "";
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
 

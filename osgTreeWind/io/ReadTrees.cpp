@@ -2,10 +2,10 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
-#include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/io/ReadKeys.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -260,7 +260,7 @@ void readTree(TableReader& table, const TreeDefaults& defaults, DocumentSpecies&
         table.reportMissing("position");
     tree.leaves = defaults.leaves;
     tree.seed = defaults.seed + static_cast<std::uint32_t>(trees.size());
-    readFields(table, tree);
+    readKeys(table, tree);
     if (!tree.name.empty() && !trees.reserveName(tree.name))
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
     const bool hasGrowingSpace = table.has("open_grown") || table.has("at_edge");

@@ -3,16 +3,16 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindFiles.h>
+#include <osgTreeWind/wind/WindKeys.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
@@ -93,9 +93,9 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     if (!table.has("height") && !table.has("roughness"))
         return true;
     LogProfile read;
-    const Fields& fields = fieldsOf<LogProfile>();
-    bool complete = table.require("height", read.height, fieldAt(fields, "height").range);
-    complete &= table.require("roughness", read.roughness, fieldAt(fields, "roughness").range);
+    const Keys& fields = keysOf<LogProfile>();
+    bool complete = table.require("height", read.height, keyAt(fields, "height").range);
+    complete &= table.require("roughness", read.roughness, keyAt(fields, "roughness").range);
     profile = read;
     if (complete && !read.valid()) {
         table.problem("roughness", "expected less than height");
@@ -108,7 +108,7 @@ Wind readGusts(TableReader& table, std::uint32_t seed) {
     GustWind::Parameters gusts;
     gusts.mean = readVelocity(table);
     gusts.seed = seed;
-    readFields(table, gusts);
+    readKeys(table, gusts);
     if (gusts.mean.z != 0.0f)
         table.problem("velocity", "expected a horizontal wind");
     if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
@@ -199,9 +199,8 @@ Wind readGrid(TableReader& table, const InputFolders& folders, const SceneMap& m
     std::vector<double> heights;
     complete &= table.read("heights", heights) || !table.has("heights");
     grid.heights.assign(heights.begin(), heights.end());
-    complete &=
-        table.read("roughness", grid.roughness, fieldAt(fieldsOf<GridWind::Grid>(), "roughness").range) ||
-        !table.has("roughness");
+    complete &= table.read("roughness", grid.roughness, keyAt(keysOf<GridWind::Grid>(), "roughness").range) ||
+                !table.has("roughness");
     complete &= table.read("above_ground", grid.aboveGround) || !table.has("above_ground");
     complete &= readValues(table, folders, grid.values);
     if (!complete)
@@ -412,8 +411,8 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
     options.origin = forest.origin - offset;
     options.crs = forest.crs;
-    table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
-    table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
+    table.read("roughness", options.roughness, keyAt(keysOf<LogProfile>(), "roughness").range);
+    table.read("height", options.height, keyAt(keysOf<LogProfile>(), "height").range);
     bool allowsOutside = false;
     table.readChoice<bool>("beyond", allowsOutside, {{"hold", true}});
     chooseArea(forest.origin, trees, options);
@@ -490,11 +489,11 @@ void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
 /// Reads one [[wind.source]].
 WindSource readSource(TableReader& table, const SceneMap& map, const glm::dvec3& origin) {
     WindSource source;
-    readFields(table, source);
+    readKeys(table, source);
     const auto readVector = [&](const char* key, glm::dvec3& vector) {
         std::vector<double> numbers;
         const Range& range =
-            fieldAt(fieldsOf<WindSource>(), key == std::string("velocity") ? key : "place").range;
+            keyAt(keysOf<WindSource>(), key == std::string("velocity") ? key : "place").range;
         if (table.readNumbers(key, numbers, 3, 3, range))
             vector = glm::dvec3(numbers[0], numbers[1], numbers[2]);
     };
@@ -545,13 +544,13 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
     }
     Wind wind = read();
     WindClock clock;
-    readFields(table, clock);
+    readKeys(table, clock);
     std::string date;
     if (table.readScalar("date", date) && (wind.field || table.hasText("kind", "calm")))
         setStartDate(date, table, windDate, clock);
     readTravel(table, wind, clock);
     wind.clock = clock.then(wind.clock);
-    readFields(table, wind.adjustment);
+    readKeys(table, wind.adjustment);
     wind.frame = WindFrame::Forest;
     table.readChoice("frame", wind.frame, windFrames());
     table.tables("source",

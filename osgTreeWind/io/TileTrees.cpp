@@ -6,7 +6,7 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/forest/TileFiles.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ TreePlacement readTree(CsvCells& row, std::vector<std::string>& species) {
     tree.species = indexOf(species, row.text(SpeciesName));
     tree.position = {row.number(X, worldCoordinates), row.number(Y, worldCoordinates),
                      row.number(Z, worldCoordinates)};
-    tree.heading = number(Heading, memberRange(fieldAt(fieldsOf<TreePlacement>(), "heading")));
+    tree.heading = number(Heading, memberRange(keyAt(keysOf<TreePlacement>(), "heading")));
     tree.size = {size(Height), size(TrunkDiameter), size(CrownWidth)};
     tree.leaves = row.has(Leaves) ? number(Leaves, treeRange("leaves")) : 1.0f;
     tree.seed = static_cast<std::uint32_t>(row.number(Seed, within(0, 4294967295.0)));

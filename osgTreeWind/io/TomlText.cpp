@@ -30,9 +30,9 @@ std::string shortest(double number, const IsEqual& isEqual) {
     }
 }
 
-/// Formats the value of a field; empty if it need not be written.
+/// Formats the value of a key; empty if it need not be written.
 struct ValueText {
-    const Field& field;
+    const Key& key;
 
     std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
     std::string operator()(const std::optional<bool>* value) const {
@@ -40,11 +40,11 @@ struct ValueText {
     }
     std::string operator()(const float* value) const {
         const auto isEqual = [&](double read) {
-            return static_cast<float>(field.degrees() ? glm::radians(read) : read) == *value &&
-                   field.range.contains(read);
+            return static_cast<float>(key.degrees() ? glm::radians(read) : read) == *value &&
+                   key.range.contains(read);
         };
         const double number = static_cast<double>(*value);
-        return shortest(field.degrees() ? glm::degrees(number) : number, isEqual);
+        return shortest(key.degrees() ? glm::degrees(number) : number, isEqual);
     }
     std::string operator()(const std::array<float, 4>* values) const {
         std::string text;
@@ -53,7 +53,7 @@ struct ValueText {
         return text + ']';
     }
     std::string operator()(const std::string* value) const {
-        if (value->empty() || field.unit != "file")
+        if (value->empty() || key.unit != "file")
             return value->empty() ? "" : tomlText(*value);
         return tomlText(std::filesystem::absolute(*value).string());
     }
@@ -62,7 +62,7 @@ struct ValueText {
         return values->empty() ? "" : tomlText(*values);
     }
     std::string operator()(const EnumMember& word) const {
-        for (const auto& [text, value] : field.words)
+        for (const auto& [text, value] : key.words)
             if (value == word.get(word.object))
                 return tomlText(text);
         return {};
@@ -100,25 +100,23 @@ std::string tomlText(const std::string& text) {
     return quoted + '"';
 }
 
-void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
-                 const void* defaults) {
-    const auto differs = [&](const Field& field) {
-        return !defaults || !isFieldEqual(field, owner, defaults);
-    };
-    for (const Field& field : fields)
-        if (differs(field))
-            if (const std::string text = std::visit(ValueText{field}, field.of(owner)); !text.empty())
-                output << field.key << " = " << text << '\n';
-    for (const Field& field : fields) {
-        const Member member = field.of(owner);
+void writeKeys(std::ostream& output, const std::string& table, const Keys& keys, const void* owner,
+               const void* defaults) {
+    const auto differs = [&](const Key& key) { return !defaults || !isKeyEqual(key, owner, defaults); };
+    for (const Key& key : keys)
+        if (differs(key))
+            if (const std::string text = std::visit(ValueText{key}, key.of(owner)); !text.empty())
+                output << key.name << " = " << text << '\n';
+    for (const Key& key : keys) {
+        const Member member = key.of(owner);
         const auto part = std::get_if<NestedMember>(&member);
-        if (!part || !differs(field))
+        if (!part || !differs(key))
             continue;
-        const std::string path = table + '.' + field.key;
-        const Member other = defaults ? field.of(defaults) : Member();
+        const std::string path = table + '.' + key.name;
+        const Member other = defaults ? key.of(defaults) : Member();
         output << "\n[" << path << "]\n";
-        writeFields(output, path, *part->fields, part->object,
-                    defaults ? std::get_if<NestedMember>(&other)->object : nullptr);
+        writeKeys(output, path, *part->keys, part->object,
+                  defaults ? std::get_if<NestedMember>(&other)->object : nullptr);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 
 #include <ostream>
 #include <string>
@@ -30,22 +30,22 @@ std::string tomlText(const std::vector<T>& values) {
     return '[' + text + ']';
 }
 
-/// Writes the fields that differ from `defaults` (null: all fields): first the keys, then the tables of
+/// Writes the keys that differ from `defaults` (null: all keys): first the keys, then the tables of
 /// nested structs. @param table that contains the keys, such as "species.growth".
-void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
-                 const void* defaults);
+void writeKeys(std::ostream& output, const std::string& table, const Keys& keys, const void* owner,
+               const void* defaults);
 template <typename Struct>
-void writeFields(std::ostream& output, const std::string& table, const Struct& value,
-                 const Struct& defaults = {}) {
-    writeFields(output, table, fieldsOf<Struct>(), &value, &defaults);
+void writeKeys(std::ostream& output, const std::string& table, const Struct& value,
+               const Struct& defaults = {}) {
+    writeKeys(output, table, keysOf<Struct>(), &value, &defaults);
 }
-/// Writes "[table]" and its fields, unless all fields have their defaults.
+/// Writes "[table]" and its keys, unless all keys have their defaults.
 template <typename Struct>
 void writeTable(std::ostream& output, const std::string& table, const Struct& value) {
     const Struct defaults{};
-    for (const Field& field : fieldsOf<Struct>())
-        if (!isFieldEqual(field, &value, &defaults))
-            return output << "\n[" << table << "]\n", writeFields(output, table, value, defaults);
+    for (const Key& key : keysOf<Struct>())
+        if (!isKeyEqual(key, &value, &defaults))
+            return output << "\n[" << table << "]\n", writeKeys(output, table, value, defaults);
 }
 
 /// Why a document cannot refer to a file; empty if it can.

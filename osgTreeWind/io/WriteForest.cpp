@@ -4,15 +4,15 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/io/TreeBounds.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/places/MapScale.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <filesystem>
 #include <set>
@@ -96,8 +96,8 @@ private:
         if (species.shapes != static_cast<int>(scans.size()) || species.tree.palm || species.tree.growth)
             add(key, "expected as many shapes as scans, and neither a palm nor a habit");
         const RecursiveTreeParameters defaults;
-        for (const Field& field : fieldsOf<RecursiveTreeParameters>())
-            if (!isFieldEqual(field, &species.tree.wood, &defaults))
+        for (const Key& each : keysOf<RecursiveTreeParameters>())
+            if (!isKeyEqual(each, &species.tree.wood, &defaults))
                 return add(key, "cannot be combined with scans");
     }
 
@@ -120,18 +120,18 @@ void writeSpecies(std::ostream& output, const Species& species) {
         writeScans(output, *species.tree.scans);
         defaults.shapes = species.shapes;
     }
-    writeFields(output, "species", species, defaults);
+    writeKeys(output, "species", species, defaults);
     writeTable(output, "species.tree", species.tree.wood);
     if (species.tree.palm) {
         output << "\n[species.palm]\n";
-        writeFields(output, "species.palm", *species.tree.palm);
+        writeKeys(output, "species.palm", *species.tree.palm);
     }
     if (species.tree.growth) {
         output << "\n[species.habit]\n";
-        writeFields(output, "species.habit", *species.tree.growth);
+        writeKeys(output, "species.habit", *species.tree.growth);
     }
     output << "\n[species.leaves]\n"; // all fields, because defaults depend on other tables
-    writeFields(output, "species.leaves", fieldsOf<LeafParameters>(), &species.tree.leaves, nullptr);
+    writeKeys(output, "species.leaves", keysOf<LeafParameters>(), &species.tree.leaves, nullptr);
 }
 
 void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDescription& forest) {
@@ -143,12 +143,12 @@ void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDesc
     for (float TreeSize::*size : {&TreeSize::height, &TreeSize::trunkDiameter, &TreeSize::crownWidth})
         if (!(tree.size.*size > 0.0f))
             defaults.size.*size = tree.size.*size; // not given
-    writeFields(output, "tree", tree, defaults);
+    writeKeys(output, "tree", tree, defaults);
 }
 
 void writeMotion(std::ostream& output, const ForestDescription& forest) {
     output << "\n[motion]\n";
-    writeFields(output, "motion", forest);
+    writeKeys(output, "motion", forest);
     if (forest.noiseExponent)
         output << "noise = \"1/f\"\nnoise_exponent = " << tomlText(*forest.noiseExponent) << '\n';
 }
@@ -190,7 +190,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
            << '\n';
     const ForestDescription defaults;
-    writeFields(output, "", forestFileFields(), &forest, &defaults);
+    writeKeys(output, "", forestFileFields(), &forest, &defaults);
     if (isOnStretchedMap(forest))
         output << "stretched = true\n";
     if (forest.trees.empty() && !forest.tiles)

@@ -5,8 +5,8 @@
 #include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindFiles.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <filesystem>
 #include <utility>
@@ -75,8 +75,8 @@ private:
     template <typename Struct>
     std::string fields(const Struct& value) {
         Diagnostics problems;
-        checkFields(value, "", problems);
-        writeFields(_output, "wind", fieldsOf<Struct>(), &value, nullptr);
+        checkKeys(value, "", problems);
+        writeKeys(_output, "wind", keysOf<Struct>(), &value, nullptr);
         return problems.empty() ? "" : problems.front().text();
     }
     std::string profile(const std::optional<LogProfile>& profile) {
@@ -124,7 +124,7 @@ private:
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     const Wind& wind = forest.wind;
     const CanopySettings defaults;
-    if (wind.isCalm() && areFieldsEqual(forest.canopy, defaults))
+    if (wind.isCalm() && areKeysEqual(forest.canopy, defaults))
         return {};
     output << "\n[wind]\n";
     std::string problem;
@@ -135,12 +135,12 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     for (const auto& [name, frame] : windFrames())
         if (frame == wind.frame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';
-    writeFields(output, "wind", fieldsOf<CanopySettings>(), &forest.canopy, &defaults);
+    writeKeys(output, "wind", keysOf<CanopySettings>(), &forest.canopy, &defaults);
     for (std::size_t i = 0; problem.empty() && i < wind.sources.size(); ++i) {
         output << "\n[[wind.source]]\n";
         Diagnostics problems;
-        checkFields(wind.sources[i], "source", problems);
-        writeFields(output, "wind.source", fieldsOf<WindSource>(), &wind.sources[i], nullptr);
+        checkKeys(wind.sources[i], "source", problems);
+        writeKeys(output, "wind.source", keysOf<WindSource>(), &wind.sources[i], nullptr);
         problem = problems.empty() ? "" : problems.front().text();
     }
     return problem;

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/UnitVectors.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -330,7 +330,7 @@ void addFrondRow(const LeafParameters& parameters, int row, LeafVertex* corners)
 } // namespace
 
 LeafParameters clamped(LeafParameters parameters) {
-    return clampedFields(parameters);
+    return clampedKeys(parameters);
 }
 
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& wanted) {

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/UnitVectors.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -165,7 +165,7 @@ private:
 } // namespace
 
 PalmParameters clamped(PalmParameters p) {
-    p = clampedFields(p);
+    p = clampedKeys(p);
     p.trunk = std::max(p.trunk, p.crownBase);
     p.trunkDiameter = std::min(p.trunkDiameter, 0.5f * p.height * p.trunk);
     p.crownWidth = glm::clamp(p.crownWidth, 0.01f * p.height, 4.0f * p.height);

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/UnitVectors.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -171,7 +171,7 @@ private:
 } // namespace
 
 RecursiveTreeParameters clamped(RecursiveTreeParameters p) {
-    p = clampedFields(p);
+    p = clampedKeys(p);
     p.radius = std::min(p.radius, 0.5f * trunkLength(p));
     while (countUnits(p) * static_cast<std::uint64_t>(p.ringsPerBranch) > maxSkeletonPoints)
         --p.levels;

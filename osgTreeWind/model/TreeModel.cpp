@@ -7,7 +7,7 @@
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/PalmTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/geometric.hpp>
@@ -67,7 +67,7 @@ void addBytes(const std::vector<T>& values, std::string& bytes) {
 /// A key that identifies a shape.
 std::string shapeKey(const TreeParameters& parameters, std::uint32_t variant) {
     std::string key = std::to_string(variant) + ' ';
-    addFieldBytes(parameters.leaves, key);
+    addKeyBytes(parameters.leaves, key);
     if (parameters.scans) {
         const Skeleton& scan = (*parameters.scans)[variant % parameters.scans->size()].skeleton;
         key += scan.joined ? "joined scan " : "scan ";
@@ -87,10 +87,10 @@ std::string shapeKey(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(std::vector<float>{parameters.growth->flare}, key);
     } else if (parameters.palm) {
         key += "palm";
-        addFieldBytes(*parameters.palm, key);
+        addKeyBytes(*parameters.palm, key);
     } else {
         key += "wood";
-        addFieldBytes(parameters.wood, key);
+        addKeyBytes(parameters.wood, key);
     }
     return key;
 }

@@ -9,7 +9,7 @@
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/motion/damage/FootLoad.h>
 #include <osgTreeWind/motion/modal/ModalPoses.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <algorithm>
 #include <cmath>
@@ -177,7 +177,7 @@ void MovingForest::spinUp(const std::vector<TreeId>& trees, float seconds) {
 
 Diagnostics MovingForest::setCanopy(const CanopySettings& canopy) {
     Diagnostics problems;
-    checkFields(canopy, "wind", problems);
+    checkKeys(canopy, "wind", problems);
     if (problems.empty())
         _windCache.setCanopy(canopy);
     return problems;

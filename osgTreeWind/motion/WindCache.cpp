@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/WindCache.h>
 
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <glm/geometric.hpp>
 
@@ -19,7 +19,7 @@ bool areSimilar(const glm::vec3& wind, const glm::vec3& other) {
 } // namespace
 
 void WindCache::setCanopy(const CanopySettings& canopy) {
-    if (areFieldsEqual(canopy, _settings))
+    if (areKeysEqual(canopy, _settings))
         return;
     _settings = canopy;
     _meanStand = CanopyCell();

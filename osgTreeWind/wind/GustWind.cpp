@@ -5,7 +5,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <glm/common.hpp>
@@ -24,7 +24,7 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
     };
     check("mean", glm::length(glm::dvec3(parameters.mean)), 0.0, maxMeasuredSpeed, "at most 200 m/s");
     check("mean", parameters.mean.z, 0.0, 0.0, "a horizontal wind");
-    checkFields(parameters, "", problems);
+    checkKeys(parameters, "", problems);
     if (parameters.profile && !parameters.profile->valid())
         problems.push_back(keyProblem("profile", "expected 0 < roughness < height in metres"));
     if (!problems.empty())

@@ -4,7 +4,7 @@
 #include <osgTreeWind/wind/BlastWave.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -72,7 +72,7 @@ glm::dvec2 outwardDirection(const glm::dvec3& offset, double r) {
 
 } // namespace
 
-SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)) {
+SourceFlow::SourceFlow(const WindSource& source) : _source(clampedKeys(source)) {
     constexpr double minSize = 0.001; // metres
     _source.radius = std::max(_source.radius, minSize);
     _source.height = std::max(_source.height, minSize);

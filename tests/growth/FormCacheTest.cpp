@@ -64,12 +64,12 @@ TEST(FormCache, KeyDependsOnEveryParameterOfTheShape) {
         keys.insert(formKey(parameters));
         EXPECT_EQ(keys.size(), ++distinct) << what;
     };
-    for (const Field& field : fieldsOf<GrowthParameters>()) {
-        const std::string key = field.key;
+    for (const Key& each : keysOf<GrowthParameters>()) {
+        const std::string key = each.name;
         if (key == "flare" || key == "model")
             continue;
         GrowthParameters changed;
-        const Member member = field.of(&changed);
+        const Member member = each.of(&changed);
         if (const auto* number = std::get_if<float*>(&member))
             **number += 0.25f;
         else if (const auto* whole = std::get_if<int*>(&member))

@@ -2,7 +2,7 @@
 #include <tests/growth/HabitCases.h>
 
 #include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -75,9 +75,9 @@ inline TreeHabit anyHabit(std::uint32_t seed) {
         const double share = u < 0.1f ? 0.0 : u > 0.9f ? 1.0 : static_cast<double>(random.uniform());
         return range.min + share * (range.max - range.min);
     };
-    for (const Field& field : fieldsOf<GrowthParameters>()) {
-        const Member member = field.member(&growth);
-        const Range range = memberRange(field);
+    for (const Key& key : keysOf<GrowthParameters>()) {
+        const Member member = key.member(&growth);
+        const Range range = memberRange(key);
         if (const auto* whole = std::get_if<int*>(&member))
             **whole = static_cast<int>(any(range));
         else if (const auto* one = std::get_if<float*>(&member))

@@ -4,13 +4,13 @@
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/model/TreeFields.h>
-#include <osgTreeWind/species/SpeciesFields.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -83,18 +83,18 @@ std::set<std::string> knownKeys() {
     return keys;
 }
 
-/// Type, range and default of a field, formatted for the manual.
+/// Type, range and default of a each, formatted for the manual.
 struct ManualCells {
-    const Field& field;
+    const Key& each;
     std::string type, range, value;
 
-    ManualCells(const Field& described, const void* defaults) : field(described) {
-        range = field.range.text();
+    ManualCells(const Key& described, const void* defaults) : each(described) {
+        range = each.range.text();
         range = range.substr(range.rfind("in ", 0) == 0 ? 3 : 0);
-        std::visit(*this, field.of(defaults));
-        if (field.doc.find("without it") != std::string::npos)
+        std::visit(*this, each.of(defaults));
+        if (each.doc.find("without it") != std::string::npos)
             value.clear(); // the description gives the default
-        type += field.unit.empty() || field.unit == "file" ? "" : ", " + field.unit;
+        type += each.unit.empty() || each.unit == "file" ? "" : ", " + each.unit;
     }
 
     static std::string rounded(double number) {
@@ -111,8 +111,8 @@ struct ManualCells {
     void operator()(const float* member) {
         const double number = static_cast<double>(*member);
         type = "number";
-        if (memberRange(field).contains(number)) // otherwise the default means "not given"
-            value = rounded(field.degrees() ? glm::degrees(number) : number);
+        if (memberRange(each).contains(number)) // otherwise the default means "not given"
+            value = rounded(each.degrees() ? glm::degrees(number) : number);
     }
     void operator()(const double* member) { type = "number", value = rounded(*member); }
     template <typename Number>
@@ -127,7 +127,7 @@ struct ManualCells {
         type = "array of 4 numbers", range = "each " + range;
         for (const float number : *member)
             value += (value.empty() ? "`[" : ", ") +
-                     rounded(static_cast<double>(field.degrees() ? glm::degrees(number) : number));
+                     rounded(static_cast<double>(each.degrees() ? glm::degrees(number) : number));
         value += "]`";
     }
     void operator()(const std::string*) { type = "text"; }
@@ -141,7 +141,7 @@ struct ManualCells {
     void operator()(const std::vector<std::string>*) { type = "array of texts", value = "`[]`"; }
     void operator()(const EnumMember& word) {
         type = "text";
-        for (const auto& [text, number] : field.words) {
+        for (const auto& [text, number] : each.words) {
             range += (range.empty() ? "`\"" : ", `\"") + text + "\"`";
             if (number == word.get(word.object))
                 value = "`\"" + text + "\"`";
@@ -164,28 +164,27 @@ std::string rowOf(const std::vector<std::string>& cells) {
     return row;
 }
 
-/// Adds a row for each field, including nested ones. @param tables with these fields, and defaults.
-void addRows(std::vector<std::string>& rows, const Fields& fields,
+/// Adds a row for each each, including nested ones. @param tables with these keys, and defaults.
+void addRows(std::vector<std::string>& rows, const Keys& keys,
              const std::vector<std::pair<std::string, const void*>>& tables) {
-    std::map<const Fields*, std::vector<std::pair<std::string, const void*>>> parts;
-    for (const Field& field : fields) {
+    std::map<const Keys*, std::vector<std::pair<std::string, const void*>>> parts;
+    for (const Key& each : keys) {
         std::string keys, values;
         std::set<std::string> distinct;
         for (const auto& [table, defaults] : tables) {
-            const ManualCells cells(field, defaults);
-            const std::string key = (table.empty() ? "" : table + '.') + field.key;
+            const ManualCells cells(each, defaults);
+            const std::string key = (table.empty() ? "" : table + '.') + each.name;
             keys += (keys.empty() ? "`" : ", `") + key + '`';
             const auto required = requiredKeys().find(key);
             const std::string& value = required != requiredKeys().end() ? required->second : cells.value;
             if (distinct.insert(value).second)
                 values += (values.empty() ? "" : ", ") + value;
-            if (const Member member = field.of(defaults);
-                const auto part = std::get_if<NestedMember>(&member))
-                parts[part->fields].push_back({key, part->object});
+            if (const Member member = each.of(defaults); const auto part = std::get_if<NestedMember>(&member))
+                parts[part->keys].push_back({key, part->object});
         }
-        const ManualCells cells(field, tables.front().second);
+        const ManualCells cells(each, tables.front().second);
         if (cells.type != "table")
-            rows.push_back(rowOf({keys, cells.type, cells.range, values, field.doc}));
+            rows.push_back(rowOf({keys, cells.type, cells.range, values, each.doc}));
     }
     for (const auto& [partFields, partTables] : parts)
         addRows(rows, *partFields, partTables);
@@ -194,7 +193,7 @@ void addRows(std::vector<std::string>& rows, const Fields& fields,
 template <typename Struct>
 void addRows(std::vector<std::string>& rows, const std::string& table) {
     const Struct defaults{};
-    addRows(rows, fieldsOf<Struct>(), {{table, &defaults}});
+    addRows(rows, keysOf<Struct>(), {{table, &defaults}});
 }
 
 } // namespace

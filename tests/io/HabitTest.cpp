@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
@@ -43,7 +43,7 @@ TEST(Habit, BuiltInSpeciesHaveValidHabits) {
             continue;
         ASSERT_TRUE(species.tree.growth) << species.name;
         Diagnostics problems;
-        checkFields(*species.tree.growth, "", problems);
+        checkKeys(*species.tree.growth, "", problems);
         EXPECT_TRUE(problems.empty()) << species.name << ": " << problems.front().text();
         EXPECT_FALSE(species.tree.growth->habit.model.empty()) << species.name;
     }
@@ -101,8 +101,8 @@ TEST(Habit, ReadsBackExactly) {
     ASSERT_TRUE(writeForest(forest.value(), text).empty());
     const auto again = readForest(text, {"b.treewind", "/nowhere"});
     ASSERT_TRUE(again) << firstProblem(again);
-    EXPECT_TRUE(areFieldsEqual(*again.value().species.front().tree.growth,
-                               *forest.value().species.front().tree.growth));
+    EXPECT_TRUE(areKeysEqual(*again.value().species.front().tree.growth,
+                             *forest.value().species.front().tree.growth));
 }
 
 TEST(Habit, ReportsInvalidValues) {

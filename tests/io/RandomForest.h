@@ -2,15 +2,15 @@
 #pragma once
 
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/model/TreeFields.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@
 
 namespace osgTreeWind {
 
-/// Generates random descriptions and documents from the tables of fields. Their trees are tiny.
+/// Generates random descriptions and documents from the tables of keys. Their trees are tiny.
 class RandomForest {
 public:
     explicit RandomForest(std::uint64_t seed) : _random(seed) {}
@@ -126,34 +126,34 @@ private:
 
     struct Fill {
         RandomForest& forest;
-        const Field& field;
+        const Key& key;
         void operator()(bool* value) const { *value = forest.maybe(); }
         void operator()(std::optional<bool>* value) const {
             if (forest.maybe())
                 *value = forest.maybe();
         }
         void operator()(int* value) const {
-            *value = forest.whole(static_cast<int>(field.range.min), static_cast<int>(field.range.max));
+            *value = forest.whole(static_cast<int>(key.range.min), static_cast<int>(key.range.max));
         }
         void operator()(std::uint32_t* value) const {
             *value = static_cast<std::uint32_t>(forest._random.next());
         }
         void operator()(float* value) const {
-            const Range range = memberRange(field);
+            const Range range = memberRange(key);
             do
                 *value = static_cast<float>(forest.number(range));
             while (!range.contains(static_cast<double>(*value)));
         }
-        void operator()(double* value) const { *value = forest.number(field.range); }
+        void operator()(double* value) const { *value = forest.number(key.range); }
         void operator()(std::array<float, 4>* values) const {
             for (float& value : *values)
                 (*this)(&value);
         }
         void operator()(glm::vec3* value) const {
             for (int i = 0; i < 3; ++i)
-                (*value)[i] = static_cast<float>(forest.number(field.range));
+                (*value)[i] = static_cast<float>(forest.number(key.range));
         }
-        void operator()(std::string* value) const { *value = field.unit == "file" ? "" : forest.text(); }
+        void operator()(std::string* value) const { *value = key.unit == "file" ? "" : forest.text(); }
         void operator()(std::vector<std::string>* texts) const {
             for (int i = forest.whole(0, 2); i > 0; --i)
                 texts->push_back(std::to_string(forest._random.next()) + forest.text());
@@ -161,38 +161,38 @@ private:
         template <typename T>
         void operator()(T*) const {} // wind() makes arrays
         void operator()(const EnumMember& word) const {
-            word.set(word.object, field
-                                      .words[static_cast<std::size_t>(
-                                          forest.whole(0, static_cast<int>(field.words.size()) - 1))]
-                                      .second);
+            word.set(
+                word.object,
+                key.words[static_cast<std::size_t>(forest.whole(0, static_cast<int>(key.words.size()) - 1))]
+                    .second);
         }
-        void operator()(const NestedMember& part) const { forest.fillAll(*part.fields, part.object); }
+        void operator()(const NestedMember& part) const { forest.fillAll(*part.keys, part.object); }
     };
-    void fillAll(const Fields& fields, void* owner) {
-        for (const Field& field : fields)
+    void fillAll(const Keys& keys, void* owner) {
+        for (const Key& key : keys)
             if (maybe(0.8))
-                std::visit(Fill{*this, field}, field.member(owner));
+                std::visit(Fill{*this, key}, key.member(owner));
     }
     template <typename Struct>
     void fill(Struct& value) {
-        fillAll(fieldsOf<Struct>(), &value);
+        fillAll(keysOf<Struct>(), &value);
     }
 
     /// Lines of a file for some keys of a table.
     template <typename Struct>
     std::string keys(const std::vector<std::string>& without = {}) {
         std::string lines;
-        for (const Field& field : fieldsOf<Struct>()) {
+        for (const Key& key : keysOf<Struct>()) {
             Struct value{};
-            if (std::find(without.begin(), without.end(), field.key) != without.end() || maybe(0.3))
+            if (std::find(without.begin(), without.end(), key.name) != without.end() || maybe(0.3))
                 continue;
-            const Member member = field.of(&value);
+            const Member member = key.of(&value);
             if (std::holds_alternative<float*>(member) || std::holds_alternative<double*>(member)) {
-                lines += std::string(field.key) + " = " + decimal(field.range) + '\n';
+                lines += std::string(key.name) + " = " + decimal(key.range) + '\n';
             } else if (!std::holds_alternative<NestedMember>(member)) {
-                std::visit(Fill{*this, field}, member);
+                std::visit(Fill{*this, key}, member);
                 std::ostringstream line;
-                writeFields(line, "", {field}, &value, nullptr);
+                writeKeys(line, "", {key}, &value, nullptr);
                 lines += line.str();
             }
         }

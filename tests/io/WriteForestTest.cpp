@@ -32,9 +32,9 @@ struct Differences {
     }
     template <typename Struct>
     void fields(const std::string& path, const Struct& a, const Struct& b) {
-        for (const Field& field : fieldsOf<Struct>())
-            if (!isFieldEqual(field, &a, &b))
-                keys += path + '.' + field.key + ' ';
+        for (const Key& each : keysOf<Struct>())
+            if (!isKeyEqual(each, &a, &b))
+                keys += path + '.' + each.name + ' ';
     }
     template <typename Struct>
     void optionalFields(const std::string& path, const std::optional<Struct>& a,

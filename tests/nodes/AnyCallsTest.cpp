@@ -9,17 +9,17 @@
 #include <osgTreeWind/controls/ForestHandler.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/forest/StandOnGround.h>
-#include <osgTreeWind/growth/GrowthFields.h>
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
+#include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/places/FunctionGround.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 #include <osg/ComputeBoundsVisitor>
 #include <osgGA/GUIActionAdapter>
@@ -133,8 +133,8 @@ private:
         EXPECT_EQ(now.season, before.season) << toString(problems);
         ASSERT_EQ(now.trees.size(), before.trees.size()) << toString(problems);
         for (std::size_t i = 0; i < now.trees.size(); ++i)
-            for (const Field& field : fieldsOf<TreePlacement>())
-                EXPECT_TRUE(isFieldEqual(field, &now.trees[i], &before.trees[i])) << toString(problems);
+            for (const Key& each : keysOf<TreePlacement>())
+                EXPECT_TRUE(isKeyEqual(each, &now.trees[i], &before.trees[i])) << toString(problems);
     }
     void expectSound() {
         const osg::BoundingSphere& sphere = _forest->getBound();

@@ -9,7 +9,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ForestDescription.h>
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/MeasureTree.h>

@@ -6,7 +6,7 @@
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 namespace osgTreeWind {
 namespace {
@@ -26,7 +26,7 @@ void addNeededImpostors(const ForestSimulation& simulation, std::size_t model, c
 std::string bytesOf(const std::vector<Species>& all) {
     std::string bytes;
     for (const Species& species : all)
-        addFieldBytes(species, bytes);
+        addKeyBytes(species, bytes);
     return bytes;
 }
 

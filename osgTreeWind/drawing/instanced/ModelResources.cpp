@@ -9,7 +9,7 @@
 #include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/species/LeafCoverage.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <algorithm>
 #include <iterator>
@@ -105,7 +105,7 @@ osg::ref_ptr<ImpostorStrip> sharedImpostor(const TreeModel& model, const Appeara
     if (model.identity == 0)
         return make();
     std::string look;
-    addFieldBytes(appearance, look);
+    addKeyBytes(appearance, look);
     return impostors.get({model.identity, look, tier, program.get()}, make);
 }
 

@@ -6,7 +6,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 #include <osgTreeWind/species/Season.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,7 +34,7 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const glm::vec2 tremble = leafTremble(species.leaf);
     looks.leaves->addUniform(new osg::Uniform("leafTremble", osg::Vec2(tremble.x, tremble.y)));
     const osg::ref_ptr<osg::Uniform> limberness =
-        new osg::Uniform("limberness", clampedFields(species.leaf).shootSway);
+        new osg::Uniform("limberness", clampedKeys(species.leaf).shootSway);
     looks.leaves->addUniform(limberness);
     looks.bark->addUniform(limberness);
     looks.leaves->addUniform(new osg::Uniform("leafUnderside", toOsg(undersideOverUpper(appearance))));

@@ -3,18 +3,18 @@
 
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <cmath>
 
 namespace osgTreeWind {
 
 Reconfiguration::Reconfiguration(const Species& species) {
-    const WoodParameters wood = clampedFields(species.wood);
+    const WoodParameters wood = clampedKeys(species.wood);
     streamlining = wood.streamlining;
     breezeStreamlining = wood.breezeStreamlining;
     streamlinedTo = wood.streamlinedTo;
-    maxPull = std::tan(clampedFields(species.leaf).maxDownwind);
+    maxPull = std::tan(clampedKeys(species.leaf).maxDownwind);
 }
 
 glm::vec4 Reconfiguration::pull(const glm::vec3& wind) const {

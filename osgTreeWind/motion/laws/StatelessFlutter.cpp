@@ -2,7 +2,7 @@
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <glm/geometric.hpp>
 
@@ -34,7 +34,7 @@ glm::vec3 flutterPhases(double time, const LeafMotion& motion) {
 
 glm::vec4 flutterLimits(const LeafMotion& given) {
     Laws laws;
-    const LeafMotion motion = clampedFields(given);
+    const LeafMotion motion = clampedKeys(given);
     return {motion.factor * laws.angleLimit(motion.maxAngleX),
             motion.factor * laws.angleLimit(motion.maxAngleZ), motion.maxRotation, motion.linkedFactor};
 }
@@ -44,7 +44,7 @@ glm::vec2 leafTremble(const LeafMotion& given) {
     constexpr float airViscosity = 1.5e-5f; // kinematic, m^2/s
     constexpr float speedPerSize = 1.0f / (740.0f * 740.0f * airViscosity);
     constexpr float cardSpeed = 17.0f; // rms of trembleWave(), averaged over a card, over the noise frequency
-    const LeafMotion motion = clampedFields(given);
+    const LeafMotion motion = clampedKeys(given);
     const float stiffness = cardSpeed * motion.noiseFrequency / speedPerSize;
     return {motion.size, std::max(stiffness, 1e-3f) / std::max(motion.tremble, 1e-6f)};
 }

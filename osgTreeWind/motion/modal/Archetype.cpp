@@ -8,7 +8,7 @@
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/GrowthLaws.h>
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,8 +206,8 @@ std::shared_ptr<const Archetype> sharedArchetype(const TreeForm& tree) {
     std::string form;
     for (const float number : {axes.x, axes.y, axes.z, tree.scale.radius, tree.scale.leaf, tree.leaves})
         form.append(reinterpret_cast<const char*>(&number), sizeof number);
-    addFieldBytes(tree.species->wood, form);
-    addFieldBytes(tree.species->branch, form);
+    addKeyBytes(tree.species->wood, form);
+    addKeyBytes(tree.species->branch, form);
     return archetypes.get({tree.model->identity, form},
                           [&] { return std::make_shared<const Archetype>(tree); });
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/ForestKeys.h>
 
 #include <osgTreeWind/base/Number.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<DrawingOptions>() {
+const Keys& keysOf<DrawingOptions>() {
     using P = DrawingOptions;
-    static const Fields fields = {
+    static const Keys fields = {
         {"tiers", at<&P::tiers>, {}, "Whether trees that look small have less detail"},
         {"full", at<&P::full>, above(0, 100000),
          "Height from which all leaf cards are drawn; from four times this height, also all vertices",
@@ -30,9 +30,9 @@ const Fields& fieldsOf<DrawingOptions>() {
 }
 
 template <>
-const Fields& fieldsOf<ForestDescription>() {
+const Keys& keysOf<ForestDescription>() {
     using P = ForestDescription;
-    static const Fields fields = {
+    static const Keys fields = {
         {"law",
          at<&P::law>,
          {},
@@ -52,14 +52,14 @@ const Fields& fieldsOf<ForestDescription>() {
 }
 
 std::string wordOf(MotionLaw law) {
-    for (const auto& [word, value] : fieldAt(fieldsOf<ForestDescription>(), "law").words)
+    for (const auto& [word, value] : keyAt(keysOf<ForestDescription>(), "law").words)
         if (value == static_cast<int>(law))
             return word;
     return {};
 }
 
-const Fields& forestFileFields() {
-    static const Fields fields = {
+const Keys& forestFileFields() {
+    static const Keys fields = {
         {"crs",
          at<&ForestDescription::crs>,
          {},
@@ -78,9 +78,9 @@ const Fields& forestFileFields() {
 }
 
 template <>
-const Fields& fieldsOf<EstimatedSizes>() {
+const Keys& keysOf<EstimatedSizes>() {
     using P = EstimatedSizes;
-    static const Fields fields = {
+    static const Keys fields = {
         {"height", at<&P::height>, {}, "Whether the height was [estimated](#sizes-that-are-not-measured)"},
         {"trunk_diameter", at<&P::trunkDiameter>, {}, "Whether the trunk diameter was estimated"},
         {"crown_width", at<&P::crownWidth>, {}, "Whether the crown width was estimated"},
@@ -89,9 +89,9 @@ const Fields& fieldsOf<EstimatedSizes>() {
 }
 
 template <>
-const Fields& fieldsOf<TreePlacement>() {
+const Keys& keysOf<TreePlacement>() {
     using P = TreePlacement;
-    static const Fields fields = {
+    static const Keys fields = {
         {"height", at<&P::size, &TreeSize::height>, above(0, 150), "Total height", "m"},
         {"trunk_diameter", at<&P::size, &TreeSize::trunkDiameter>, above(0, 20),
          "Stem diameter at breast height (DBH)", "m"},
@@ -121,8 +121,8 @@ const Fields& fieldsOf<TreePlacement>() {
     return fields;
 }
 
-std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing) {
-    std::vector<FieldConflict> conflicts;
+std::vector<KeyConflict> conflictsOf(const DrawingOptions& drawing) {
+    std::vector<KeyConflict> conflicts;
     const auto expectBelow = [&](const char* key, float low, const char* other, float high) {
         if (!(low < high))
             conflicts.push_back({key, other,

@@ -17,13 +17,13 @@
 
 namespace osgTreeWind {
 
-struct Field;
+struct Key;
 /// Describes the members of a struct in the order of the manual: keys, ranges, units and enum words.
-using Fields = std::vector<Field>;
+using Keys = std::vector<Key>;
 
-/// The fields of a struct. Each such struct specializes this function.
+/// The keys of a struct. Each such struct specializes this function.
 template <typename Struct>
-const Fields& fieldsOf();
+const Keys& keysOf();
 
 /// A member of enum type.
 struct EnumMember {
@@ -31,10 +31,10 @@ struct EnumMember {
     int (*get)(const void*);
     void (*set)(void*, int);
 };
-/// A member that is itself a struct with fields.
+/// A member that is itself a struct with keys.
 struct NestedMember {
     void* object;
-    const Fields* fields;
+    const Keys* keys;
 };
 using Member = std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*,
                             glm::dvec3*, glm::ivec3*, std::string*, std::vector<std::string>*,
@@ -42,8 +42,8 @@ using Member = std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, f
                             std::array<float, 4>*, EnumMember, NestedMember>;
 
 /// Describes one member of a struct.
-struct Field {
-    const char* key;               ///< The key in a file.
+struct Key {
+    const char* name;              ///< The key in a file.
     Member (*member)(void* owner); ///< Finds the member in a struct.
     Range range;                   ///< Valid range of a number, in `unit`.
     std::string doc;               ///< Description for the manual.
@@ -55,7 +55,7 @@ struct Field {
 };
 
 /// Two values that are each in range but contradict each other.
-struct FieldConflict {
+struct KeyConflict {
     std::string key;   ///< Empty: the struct as a whole.
     std::string other; ///< Key of the second value; may be empty.
     std::string message;
@@ -64,7 +64,7 @@ struct FieldConflict {
 template <typename Struct, typename T>
 Struct* ownerOf(T Struct::*);
 
-/// A Field::member function for a member, or for a member of a member.
+/// A Key::member function for a member, or for a member of a member.
 template <auto First, auto... Rest>
 Member at(void* owner) {
     auto& member = static_cast<decltype(ownerOf(First))>(owner)->*First;
@@ -78,47 +78,47 @@ Member at(void* owner) {
     else if constexpr (std::is_constructible_v<Member, T*>)
         return &member;
     else
-        return NestedMember{&member, &fieldsOf<T>()};
+        return NestedMember{&member, &keysOf<T>()};
 }
 
-/// Field::words for an enum whose values are 0, 1, 2, ...
+/// Key::words for an enum whose values are 0, 1, 2, ...
 std::vector<std::pair<std::string, int>> numberedFromZero(const std::vector<std::string>& words);
 
-/// The field with that key, which must exist.
-const Field& fieldAt(const Fields& fields, const std::string& key);
+/// The key with that name, which must exist.
+const Key& keyAt(const Keys& keys, const std::string& name);
 
-/// The range of a float member, in radians if the field is in degrees.
-Range memberRange(const Field& field);
+/// The range of a float member, in radians if the key is in degrees.
+Range memberRange(const Key& key);
 
 /// Clamps every number to its range, and replaces NaN by the value in `defaults`.
-void clampFields(const Fields& fields, void* owner, const void* defaults);
+void clampKeys(const Keys& keys, void* owner, const void* defaults);
 template <typename Struct>
-Struct clampedFields(Struct value, const Struct& defaults = {}) {
-    clampFields(fieldsOf<Struct>(), &value, &defaults);
+Struct clampedKeys(Struct value, const Struct& defaults = {}) {
+    clampKeys(keysOf<Struct>(), &value, &defaults);
     return value;
 }
 
 /// Appends a problem for each value out of range, with `path` and its key: "species[0].wood.density".
-void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems);
+void checkKeys(const Keys& keys, const void* owner, const std::string& path, Diagnostics& problems);
 template <typename Struct>
-void checkFields(const Struct& value, const std::string& path, Diagnostics& problems) {
-    checkFields(fieldsOf<Struct>(), &value, path, problems);
+void checkKeys(const Struct& value, const std::string& path, Diagnostics& problems) {
+    checkKeys(keysOf<Struct>(), &value, path, problems);
 }
 
-/// Appends the exact values of all fields, for use as a cache key.
-void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes);
+/// Appends the exact values of all members with keys, for use as a cache key.
+void addKeyBytes(const Keys& keys, const void* owner, std::string& bytes);
 template <typename Struct>
-void addFieldBytes(const Struct& value, std::string& bytes) {
-    addFieldBytes(fieldsOf<Struct>(), &value, bytes);
+void addKeyBytes(const Struct& value, std::string& bytes) {
+    addKeyBytes(keysOf<Struct>(), &value, bytes);
 }
 
-/// Whether one field has the same value in two structs. Distinguishes -0 from 0; NaN equals NaN.
-bool isFieldEqual(const Field& field, const void* a, const void* b);
-/// Whether isFieldEqual() holds for all fields.
-bool areFieldsEqual(const Fields& fields, const void* a, const void* b);
+/// Whether a key has the same value in two structs. Distinguishes -0 from 0; NaN equals NaN.
+bool isKeyEqual(const Key& key, const void* a, const void* b);
+/// Whether isKeyEqual() holds for all keys.
+bool areKeysEqual(const Keys& keys, const void* a, const void* b);
 template <typename Struct>
-bool areFieldsEqual(const Struct& a, const Struct& b) {
-    return areFieldsEqual(fieldsOf<Struct>(), &a, &b);
+bool areKeysEqual(const Struct& a, const Struct& b) {
+    return areKeysEqual(keysOf<Struct>(), &a, &b);
 }
 
 } // namespace osgTreeWind

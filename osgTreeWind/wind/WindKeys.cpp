@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindKeys.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<GustWind::Parameters>() {
+const Keys& keysOf<GustWind::Parameters>() {
     using P = GustWind::Parameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"intensity", at<&P::intensity>, within(0, 1),
          "Turbulence intensity along the wind: 0.15 in open country, 0.25 in suburbs, 0.3 and more over a "
          "forest. Across the wind, 0.8 of this value; upward, 0.5"},
@@ -18,9 +18,9 @@ const Fields& fieldsOf<GustWind::Parameters>() {
 }
 
 template <>
-const Fields& fieldsOf<GridWind::Grid>() {
+const Keys& keysOf<GridWind::Grid>() {
     using P = GridWind::Grid;
-    static const Fields fields = {
+    static const Keys fields = {
         {"corner", at<&P::origin>, worldCoordinates,
          "Position of the first point relative to the forest's origin", "m"},
         {"points", at<&P::points>, gridPoints, "Number of points east, north and up"},
@@ -35,9 +35,9 @@ const Fields& fieldsOf<GridWind::Grid>() {
 }
 
 template <>
-const Fields& fieldsOf<ThesisWind::Array>() {
+const Keys& keysOf<ThesisWind::Array>() {
     using P = ThesisWind::Array;
-    static const Fields fields = {
+    static const Keys fields = {
         {"width", at<&P::width>, gridPoints, "Number of cells along thesis x (east)"},
         {"length", at<&P::length>, gridPoints, "Number of cells along thesis z (south)"},
         {"corner", at<&P::origin>, worldCoordinates,
@@ -48,9 +48,9 @@ const Fields& fieldsOf<ThesisWind::Array>() {
 }
 
 template <>
-const Fields& fieldsOf<WindSeries>() {
+const Keys& keysOf<WindSeries>() {
     using P = WindSeries;
-    static const Fields fields = {
+    static const Keys fields = {
         {"times", at<&P::times>, {}, "Times of the velocities", "s"},
         {"velocities", at<&P::velocities>, windSpeeds, "Velocities toward east, north, up, one for each time",
          "m/s"},
@@ -60,9 +60,9 @@ const Fields& fieldsOf<WindSeries>() {
 }
 
 template <>
-const Fields& fieldsOf<LogProfile>() {
+const Keys& keysOf<LogProfile>() {
     using P = LogProfile;
-    static const Fields fields = {
+    static const Keys fields = {
         {"height", at<&P::height>, above(0, 10000), "Height of the measurement above the ground", "m"},
         {"roughness", at<&P::roughness>, above(0, 100), "Roughness length of the ground", "m"},
     };
@@ -70,9 +70,9 @@ const Fields& fieldsOf<LogProfile>() {
 }
 
 template <>
-const Fields& fieldsOf<CanopySettings>() {
+const Keys& keysOf<CanopySettings>() {
     using P = CanopySettings;
-    static const Fields fields = {
+    static const Keys fields = {
         {"canopy",
          at<&P::source>,
          {},
@@ -104,9 +104,9 @@ const Fields& fieldsOf<CanopySettings>() {
 }
 
 template <>
-const Fields& fieldsOf<WindClock>() {
+const Keys& keysOf<WindClock>() {
     using P = WindClock;
-    static const Fields fields = {
+    static const Keys fields = {
         {"start", at<&P::start>, within(-1e12, 1e12), "Time of the wind data at scene time 0", "s"},
         {"time_scale", at<&P::scale>, within(-1e6, 1e6),
          "Seconds of wind data per second of the scene: 60 shows an hour in a minute, 0 freezes the wind"},
@@ -115,9 +115,9 @@ const Fields& fieldsOf<WindClock>() {
 }
 
 template <>
-const Fields& fieldsOf<WindAdjustment>() {
+const Keys& keysOf<WindAdjustment>() {
     using P = WindAdjustment;
-    static const Fields fields = {
+    static const Keys fields = {
         {"strength", at<&P::strength>, within(0, 10), "Factor applied to all velocities"},
         {"turn", at<&P::turn>, within(-360, 360),
          "Clockwise rotation of all velocities; positions do not turn", "degrees"},
@@ -126,9 +126,9 @@ const Fields& fieldsOf<WindAdjustment>() {
 }
 
 template <>
-const Fields& fieldsOf<WindSource>() {
+const Keys& keysOf<WindSource>() {
     using P = WindSource;
-    static const Fields fields = {
+    static const Keys fields = {
         {"kind",
          at<&P::kind>,
          {},

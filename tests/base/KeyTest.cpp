@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -29,42 +29,41 @@ struct Whole {
 } // namespace
 
 template <>
-const Fields& fieldsOf<Part>() {
-    static const Fields fields = {{"share", at<&Part::share>, within(0, 0.3), ""}};
-    return fields;
+const Keys& keysOf<Part>() {
+    static const Keys keys = {{"share", at<&Part::share>, within(0, 0.3), ""}};
+    return keys;
 }
 
 template <>
-const Fields& fieldsOf<Whole>() {
-    static const Fields fields = {
-        {"count", at<&Whole::count>, within(1, 5), ""},
-        {"angle", at<&Whole::angle>, within(0, 180), "", "degrees"},
-        {"length", at<&Whole::length>, above(0), "", "m"},
-        {"colour", at<&Whole::colour>, {}, "", "", numberedFromZero({"red", "green"})},
-        {"part", at<&Whole::part>, {}, ""},
-        {"partShare", at<&Whole::part, &Part::share>, within(0, 1), ""}};
-    return fields;
+const Keys& keysOf<Whole>() {
+    static const Keys keys = {{"count", at<&Whole::count>, within(1, 5), ""},
+                              {"angle", at<&Whole::angle>, within(0, 180), "", "degrees"},
+                              {"length", at<&Whole::length>, above(0), "", "m"},
+                              {"colour", at<&Whole::colour>, {}, "", "", numberedFromZero({"red", "green"})},
+                              {"part", at<&Whole::part>, {}, ""},
+                              {"partShare", at<&Whole::part, &Part::share>, within(0, 1), ""}};
+    return keys;
 }
 
-TEST(Field, ClampsNumbersOfNestedStructsAndReplacesNaN) {
+TEST(Key, ClampsNumbersOfNestedStructsAndReplacesNaN) {
     Whole whole;
     whole.count = 9;
     whole.angle = 4.0f;
     whole.part.share = std::numeric_limits<float>::quiet_NaN();
-    const Whole clamped = clampedFields(whole);
+    const Whole clamped = clampedKeys(whole);
     EXPECT_EQ(clamped.count, 5);
     EXPECT_EQ(clamped.angle, glm::radians(180.0f));
     EXPECT_EQ(clamped.part.share, 0.25f);
     whole.count = -9;
     whole.part.share = 1.0f;
-    EXPECT_EQ(clampedFields(whole).count, 1);
-    EXPECT_EQ(clampedFields(whole).part.share, 0.3f) << "the limit rounded to float";
+    EXPECT_EQ(clampedKeys(whole).count, 1);
+    EXPECT_EQ(clampedKeys(whole).part.share, 0.3f) << "the limit rounded to float";
 }
 
-TEST(Field, ReportsNumbersInTheUnitOfTheField) {
+TEST(Key, ReportsNumbersInTheUnitOfTheField) {
     const auto problemsOf = [](const Whole& whole) {
         Diagnostics problems;
-        checkFields(whole, "trees[2]", problems);
+        checkKeys(whole, "trees[2]", problems);
         std::string text;
         for (const Diagnostic& problem : problems)
             text += problem.text() + '\n';
@@ -87,25 +86,25 @@ TEST(Field, ReportsNumbersInTheUnitOfTheField) {
               "trees[2].partShare: expected a finite number in [0, 1], found inf\n");
 }
 
-TEST(Field, EqualityDistinguishesSignedZeros) {
+TEST(Key, EqualityDistinguishesSignedZeros) {
     const Whole defaults;
-    for (const Field& field : fieldsOf<Whole>())
-        EXPECT_TRUE(isFieldEqual(field, &defaults, &defaults)) << field.key;
+    for (const Key& key : keysOf<Whole>())
+        EXPECT_TRUE(isKeyEqual(key, &defaults, &defaults)) << key.name;
     Whole other;
     other.part.share = -0.0f;
     other.length = 0.0;
     other.colour = Colour::Red;
     Whole third = other;
     third.part.share = 0.0f;
-    EXPECT_FALSE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "part"), &other, &third));
-    EXPECT_TRUE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "length"), &other, &third));
-    EXPECT_FALSE(isFieldEqual(fieldAt(fieldsOf<Whole>(), "colour"), &other, &defaults));
+    EXPECT_FALSE(isKeyEqual(keyAt(keysOf<Whole>(), "part"), &other, &third));
+    EXPECT_TRUE(isKeyEqual(keyAt(keysOf<Whole>(), "length"), &other, &third));
+    EXPECT_FALSE(isKeyEqual(keyAt(keysOf<Whole>(), "colour"), &other, &defaults));
 }
 
-TEST(Field, BytesDifferIfAnyFieldDiffers) {
+TEST(Key, BytesDifferIfAnyFieldDiffers) {
     const auto bytes = [](const Whole& whole) {
         std::string text;
-        addFieldBytes(whole, text);
+        addKeyBytes(whole, text);
         return text;
     };
     EXPECT_EQ(bytes({}), bytes({}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/Number.h>
@@ -16,7 +16,7 @@ namespace {
 
 /// Clamps a member to its range and replaces NaN.
 struct Clamp {
-    const Field& field;
+    const Key& key;
     const Range range;
     Member defaults;
 
@@ -42,7 +42,7 @@ struct Clamp {
                 clampOr((*vector)[i], range.min, range.max, (**std::get_if<glm::dvec3*>(&defaults))[i]);
     }
     void operator()(const NestedMember& part) const {
-        clampFields(*part.fields, part.object, std::get_if<NestedMember>(&defaults)->object);
+        clampKeys(*part.keys, part.object, std::get_if<NestedMember>(&defaults)->object);
     }
     template <typename T>
     void operator()(const T&) const {}
@@ -50,25 +50,25 @@ struct Clamp {
 
 /// Reports a member that is out of range.
 struct Check {
-    const Field& field;
+    const Key& key;
     const Range range;
     const std::string& path; ///< Path of the struct.
     Diagnostics& problems;
 
-    std::string key() const { return path.empty() ? field.key : path + '.' + field.key; }
-    void add(const std::string& message) const { problems.push_back(keyProblem(key(), message)); }
+    std::string fullName() const { return path.empty() ? key.name : path + '.' + key.name; }
+    void add(const std::string& message) const { problems.push_back(keyProblem(fullName(), message)); }
     void number(double value, const char* kind, bool isAngle = false) const {
         if ((std::isfinite(value) && range.contains(value)) ||
-            (!problems.empty() && problems.back().key == key()))
+            (!problems.empty() && problems.back().key == fullName()))
             return;
-        const std::string limits = field.range.text(), unit = field.degrees() ? " degrees" : "";
+        const std::string limits = key.range.text(), unit = key.degrees() ? " degrees" : "";
         add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits + unit) +
             ", found " + numberText(isAngle ? static_cast<float>(glm::degrees(value)) : value) + unit);
     }
 
     void operator()(const int* value) const { number(*value, "whole"); }
     void operator()(const float* value) const {
-        number(static_cast<double>(*value), "finite", field.degrees());
+        number(static_cast<double>(*value), "finite", key.degrees());
     }
     void operator()(const double* value) const { number(*value, "finite"); }
     void operator()(const std::array<float, 4>* values) const {
@@ -90,13 +90,13 @@ struct Check {
     }
     void operator()(const EnumMember& word) const {
         const int value = word.get(word.object);
-        for (const auto& known : field.words)
+        for (const auto& known : key.words)
             if (known.second == value)
                 return;
         add("expected a value of the enumeration, found " + std::to_string(value));
     }
     void operator()(const NestedMember& part) const {
-        checkFields(*part.fields, part.object, key(), problems);
+        checkKeys(*part.keys, part.object, fullName(), problems);
     }
     template <typename T>
     void operator()(const T*) const {}
@@ -129,8 +129,8 @@ struct Equal {
         return word.get(word.object) == b.get(b.object);
     }
     bool operator()(const NestedMember& part) const {
-        return std::all_of(part.fields->begin(), part.fields->end(), [&](const Field& field) {
-            return isFieldEqual(field, part.object, std::get_if<NestedMember>(&other)->object);
+        return std::all_of(part.keys->begin(), part.keys->end(), [&](const Key& key) {
+            return isKeyEqual(key, part.object, std::get_if<NestedMember>(&other)->object);
         });
     }
 };
@@ -159,7 +159,7 @@ struct Append {
         const int value = word.get(word.object);
         (*this)(&value);
     }
-    void operator()(const NestedMember& part) const { addFieldBytes(*part.fields, part.object, bytes); }
+    void operator()(const NestedMember& part) const { addKeyBytes(*part.keys, part.object, bytes); }
 };
 
 } // namespace
@@ -171,53 +171,52 @@ std::vector<std::pair<std::string, int>> numberedFromZero(const std::vector<std:
     return result;
 }
 
-const Field& fieldAt(const Fields& fields, const std::string& key) {
-    return *std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.key == key; });
+const Key& keyAt(const Keys& keys, const std::string& name) {
+    return *std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
 }
 
-Range memberRange(const Field& field) {
+Range memberRange(const Key& key) {
     const auto end = [&](double limit) {
-        return static_cast<double>(static_cast<float>(field.degrees() ? glm::radians(limit) : limit));
+        return static_cast<double>(static_cast<float>(key.degrees() ? glm::radians(limit) : limit));
     };
-    return {end(field.range.min), end(field.range.max), field.range.aboveMin};
+    return {end(key.range.min), end(key.range.max), key.range.aboveMin};
 }
 
 namespace {
 
-Range rangeOf(const Field& field, const Member& member) {
+Range rangeOf(const Key& key, const Member& member) {
     const bool isDouble =
         std::holds_alternative<double*>(member) || std::holds_alternative<glm::dvec3*>(member);
-    return isDouble ? field.range : memberRange(field);
+    return isDouble ? key.range : memberRange(key);
 }
 
 } // namespace
 
-void clampFields(const Fields& fields, void* owner, const void* defaults) {
-    for (const Field& field : fields) {
-        const Member member = field.member(owner);
-        std::visit(Clamp{field, rangeOf(field, member), field.of(defaults)}, member);
+void clampKeys(const Keys& keys, void* owner, const void* defaults) {
+    for (const Key& key : keys) {
+        const Member member = key.member(owner);
+        std::visit(Clamp{key, rangeOf(key, member), key.of(defaults)}, member);
     }
 }
 
-void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems) {
-    for (const Field& field : fields) {
-        const Member member = field.of(owner);
-        std::visit(Check{field, rangeOf(field, member), path, problems}, member);
+void checkKeys(const Keys& keys, const void* owner, const std::string& path, Diagnostics& problems) {
+    for (const Key& key : keys) {
+        const Member member = key.of(owner);
+        std::visit(Check{key, rangeOf(key, member), path, problems}, member);
     }
 }
 
-void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes) {
-    for (const Field& field : fields)
-        std::visit(Append{bytes}, field.of(owner));
+void addKeyBytes(const Keys& keys, const void* owner, std::string& bytes) {
+    for (const Key& key : keys)
+        std::visit(Append{bytes}, key.of(owner));
 }
 
-bool isFieldEqual(const Field& field, const void* a, const void* b) {
-    return std::visit(Equal{field.of(b)}, field.of(a));
+bool isKeyEqual(const Key& key, const void* a, const void* b) {
+    return std::visit(Equal{key.of(b)}, key.of(a));
 }
 
-bool areFieldsEqual(const Fields& fields, const void* a, const void* b) {
-    return std::all_of(fields.begin(), fields.end(),
-                       [&](const Field& field) { return isFieldEqual(field, a, b); });
+bool areKeysEqual(const Keys& keys, const void* a, const void* b) {
+    return std::all_of(keys.begin(), keys.end(), [&](const Key& key) { return isKeyEqual(key, a, b); });
 }
 
 } // namespace osgTreeWind

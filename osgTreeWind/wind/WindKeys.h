@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 #include <osgTreeWind/wind/CanopySettings.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -19,24 +19,24 @@ constexpr Range gridPoints = within(1, 100000), gridCells = above(0, 1e6);
 
 /// Keys of files for each struct. Without mean and profile, which have keys of their own.
 template <>
-const Fields& fieldsOf<GustWind::Parameters>();
+const Keys& keysOf<GustWind::Parameters>();
 template <>
-const Fields& fieldsOf<GridWind::Grid>();
+const Keys& keysOf<GridWind::Grid>();
 template <>
-const Fields& fieldsOf<ThesisWind::Array>();
+const Keys& keysOf<ThesisWind::Array>();
 /// Without the profile.
 template <>
-const Fields& fieldsOf<WindSeries>();
+const Keys& keysOf<WindSeries>();
 template <>
-const Fields& fieldsOf<LogProfile>();
+const Keys& keysOf<LogProfile>();
 template <>
-const Fields& fieldsOf<CanopySettings>();
+const Keys& keysOf<CanopySettings>();
 /// Without `travel` and `origin`.
 template <>
-const Fields& fieldsOf<WindClock>();
+const Keys& keysOf<WindClock>();
 template <>
-const Fields& fieldsOf<WindAdjustment>();
+const Keys& keysOf<WindAdjustment>();
 template <>
-const Fields& fieldsOf<WindSource>();
+const Keys& keysOf<WindSource>();
 
 } // namespace osgTreeWind

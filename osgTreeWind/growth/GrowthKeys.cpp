@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/GrowthKeys.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<GrowthParameters>() {
+const Keys& keysOf<GrowthParameters>() {
     using G = GrowthParameters;
     using H = TreeHabit;
-    static const Fields fields = {
+    static const Keys fields = {
         {"height", at<&G::size, &GrowthGoal::height>, within(1, 100), "Height of the tree", "m"},
         {"trunk_diameter", at<&G::size, &GrowthGoal::trunkDiameter>, within(0.01, 5), "Stem diameter (DBH)",
          "m"},

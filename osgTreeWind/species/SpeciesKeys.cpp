@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/species/SpeciesKeys.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<HeightAllometry>() {
+const Keys& keysOf<HeightAllometry>() {
     using P = HeightAllometry;
-    static const Fields fields = {
+    static const Keys fields = {
         {"scale", at<&P::scale>, within(0, 500), "Factor of the height law", "m"},
         {"power", at<&P::power>, within(0.1, 3), "Exponent of the height law"},
         {"spread", at<&P::spread>, within(0, 2), "Standard deviation of ln(height)"},
@@ -23,9 +23,9 @@ const Fields& fieldsOf<HeightAllometry>() {
 }
 
 template <>
-const Fields& fieldsOf<CrownAllometry>() {
+const Keys& keysOf<CrownAllometry>() {
     using P = CrownAllometry;
-    static const Fields fields = {
+    static const Keys fields = {
         {"base", at<&P::base>, within(0, 50), "Constant of the width law", "m"},
         {"per_diameter", at<&P::perDiameter>, within(0, 100), "Slope of the width law"},
         {"open_base", at<&P::openBase>, within(0, 50), "`base` of open-grown trees", "m"},
@@ -41,9 +41,9 @@ const Fields& fieldsOf<CrownAllometry>() {
 }
 
 template <>
-const Fields& fieldsOf<WoodParameters>() {
+const Keys& keysOf<WoodParameters>() {
     using P = WoodParameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"elastic_modulus", at<&P::elasticModulus>, within(1e3, 1e12), "Elastic modulus of green wood", "Pa"},
         {"density", at<&P::density>, within(1, 1e4), "Density of green wood with bark", "kg/m³"},
         {"damping_ratio", at<&P::dampingRatio>, within(0, 2), "Damping ratio of the wood, without air"},
@@ -85,9 +85,9 @@ const Fields& fieldsOf<WoodParameters>() {
 }
 
 template <>
-const Fields& fieldsOf<BranchParameters>() {
+const Keys& keysOf<BranchParameters>() {
     using P = BranchParameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"max_angle", at<&P::maxAngle>, within(0, 90), "Largest rotation about each axis", "degrees"},
         {"partial_steps", at<&P::partialSteps>, within(1, 10000),
          "Number of steps to a new angle (`thesis-smooth`)"},
@@ -99,9 +99,9 @@ const Fields& fieldsOf<BranchParameters>() {
 }
 
 template <>
-const Fields& fieldsOf<LeafMotion>() {
+const Keys& keysOf<LeafMotion>() {
     using P = LeafMotion;
-    static const Fields fields = {
+    static const Keys fields = {
         {"max_angle_x", at<&P::maxAngleX>, within(0, 90), "Largest swing along the branch", "degrees"},
         {"max_angle_z", at<&P::maxAngleZ>, within(0, 90), "Largest swing across the branch", "degrees"},
         {"max_rotation", at<&P::maxRotation>, within(0, 180), "Largest rotation about the petiole",
@@ -122,9 +122,9 @@ const Fields& fieldsOf<LeafMotion>() {
 }
 
 template <>
-const Fields& fieldsOf<Appearance>() {
+const Keys& keysOf<Appearance>() {
     using P = Appearance;
-    static const Fields fields = {
+    static const Keys fields = {
         {"bark", at<&P::bark>, within(0, 1), "Bark colour"},
         {"leaves", at<&P::leaves>, within(0, 1), "Leaf colour in summer"},
         {"spring_leaves", at<&P::springLeaves>, within(0, 1), "Colour of unfolding leaves"},
@@ -155,9 +155,9 @@ const Fields& fieldsOf<Appearance>() {
 }
 
 template <>
-const Fields& fieldsOf<Species>() {
+const Keys& keysOf<Species>() {
     using P = Species;
-    static const Fields fields = {
+    static const Keys fields = {
         {"aliases", at<&P::aliases>, {}, "Other names; each must be unique"},
         {"source", at<&P::source>, {}, "Source of the numbers"},
         {"shapes", at<&P::shapes>, within(1, maxShapes), "Number of different shapes that the trees share"},

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/model/TreeKeys.h>
 
 #include <osgTreeWind/model/RecursiveTree.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<RecursiveTreeParameters>() {
+const Keys& keysOf<RecursiveTreeParameters>() {
     using P = RecursiveTreeParameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"levels", at<&P::levels>, within(0, 8), "Levels of branches above the trunk"},
         {"children_per_branch", at<&P::childrenPerBranch>, within(1, 8),
          "Branches at the end of each branch"},
@@ -42,9 +42,9 @@ const Fields& fieldsOf<RecursiveTreeParameters>() {
 }
 
 template <>
-const Fields& fieldsOf<PalmParameters>() {
+const Keys& keysOf<PalmParameters>() {
     using P = PalmParameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"height", at<&P::height>, within(0.5, 60), "Height of the highest frond", "m"},
         {"trunk_diameter", at<&P::trunkDiameter>, within(0.01, 5),
          "Stem diameter (DBH); at most half the stem height", "m"},
@@ -69,9 +69,9 @@ const Fields& fieldsOf<PalmParameters>() {
 }
 
 template <>
-const Fields& fieldsOf<LeafParameters>() {
+const Keys& keysOf<LeafParameters>() {
     using P = LeafParameters;
-    static const Fields fields = {
+    static const Keys fields = {
         {"clusters_per_branch", at<&P::clustersPerBranch>, within(0, 64),
          "Clusters on each branch; 0 makes a bare tree"},
         {"clusters", at<&P::clusters>, within(0, 100000),
@@ -105,8 +105,8 @@ const Fields& fieldsOf<LeafParameters>() {
     return fields;
 }
 
-std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree) {
-    std::vector<FieldConflict> conflicts;
+std::vector<KeyConflict> conflictsOf(const RecursiveTreeParameters& tree) {
+    std::vector<KeyConflict> conflicts;
     if (tree.radius > 0.5f * tree.length * static_cast<float>(tree.trunkUnits))
         conflicts.push_back({"radius", "", "expected at most half the trunk, length * trunk_units"});
     if (clamped(tree).levels != tree.levels)
@@ -116,8 +116,8 @@ std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree) {
     return conflicts;
 }
 
-std::vector<FieldConflict> conflictsOf(const PalmParameters& palm) {
-    std::vector<FieldConflict> conflicts;
+std::vector<KeyConflict> conflictsOf(const PalmParameters& palm) {
+    std::vector<KeyConflict> conflicts;
     if (palm.trunk < palm.crownBase)
         conflicts.push_back({"trunk", "crown_base", "expected at least crown_base"});
     if (palm.trunkDiameter > 0.5f * palm.height * palm.trunk)

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/base/Key.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 
 namespace osgTreeWind {
 
 template <>
-const Fields& fieldsOf<DrawingOptions>();
+const Keys& keysOf<DrawingOptions>();
 template <>
-const Fields& fieldsOf<TreePlacement>();
+const Keys& keysOf<TreePlacement>();
 /// The range of a field of TreePlacement.
 inline const Range& treeRange(const std::string& key) {
-    return fieldAt(fieldsOf<TreePlacement>(), key).range;
+    return keyAt(keysOf<TreePlacement>(), key).range;
 }
 template <>
-const Fields& fieldsOf<EstimatedSizes>();
-/// Fields of [motion], except for the noise.
+const Keys& keysOf<EstimatedSizes>();
+/// Keys of [motion], except for the noise.
 template <>
-const Fields& fieldsOf<ForestDescription>();
+const Keys& keysOf<ForestDescription>();
 /// The word for a law in a file.
 std::string wordOf(MotionLaw law);
-/// Fields of ForestDescription in the root table of a file.
-const Fields& forestFileFields();
+/// Keys of ForestDescription in the root table of a file.
+const Keys& forestFileFields();
 
 // Ranges of ForestDescription::gain, noiseExponent, season and step (seconds).
 constexpr Range gains = within(0, 100), noiseExponents = within(0, 3), seasons = within(0, 4),
@@ -33,6 +33,6 @@ constexpr double maxTreeDistance = 100000.0; ///< From the origin, metres; float
 constexpr Range tileSizes = within(10, 100000), tileCounts = within(1, 10000),
                 tileIdFiles = within(0, 100000);
 
-std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
+std::vector<KeyConflict> conflictsOf(const DrawingOptions& drawing);
 
 } // namespace osgTreeWind
