@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/ShapeFamilies.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/ShapeCount.h>

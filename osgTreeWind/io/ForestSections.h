@@ -7,7 +7,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TableReader.h>
 #include <osgTreeWind/io/TreeBounds.h>
-#include <osgTreeWind/io/TreeStore.h>
+#include <osgTreeWind/io/TreeSpool.h>
 #include <osgTreeWind/places/CrsTransform.h>
 
 #include <fstream>
@@ -20,6 +20,9 @@
 /// Readers and writers for the sections of a .treewind document.
 namespace osgTreeWind {
 
+/// Folders in which OpenSceneGraph searches for files, from the environment variable OSG_FILE_PATH.
+std::vector<std::string> hostFolders();
+
 /// State shared by the section readers while a document is read.
 struct ForestReading {
     ReadLog log;
@@ -28,7 +31,7 @@ struct ForestReading {
     std::uint32_t seed = 1;
     float leaves = 1.0f; ///< Default share of leaves of a tree.
     ForestDescription forest;
-    TreeStore trees{forest.trees};
+    TreeSpool trees{forest.trees};
     std::vector<DerivedTreeValues> derived; ///< By tree.
     std::optional<Crs> crs;                 ///< CRS of the scene.
     bool keepsStretchedMap = false;         ///< Key `stretched`: do not leave a stretched map.
@@ -50,7 +53,7 @@ struct ForestReading {
     /// The species catalogue. Problems with the host's catalogue file go to the log.
     const SpeciesCatalogue& builtIn();
     TreeBounds treeBounds();
-    /// Appends a tree. @param onGround as in TreeStore::add().
+    /// Appends a tree. @param onGround as in TreeSpool::add().
     void addTree(const TreePlacement& tree, bool onGround, DerivedTreeValues derivedValues);
     /// Sets the CRS that an inventory or the ground requires.
     void setCrs(const Crs& newCrs);
@@ -92,6 +95,8 @@ void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; nee
 /// Words of the key `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();
 
+/// Why a document cannot refer to a file; empty if it can.
+std::string problemOfFile(const std::string& file);
 /// Writes [ground], if there is one. @return why it cannot be written; empty on success.
 std::string writeGround(std::ostream& output, const ForestDescription& forest);
 void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].

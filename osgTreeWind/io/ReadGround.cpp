@@ -32,7 +32,7 @@ void putTreesOnGround(TableReader& table, ForestReading& reading) {
     forest.tiles = reading.forest.tiles ? *reading.forest.tiles : ForestTiles();
     reading.treeBounds().addSpeciesNames(forest.species, *forest.tiles);
     GroundPlacer placer(forest);
-    reading.trees.modify([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+    reading.trees.modify([&](TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
         placer.place(trees, onGround);
     });
     for (const Diagnostic& problem : placer.problems())

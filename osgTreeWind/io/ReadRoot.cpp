@@ -6,13 +6,13 @@
 #include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
+#include <osgTreeWind/places/HostMap.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 namespace osgTreeWind {
 
@@ -65,7 +66,7 @@ const SpeciesCatalogue& ForestReading::builtIn() {
 
 TreeBounds ForestReading::treeBounds() {
     TreeBounds all;
-    trees.visit([&](const TreeStore::Trees& some) { all.add(some); });
+    trees.visit([&](const TreeSpool::Trees& some) { all.add(some); });
     return all;
 }
 
@@ -94,8 +95,23 @@ bool ForestReading::canAddTrees(std::uint64_t count, TableReader& table, const s
     return false;
 }
 
+std::vector<std::string> hostFolders() {
+#ifdef _WIN32
+    constexpr char separator = ';';
+#else
+    constexpr char separator = ':';
+#endif
+    const char* const text = std::getenv("OSG_FILE_PATH");
+    std::istringstream rest(text ? text : "");
+    std::vector<std::string> folders;
+    for (std::string folder; std::getline(rest, folder, separator);)
+        if (!folder.empty())
+            folders.push_back(folder);
+    return folders;
+}
+
 std::vector<std::string> ForestReading::trustedFolders() const {
-    std::vector<std::string> trusted = foldersFromEnvironment("OSG_FILE_PATH");
+    std::vector<std::string> trusted = hostFolders();
     trusted.push_back(folders.front());
     if (const char* data = std::getenv("OSGTREEWIND_DATA"))
         trusted.emplace_back(data);
@@ -218,14 +234,14 @@ void ensureSpecies(TableReader& root, ForestReading& reading) {
 void removeUnusedDefault(ForestReading& reading) {
     std::vector<Species>& species = reading.forest.species;
     bool isUsed = species.size() == 1;
-    reading.trees.visit([&](const TreeStore::Trees& trees) {
+    reading.trees.visit([&](const TreeSpool::Trees& trees) {
         isUsed = isUsed || std::any_of(trees.begin(), trees.end(),
                                        [](const TreePlacement& tree) { return tree.species == 0; });
     });
     if (isUsed)
         return;
     species.erase(species.begin());
-    reading.trees.modify([](TreeStore::Trees& trees, const std::vector<std::size_t>&) {
+    reading.trees.modify([](TreeSpool::Trees& trees, const std::vector<std::size_t>&) {
         for (TreePlacement& tree : trees)
             --tree.species;
     });
@@ -253,7 +269,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
         return glm::distance(tree.position, forest.origin) > maxTreeDistance;
     };
     std::optional<glm::dvec3> first;
-    reading.trees.visit([&](const TreeStore::Trees& trees) {
+    reading.trees.visit([&](const TreeSpool::Trees& trees) {
         const auto far = first ? trees.end() : std::find_if(trees.begin(), trees.end(), isFar);
         if (far != trees.end())
             first = far->position;
@@ -307,7 +323,9 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("", problem);
     readOrigin(root, reading);
     if (!reading.forest.hostCrs.empty())
-        if (const auto place = hostMapTransform(reading.forest); !place)
+        if (const auto place =
+                hostMapTransform(reading.forest.crs, reading.forest.origin, reading.forest.hostCrs);
+            !place)
             root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) { readWind(table, reading); });
 }

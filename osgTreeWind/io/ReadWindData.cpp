@@ -81,7 +81,7 @@ std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, ForestRea
         outside += !file.covers(place - glm::dvec2(origin));
         ++all;
     };
-    reading.trees.visit([&](const TreeStore::Trees& trees) {
+    reading.trees.visit([&](const TreeSpool::Trees& trees) {
         for (const TreePlacement& tree : trees)
             add(glm::dvec2(tree.position));
     });

@@ -40,7 +40,7 @@ void reprojectStretchedMap(ForestReading& reading) {
         return;
     reading.toScene = transform.value();
     reading.setCrs(map.value());
-    reading.trees.modify([&](TreeStore::Trees& some, const std::vector<std::size_t>&) {
+    reading.trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>&) {
         std::vector<glm::dvec2> places;
         places.reserve(some.size());
         for (const TreePlacement& tree : some)

@@ -20,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 namespace osgTreeWind {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TileWriter.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>

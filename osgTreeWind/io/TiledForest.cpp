@@ -2,7 +2,7 @@
 #include <osgTreeWind/io/TiledForest.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/TileFiles.h>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlText.h>
 
-#include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Unicode.h>
-
 #include <glm/trigonometric.hpp>
 
 #include <charconv>
@@ -120,11 +117,6 @@ void writeFields(std::ostream& output, const std::string& table, const Fields& f
         writeFields(output, path, *part->fields, part->object,
                     defaults ? std::get_if<NestedMember>(&other)->object : nullptr);
     }
-}
-
-std::string problemOfFile(const std::string& file) {
-    std::error_code error;
-    return isUtf8(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
 }
 
 } // namespace osgTreeWind

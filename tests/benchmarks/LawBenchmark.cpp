@@ -10,7 +10,7 @@
 #include <osgTreeWind/motion/MakeCanopy.h>
 #include <osgTreeWind/motion/SimulationAccess.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>

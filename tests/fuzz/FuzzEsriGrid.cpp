@@ -4,8 +4,8 @@
 using namespace osgTreeWind;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const Result<MapCells> grid = readEsriGrid(viewOf(data, size), "fuzz");
+    const Result<RasterBand> grid = readEsriGrid(viewOf(data, size), "fuzz");
     if (grid)
-        expectValidContent(windFromCells(grid.value(), grid.value(), "fuzz"));
+        expectValidContent(windFromBands(grid.value(), grid.value(), "fuzz"));
     return 0;
 }

@@ -3,7 +3,7 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/TreeList.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
