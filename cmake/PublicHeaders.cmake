@@ -19,7 +19,6 @@ set(public_headers
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/ForestTiles.h
-    osgTreeWind/forest/HostMap.h
     osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/io/ForestFile.h
@@ -46,6 +45,7 @@ set(public_headers
     osgTreeWind/offscreen/OffscreenContext.h
     osgTreeWind/places/FunctionGround.h
     osgTreeWind/places/Ground.h
+    osgTreeWind/places/HostMap.h
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace osgTreeWind {
 namespace {
@@ -50,21 +49,6 @@ std::string problemOfTrust(const std::string& path, const std::vector<std::strin
                ? "is not opened: a symbolic link next to it leads out of the folders that "
                  "OSGTREEWIND_TRUST=folder trusts"
                : "";
-}
-
-std::vector<std::string> foldersFromEnvironment(const char* variable) {
-#ifdef _WIN32
-    constexpr char separator = ';';
-#else
-    constexpr char separator = ':';
-#endif
-    const char* const text = std::getenv(variable);
-    std::istringstream rest(text ? text : "");
-    std::vector<std::string> folders;
-    for (std::string folder; std::getline(rest, folder, separator);)
-        if (!folder.empty())
-            folders.push_back(folder);
-    return folders;
 }
 
 } // namespace osgTreeWind

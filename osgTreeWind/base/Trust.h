@@ -11,7 +11,4 @@ namespace osgTreeWind {
 /// (docs/trust.md).
 std::string problemOfTrust(const std::string& path, const std::vector<std::string>& folders);
 
-/// The folders listed in an environment variable, separated as in PATH.
-std::vector<std::string> foldersFromEnvironment(const char* variable);
-
 } // namespace osgTreeWind

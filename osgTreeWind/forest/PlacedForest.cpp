@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/PlacedForest.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ReserveGrowth.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/ShapeFamilies.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/ShapeCount.h>
@@ -93,6 +93,17 @@ bool mergeSmallestClass(HeightClasses& classes, bool hasDefaultHeight) {
     return true;
 }
 
+/// Shares shapes among families: one each, and each further one to the family with the most trees per shape.
+void shareShapes(std::size_t shapes, const std::vector<std::size_t>& trees, ShapeFamilies::Family* families) {
+    for (std::size_t i = trees.size(); i < shapes; ++i) {
+        std::size_t neediest = 0;
+        for (std::size_t other = 1; other < trees.size(); ++other)
+            if (trees[other] * families[neediest].shapes > trees[neediest] * families[other].shapes)
+                neediest = other;
+        ++families[neediest].shapes;
+    }
+}
+
 } // namespace
 
 ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
@@ -159,8 +170,21 @@ void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
 }
 
 void ShapeFamilies::add(const Species& species, TreeGroups groups) {
-    const bool bySize = growsByLight(species);
-    const float defaultHeight = usualHeight(species);
+    const std::size_t shapes = shapeCount(species), first = _all.size();
+    // At least two shapes for most families, so that trees of a family differ.
+    selectClasses(groups, growsByLight(species), std::max<std::size_t>(shapes / 2, 1));
+    std::vector<std::size_t> trees; // by family
+    for (const GrowingSpace space : {InForest, AtEdge, Open})
+        for (const auto& [index, count] : groups[space].trees) {
+            addFamily(species, groups[space], space, index);
+            trees.push_back(count);
+        }
+    shareShapes(shapes, trees, &_all[first]);
+    _familyRanges.emplace_back(first, _all.size());
+    _defaultHeights.push_back(usualHeight(species));
+}
+
+void ShapeFamilies::selectClasses(TreeGroups& groups, bool bySize, std::size_t maxFamilies) {
     if (groups[InForest].trees.empty() && groups[AtEdge].trees.empty() && groups[Open].trees.empty())
         addDefaultHeight(groups[InForest]);
     if (!bySize && !groups[InForest].trees.empty())
@@ -172,8 +196,6 @@ void ShapeFamilies::add(const Species& species, TreeGroups groups) {
                                  : HeightClasses{{0, group.trees.size()}};
         families += group.trees.size();
     }
-    const std::size_t shapes = shapeCount(species);
-    const std::size_t maxFamilies = std::max<std::size_t>(shapes / 2, 1); // so that trees of a family differ
     for (bool isMerged = true; isMerged && families > maxFamilies;) {
         isMerged = false;
         for (TreeGroup& group : groups)
@@ -182,31 +204,18 @@ void ShapeFamilies::add(const Species& species, TreeGroups groups) {
                 --families;
             }
     }
-    std::vector<std::size_t> trees; // by family
-    const std::size_t first = _all.size();
-    for (const GrowingSpace space : {InForest, AtEdge, Open})
-        for (const auto& [index, count] : groups[space].trees) {
-            Family family;
-            family.species = _familyRanges.size();
-            family.openGrown = space == Open;
-            family.atEdge = space == AtEdge;
-            family.height = classHeight(index, defaultHeight);
-            family.tree = growthOf(species, family.openGrown, family.atEdge, family.height);
-            if (bySize && !(index == 0 && groups[space].hasDefaultHeight))
-                applyProportions(family, species, groups[space], index);
-            _all.push_back(std::move(family));
-            trees.push_back(count);
-        }
-    // Each further shape goes to the family with the most trees per shape.
-    for (std::size_t i = families; i < shapes; ++i) {
-        std::size_t neediest = 0;
-        for (std::size_t other = 1; other < families; ++other)
-            if (trees[other] * _all[first + neediest].shapes > trees[neediest] * _all[first + other].shapes)
-                neediest = other;
-        ++_all[first + neediest].shapes;
-    }
-    _familyRanges.emplace_back(first, _all.size());
-    _defaultHeights.push_back(defaultHeight);
+}
+
+void ShapeFamilies::addFamily(const Species& species, TreeGroup& group, GrowingSpace space, int index) {
+    Family family;
+    family.species = _familyRanges.size();
+    family.openGrown = space == Open;
+    family.atEdge = space == AtEdge;
+    family.height = classHeight(index, usualHeight(species));
+    family.tree = growthOf(species, family.openGrown, family.atEdge, family.height);
+    if (growsByLight(species) && !(index == 0 && group.hasDefaultHeight))
+        applyProportions(family, species, group, index);
+    _all.push_back(std::move(family));
 }
 
 std::size_t ShapeFamilies::indexOf(const TreePlacement& tree) const {

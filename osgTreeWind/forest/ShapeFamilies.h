@@ -52,6 +52,9 @@ private:
     static GrowingSpace growingSpaceOf(const TreePlacement& tree, const Species& species);
     static void applyProportions(Family& family, const Species& species, TreeGroup& group, int at);
     static void addDefaultHeight(TreeGroup& group); ///< Adds a tree of the default height.
+    /// Selects the height classes that become families, at most `maxFamilies` if their spaces allow it.
+    static void selectClasses(TreeGroups& groups, bool bySize, std::size_t maxFamilies);
+    void addFamily(const Species& species, TreeGroup& group, GrowingSpace space, int index);
     void add(const Species& species, TreeGroups groups);
 
     std::vector<Family> _all;

@@ -2,10 +2,10 @@
 #include <osgTreeWind/gpu/PosePass.h>
 
 #include <osgTreeWind/gpu/DataTexture.h>
-#include <osgTreeWind/gpu/PassState.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/FrameBufferObject>
+#include <osg/GLExtensions>
 #include <osg/Notify>
 #include <osg/observer_ptr>
 
@@ -48,6 +48,61 @@ int capacityFor(int rows) {
         capacity *= 2;
     return capacity;
 }
+
+/// A GPU pass within a draw: renders one rectangle into a frame buffer object, unaffected by the scene's
+/// state. Its destructor restores the OpenGL state, so that osg::State remains valid.
+class PassState {
+public:
+    explicit PassState(osg::State& state) : _state(state), _gl(*state.get<osg::GLExtensions>()) {
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING_EXT, &_formerFrameBuffer);
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING_EXT, &_formerDrawFrameBuffer);
+        glGetIntegerv(GL_CURRENT_PROGRAM, &_formerProgram);
+        glPushAttrib(GL_ALL_ATTRIB_BITS); // texture bindings and the active unit included
+        _gl.glActiveTexture(GL_TEXTURE0);
+        for (const GLenum mode :
+             {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+              GL_FRAMEBUFFER_SRGB, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL,
+              GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
+            glDisable(mode);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
+    ~PassState() {
+        _gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerFrameBuffer));
+        _gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerDrawFrameBuffer));
+        glPopAttrib(); // restores the draw buffer of the frame buffer that is bound
+        _gl.glUseProgram(static_cast<GLuint>(_formerProgram));
+    }
+    PassState(const PassState&) = delete;
+    PassState& operator=(const PassState&) = delete;
+
+    /// Directs draw() to `height` rows of the target from `firstRow` on, with this program.
+    void begin(osg::Program& program, osg::FrameBufferObject& target, int firstRow, int width,
+               int height) const {
+        target.apply(_state);
+        glViewport(0, firstRow, width, height);
+        program.compileGLObjects(_state);
+        _program = program.getPCP(_state);
+        _program->useProgram();
+    }
+    void bind(unsigned unit, const char* sampler, osg::Texture2D* texture) const {
+        _gl.glActiveTexture(GL_TEXTURE0 + unit);
+        texture->apply(_state);
+        set(sampler, static_cast<int>(unit));
+    }
+    void set(const char* uniform, int value) const {
+        const GLint location = _program->getUniformLocation(osg::Uniform::getNameID(uniform));
+        if (location >= 0)
+            _gl.glUniform1i(location, value);
+    }
+    void draw() const { glRectf(-1.0f, -1.0f, 1.0f, 1.0f); }
+
+private:
+    osg::State& _state;
+    const osg::GLExtensions& _gl;
+    mutable const osg::Program::PerContextProgram* _program = nullptr;
+    GLint _formerFrameBuffer = 0, _formerDrawFrameBuffer = 0, _formerProgram = 0;
+};
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/gpu/PoseRows.h>
+#include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>

@@ -18,9 +18,9 @@ void DocumentTrees::add(const TreePlacement& tree, bool onGround, DerivedTreeVal
 }
 
 void DocumentTrees::modify(
-    const std::function<void(TreeStore::Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
+    const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
     _bounds = {};
-    _store.modify([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+    _store.modify([&](TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
         modifier(trees, onGround);
         _bounds.add(trees);
     });
@@ -28,7 +28,7 @@ void DocumentTrees::modify(
 
 void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
     if (_store.isInMemory())
-        modify([&](TreeStore::Trees&, const std::vector<std::size_t>&) {
+        modify([&](TreeSpool::Trees&, const std::vector<std::size_t>&) {
             osgTreeWind::findGrowingSpaces(forest, _derived);
         });
 }

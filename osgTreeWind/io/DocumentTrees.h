@@ -4,7 +4,7 @@
 #include <osgTreeWind/forest/GrowingSpaces.h>
 #include <osgTreeWind/io/TableReader.h>
 #include <osgTreeWind/io/TreeBounds.h>
-#include <osgTreeWind/io/TreeStore.h>
+#include <osgTreeWind/io/TreeSpool.h>
 
 #include <functional>
 #include <set>
@@ -17,12 +17,12 @@ namespace osgTreeWind {
 class DocumentTrees {
 public:
     /// @param memory holds trees that are in memory; must outlive this object.
-    explicit DocumentTrees(TreeStore::Trees& memory) : _store(memory) {}
+    explicit DocumentTrees(TreeSpool::Trees& memory) : _store(memory) {}
 
     std::size_t maxCount = 1000000; ///< More trees are an error.
 
     /// The trees so far, for ForestStream.
-    TreeStore& store() { return _store; }
+    TreeSpool& store() { return _store; }
     std::size_t size() const { return _store.size(); }
     const TreeBounds& bounds() const { return _bounds; }
 
@@ -30,12 +30,12 @@ public:
     bool canAdd(std::uint64_t count, TableReader& table, const std::string& key) const;
     /// Reserves a name. @return false if it is taken.
     bool reserveName(const std::string& name) { return _names.insert(name).second; }
-    /// Appends a tree. @param onGround as in TreeStore::add().
+    /// Appends a tree. @param onGround as in TreeSpool::add().
     void add(const TreePlacement& tree, bool onGround, DerivedTreeValues derived);
 
-    /// As TreeStore::visit() and modify().
-    void visit(const std::function<void(const TreeStore::Trees& trees)>& visitor) { _store.visit(visitor); }
-    void modify(const std::function<void(TreeStore::Trees& trees, const std::vector<std::size_t>& onGround)>&
+    /// As TreeSpool::visit() and modify().
+    void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _store.visit(visitor); }
+    void modify(const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
     // If the trees are in memory, which is that of the forest:
     void findGrowingSpaces(ForestDescription& forest);
@@ -44,7 +44,7 @@ public:
     void forgetNames() { _names.clear(); }
 
 private:
-    TreeStore _store;
+    TreeSpool _store;
     TreeBounds _bounds;
     std::vector<DerivedTreeValues> _derived; ///< By tree, if they are in memory.
     std::set<std::string> _names;

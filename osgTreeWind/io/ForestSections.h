@@ -61,6 +61,8 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
 /// Words of the key `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();
 
+/// Why a document cannot refer to a file; empty if it can.
+std::string problemOfFile(const std::string& file);
 /// Writes [ground], if there is one. @return why it cannot be written; empty on success.
 std::string writeGround(std::ostream& output, const ForestDescription& forest);
 void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].

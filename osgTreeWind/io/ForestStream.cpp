@@ -40,7 +40,7 @@ std::size_t ForestStream::treeCount() const {
 }
 
 bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& visitor) const {
-    TreeStore& trees = _reading->trees.store();
+    TreeSpool& trees = _reading->trees.store();
     trees.visit(visitor);
     return !trees.hasFailed();
 }

@@ -7,11 +7,27 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 namespace osgTreeWind {
 
+std::vector<std::string> hostFolders() {
+#ifdef _WIN32
+    constexpr char separator = ';';
+#else
+    constexpr char separator = ':';
+#endif
+    const char* const text = std::getenv("OSG_FILE_PATH");
+    std::istringstream rest(text ? text : "");
+    std::vector<std::string> folders;
+    for (std::string folder; std::getline(rest, folder, separator);)
+        if (!folder.empty())
+            folders.push_back(folder);
+    return folders;
+}
+
 std::string InputFolders::problemOfTrust(const std::string& path) const {
-    std::vector<std::string> trusted = foldersFromEnvironment("OSG_FILE_PATH");
+    std::vector<std::string> trusted = hostFolders();
     trusted.push_back(ofDocument());
     if (const char* data = std::getenv("OSGTREEWIND_DATA"))
         trusted.emplace_back(data);

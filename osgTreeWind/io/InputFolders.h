@@ -10,6 +10,9 @@
 
 namespace osgTreeWind {
 
+/// Folders in which OpenSceneGraph searches for files, from the environment variable OSG_FILE_PATH.
+std::vector<std::string> hostFolders();
+
 /// The folders in which the files of a document are searched.
 class InputFolders {
 public:

@@ -31,7 +31,7 @@ void putTreesOnGround(TableReader& table, const ForestDescription& read, Documen
     forest.tiles = read.tiles ? *read.tiles : ForestTiles();
     trees.bounds().addSpeciesNames(forest.species, *forest.tiles);
     GroundPlacer placer(forest);
-    trees.modify([&](TreeStore::Trees& some, const std::vector<std::size_t>& onGround) {
+    trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
         placer.place(some, onGround);
     });
     for (const Diagnostic& problem : placer.problems())

@@ -3,10 +3,10 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestKeys.h>
-#include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
+#include <osgTreeWind/places/HostMap.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 namespace osgTreeWind {
 
@@ -95,7 +96,7 @@ void removeUnusedDefault(std::vector<Species>& species, DocumentTrees& trees) {
     if (species.size() == 1 || bounds.inForest.count(0) > 0 || bounds.inOpen.count(0) > 0)
         return;
     species.erase(species.begin());
-    trees.modify([](TreeStore::Trees& some, const std::vector<std::size_t>&) {
+    trees.modify([](TreeSpool::Trees& some, const std::vector<std::size_t>&) {
         for (TreePlacement& tree : some)
             --tree.species;
     });
@@ -122,7 +123,7 @@ void readOrigin(TableReader& root, const SceneMap& map, DocumentTrees& trees, Fo
     if (glm::length(glm::max(glm::abs(low), glm::abs(high))) <= maxTreeDistance)
         return;
     std::optional<glm::dvec3> first;
-    trees.visit([&](const TreeStore::Trees& some) {
+    trees.visit([&](const TreeSpool::Trees& some) {
         for (const TreePlacement& tree : some)
             if (!first && glm::distance(tree.position, forest.origin) > maxTreeDistance)
                 first = tree.position;
@@ -182,7 +183,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("", problem);
     readOrigin(root, map, trees, forest);
     if (!forest.hostCrs.empty())
-        if (const auto place = hostMapTransform(forest); !place)
+        if (const auto place = hostMapTransform(forest.crs, forest.origin, forest.hostCrs); !place)
             root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) {
         forest.wind = readWind(table, folders, forest, map, trees, defaults.seed);

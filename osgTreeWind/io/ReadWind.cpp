@@ -352,7 +352,7 @@ std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, const For
         outside += !file.covers(place - glm::dvec2(origin));
         ++all;
     };
-    trees.visit([&](const TreeStore::Trees& some) {
+    trees.visit([&](const TreeSpool::Trees& some) {
         for (const TreePlacement& tree : some)
             add(glm::dvec2(tree.position));
     });

@@ -56,7 +56,7 @@ void SceneMap::reproject(DocumentTrees& trees, TableReader& table) {
         return;
     _transform = transform.value();
     set(map.value());
-    trees.modify([&](TreeStore::Trees& some, const std::vector<std::size_t>&) {
+    trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>&) {
         std::vector<glm::dvec2> places;
         places.reserve(some.size());
         for (const TreePlacement& tree : some)

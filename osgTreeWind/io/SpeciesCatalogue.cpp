@@ -5,9 +5,8 @@
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/base/Unicode.h>
-#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/InputFolders.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +22,7 @@ constexpr const char* fileName = "species.treewind";
 /// The first species.treewind in the folders of OSG_FILE_PATH; may be empty.
 std::filesystem::path findHostFile() {
     std::error_code error;
-    for (const std::string& folder : foldersFromEnvironment("OSG_FILE_PATH"))
+    for (const std::string& folder : hostFolders())
         if (auto path = std::filesystem::path(folder) / fileName;
             std::filesystem::is_regular_file(path, error))
             return path;

@@ -2,8 +2,8 @@
 #include <osgTreeWind/io/TiledForest.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
-#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/PlacedForest.h>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlText.h>
 
-#include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Unicode.h>
-
 #include <glm/trigonometric.hpp>
 
 #include <charconv>
@@ -118,11 +115,6 @@ void writeKeys(std::ostream& output, const std::string& table, const Keys& keys,
         writeKeys(output, path, *part->keys, part->object,
                   defaults ? std::get_if<NestedMember>(&other)->object : nullptr);
     }
-}
-
-std::string problemOfFile(const std::string& file) {
-    std::error_code error;
-    return isUtf8(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
 }
 
 } // namespace osgTreeWind

@@ -48,7 +48,4 @@ void writeTable(std::ostream& output, const std::string& table, const Struct& va
             return output << "\n[" << table << "]\n", writeKeys(output, table, value, defaults);
 }
 
-/// Why a document cannot refer to a file; empty if it can.
-std::string problemOfFile(const std::string& file);
-
 } // namespace osgTreeWind

@@ -177,6 +177,11 @@ ForestDescription withRelativeTileFolder(ForestDescription forest, const std::st
 
 } // namespace
 
+std::string problemOfFile(const std::string& file) {
+    std::error_code error;
+    return isUtf8(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
+}
+
 Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     Diagnostics problems = WriteChecks(forest).take();
     std::ostringstream wind;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace osgTreeWind {
@@ -105,40 +104,20 @@ public:
     }
 
 private:
-    /// Selects the axes that become units, and those that become shoots.
+    /// Selects the axes that become units, those to the top and then the thickest, and those that become
+    /// shoots.
     void selectAxes() {
-        const double longest = 0.125 * _height;
-        std::vector<double> thickness(_axes.size());
-        std::vector<std::size_t> order(_axes.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        for (std::size_t i = 0; i < _axes.size(); ++i) {
-            const WoodAxis& axis = _axes[i];
-            thickness[i] = axis.radii.front();
-            if (axis.parent >= 0) // so that no branch is selected before its parent
-                thickness[i] = std::min(thickness[i], thickness[static_cast<std::size_t>(axis.parent)]);
-        }
-        std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return thickness[a] > thickness[b]; });
-        std::size_t count = 0;
-        const auto take = [&](std::size_t i) {
-            std::vector<double> cuts = computeCuts(_axes[i].line, longest);
-            if (count > 0 && count + cuts.size() - 1 > _detail.maxUnits)
-                return false;
-            count += cuts.size() - 1;
-            _cuts[i] = std::move(cuts);
-            return true;
-        };
         for (const std::size_t i : axesToTop())
-            if (!take(i))
+            if (!cutIntoUnits(i))
                 break;
         std::size_t shoots = 0;
         bool isFull = false;
-        for (const std::size_t i : order) {
+        for (const auto& [thickness, i] : thickestFirst()) {
             if (hasUnits(i) || _axes[i].line.length() < minBranchLength * _height)
                 continue;
             const auto parent = static_cast<std::size_t>(_axes[i].parent);
-            isFull = isFull || thickness[i] < _detail.minRadius;
-            if (!isFull && hasUnits(parent) && take(i))
+            isFull = isFull || thickness < _detail.minRadius;
+            if (!isFull && hasUnits(parent) && cutIntoUnits(i))
                 continue;
             isFull = isFull || hasUnits(parent);
             if ((hasUnits(parent) || _isShoot[parent]) && shoots < _detail.maxShoots) {
@@ -146,6 +125,33 @@ private:
                 ++shoots;
             }
         }
+        findBranches();
+    }
+
+    /// @return false if there would be too many units.
+    bool cutIntoUnits(std::size_t axis) {
+        std::vector<double> cuts = computeCuts(_axes[axis].line, 0.125 * _height);
+        if (_units > 0 && _units + cuts.size() - 1 > _detail.maxUnits)
+            return false;
+        _units += cuts.size() - 1;
+        _cuts[axis] = std::move(cuts);
+        return true;
+    }
+
+    /// Thickness and index of all axes. None is thicker than its parent, and so none precedes it.
+    std::vector<std::pair<double, std::size_t>> thickestFirst() const {
+        std::vector<std::pair<double, std::size_t>> order;
+        for (const WoodAxis& axis : _axes) {
+            order.emplace_back(axis.radii.front(), order.size());
+            if (double& thickness = order.back().first; axis.parent >= 0)
+                thickness = std::min(thickness, order[static_cast<std::size_t>(axis.parent)].first);
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        return order;
+    }
+
+    void findBranches() {
         for (std::size_t i = 1; i < _axes.size(); ++i)
             if (hasUnits(i) || _isShoot[i])
                 _branches[static_cast<std::size_t>(_axes[i].parent)].push_back(i);
@@ -330,6 +336,7 @@ private:
     std::vector<std::vector<std::size_t>> _branches; ///< Units and shoots that spring from an axis, upward.
     std::vector<std::vector<double>> _cuts;          ///< Per axis; empty for a shoot or a pruned branch.
     std::vector<bool> _isShoot;                      ///< Per axis.
+    std::size_t _units = 0;                          ///< Number of units of all axes.
     double _height = 0.0;
     AxesSkeleton _tree;
 };

@@ -47,7 +47,7 @@ struct BranchSkin {
 /// parent;
 /// - a free end is closed;
 /// - the foot of the stem widens by the skeleton's flare over 1.2 m or a tenth of the tree (StemFoot.h).
-/// Shoots follow the unit that bears them, as three-sided prisms (ShootSkin.h).
+/// Shoots follow the unit that bears them, as three-sided prisms.
 /// @param tolerance allowed error of the outline, metres, >= 0; twice that along the branch. It reduces sides
 /// and rings, and omits small tips, feet and collars. Rings with fewer sides are wider, so that the mean
 /// width over all viewing directions stays the same. 0: full detail.

@@ -14,8 +14,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/motion/MovingForest.h>
-#include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
+#include <osgTreeWind/nodes/FrameStep.h>
 #include <osgTreeWind/nodes/ProgressNotice.h>
 #include <osgTreeWind/nodes/ScenePlace.h>
 #include <osgTreeWind/nodes/TilePager.h>

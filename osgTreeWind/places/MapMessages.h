@@ -4,8 +4,8 @@
 #include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/places/GridMapping.h>
-#include <osgTreeWind/places/MapCells.h>
 #include <osgTreeWind/places/PointTable.h>
+#include <osgTreeWind/places/RasterBand.h>
 
 #include <glm/vec3.hpp>
 
@@ -24,7 +24,7 @@ struct MapRequest {
         TransformPoints,     ///< Texts of two CRSs, and places -> transformed places, NaN for failures.
         DescribeGridMapping, ///< Text of a CRS -> GridMapping.
         ReadRaster,          ///< File, and name or number of a band -> RasterHeader, then rows.
-        ReadCells,           ///< GeoTIFF file -> MapCells.
+        ReadBand,            ///< GeoTIFF file -> RasterBand.
         DetectFeatures,      ///< File -> whether it has features.
         OpenFeatures,        ///< File -> FeatureFileHeader. The tasks below refer to this file.
         ChooseLayer,         ///< Name -> FeatureLayer.

@@ -55,10 +55,10 @@ Result<GridMapping> gridMappingOf(const Crs& map) {
     return MapProgram::shared()->request<GridMapping>({Task::DescribeGridMapping, {map.text()}});
 }
 
-Result<MapCells> readGeoTiffCells(const std::string& path) {
+Result<RasterBand> readGeoTiffBand(const std::string& path) {
     if (const auto problem = problemOfInput(path))
         return *problem;
-    return MapProgram({path}).request<MapCells>({Task::ReadCells, {path}});
+    return MapProgram({path}).request<RasterBand>({Task::ReadBand, {path}});
 }
 
 Diagnostics writeGeoPackage(PointTable table, const std::string& path) {

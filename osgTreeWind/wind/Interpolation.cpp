@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/Interpolation.h>
 
-#include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/wind/WindLimits.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -30,19 +25,6 @@ Interpolation interpolationAtTime(double time, const std::vector<double>& times)
     const auto upper = static_cast<std::size_t>(next - times.begin());
     const double begin = times[upper - 1];
     return {upper - 1, upper, (time - begin) / (times[upper] - begin)};
-}
-
-Diagnostics checkTimes(const std::vector<double>& times) {
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const std::string which = "times[" + std::to_string(i) + "]";
-        if (!(std::abs(times[i]) <= maxTime))
-            return {keyProblem("times", "expected seconds within 1e15, found " + which + " = " +
-                                            numberText(times[i]))};
-        if (i > 0 && times[i] <= times[i - 1])
-            return {keyProblem("times", "expected increasing seconds, found " + which + " = " +
-                                            numberText(times[i]) + " after " + numberText(times[i - 1]))};
-    }
-    return {};
 }
 
 } // namespace osgTreeWind

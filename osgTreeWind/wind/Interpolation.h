@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Result.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -27,8 +25,5 @@ Interpolation interpolationAtIndex(double index, std::size_t count);
 /// The samples around a time, clamped to the first and last time. NaN gives the first.
 /// @param times at least one, accepted by checkTimes().
 Interpolation interpolationAtTime(double time, const std::vector<double>& times);
-
-/// Checks that times are within 1e15 s and strictly increasing; otherwise a problem with key "times".
-Diagnostics checkTimes(const std::vector<double>& times);
 
 } // namespace osgTreeWind

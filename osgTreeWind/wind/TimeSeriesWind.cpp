@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Result.h>
+
 #include <cstddef>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -14,5 +17,8 @@ constexpr double maxTime = 1e15;      ///< Seconds, absolute.
 
 /// Readers of records stop after this many problems.
 constexpr std::size_t maxRecordProblems = 100;
+
+/// Checks that times are within `maxTime` and strictly increasing; otherwise a problem with key "times".
+Diagnostics checkTimes(const std::vector<double>& times);
 
 } // namespace osgTreeWind

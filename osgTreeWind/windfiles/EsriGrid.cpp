@@ -65,12 +65,12 @@ double firstCentre(const EsriHeader& header, const std::string& axis) {
 
 } // namespace
 
-Result<MapCells> readEsriGrid(std::string_view text, const std::string& file) {
+Result<RasterBand> readEsriGrid(std::string_view text, const std::string& file) {
     TextTokens tokens(text, file);
     const EsriHeader header = readHeader(tokens, text);
     if (!tokens.good())
         return tokens.problem();
-    MapCells grid;
+    RasterBand grid;
     grid.cells = {header.of("ncols"), header.of("nrows")};
     grid.cellSize = header.of("cellsize");
     grid.southWest = {firstCentre(header, "x"), firstCentre(header, "y")};

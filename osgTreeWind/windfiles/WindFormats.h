@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
-#include <osgTreeWind/places/MapCells.h>
+#include <osgTreeWind/places/RasterBand.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindRequest.h>
 
@@ -22,9 +22,10 @@ Result<WindContent> readWindContent(const std::string& path, const WindRequest& 
 constexpr float noData = std::numeric_limits<float>::quiet_NaN();
 
 /// Reads an ESRI ASCII grid, stored row by row from the north-western cell.
-Result<MapCells> readEsriGrid(std::string_view text, const std::string& file);
+Result<RasterBand> readEsriGrid(std::string_view text, const std::string& file);
 /// Combines speed and direction-from on the same cells.
-Result<WindContent> windFromCells(const MapCells& speed, const MapCells& direction, const std::string& file);
+Result<WindContent> windFromBands(const RasterBand& speed, const RasterBand& direction,
+                                  const std::string& file);
 /// Reads the ESRI ASCII pair NAME_vel and NAME_ang; `path` is either. A .prj beside each gives the CRS.
 Result<WindContent> readEsriPair(const std::string& path);
 /// Reads the same pair as GeoTIFF with the program osgtreewind-map.

@@ -24,11 +24,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reads an ESRI ASCII grid and the CRS from a .prj beside it.
-Result<MapCells> readAscii(const std::string& path) {
+Result<RasterBand> readAscii(const std::string& path) {
     const Result<std::string> text = readBytes(path);
     if (!text)
         return text.problems();
-    Result<MapCells> cells = readEsriGrid(text.value(), path);
+    Result<RasterBand> cells = readEsriGrid(text.value(), path);
     const std::string beside = fs::path(path).replace_extension(".prj").string();
     if (const Result<std::string> map = readBytes(beside);
         cells && map && problemOfTrust(beside, {fs::path(path).parent_path().string()}).empty()) {
@@ -41,7 +41,7 @@ Result<MapCells> readAscii(const std::string& path) {
 }
 
 /// The difference between both files of a pair; empty if they match.
-std::string difference(const MapCells& speed, const MapCells& direction) {
+std::string difference(const RasterBand& speed, const RasterBand& direction) {
     const glm::dvec2 apart = glm::abs(speed.southWest - direction.southWest);
     const double tolerance = 1e-3 * speed.cellSize;
     if (speed.cells != direction.cells || std::max(apart.x, apart.y) > tolerance ||
@@ -53,7 +53,8 @@ std::string difference(const MapCells& speed, const MapCells& direction) {
 
 } // namespace
 
-Result<WindContent> windFromCells(const MapCells& speed, const MapCells& direction, const std::string& file) {
+Result<WindContent> windFromBands(const RasterBand& speed, const RasterBand& direction,
+                                  const std::string& file) {
     if (const std::string problem = difference(speed, direction); !problem.empty())
         return fileProblem(file, problem);
     WindContent content;
@@ -86,7 +87,7 @@ Result<WindContent> windFromCells(const MapCells& speed, const MapCells& directi
 
 /// Reads both files of a pair. @param path either of them.
 Result<WindContent> readPair(const std::string& path, const char* format,
-                             Result<MapCells> (*readCells)(const std::string&)) {
+                             Result<RasterBand> (*readCells)(const std::string&)) {
     const fs::path given(path);
     const std::string stem = given.stem().string(), extension = given.extension().string();
     const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
@@ -94,7 +95,7 @@ Result<WindContent> readPair(const std::string& path, const char* format,
         return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
                                      ", a pair of speed and direction");
     const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
-    MapCells cells[2];
+    RasterBand cells[2];
     const char* const ends[] = {"_vel", "_ang"};
     for (int i = 0; i < 2; ++i) {
         std::string each = begin;
@@ -102,12 +103,12 @@ Result<WindContent> readPair(const std::string& path, const char* format,
         if (const std::string problem = problemOfTrust(each, {given.parent_path().string()});
             !problem.empty())
             return fileProblem(each, problem);
-        Result<MapCells> read = readCells(each);
+        Result<RasterBand> read = readCells(each);
         if (!read)
             return read.problems();
         cells[i] = std::move(read.value());
     }
-    Result<WindContent> content = windFromCells(cells[0], cells[1], path);
+    Result<WindContent> content = windFromBands(cells[0], cells[1], path);
     if (content)
         content.value().summary.format = format;
     return content;
@@ -118,7 +119,7 @@ Result<WindContent> readEsriPair(const std::string& path) {
 }
 
 Result<WindContent> readTiffPair(const std::string& path) {
-    return readPair(path, "GeoTIFF speed and direction", readGeoTiffCells);
+    return readPair(path, "GeoTIFF speed and direction", readGeoTiffBand);
 }
 
 } // namespace osgTreeWind

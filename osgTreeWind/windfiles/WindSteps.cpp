@@ -6,7 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/MapCells.h>
+#include <osgTreeWind/places/RasterBand.h>
 
 #include <cpl_string.h>
 #include <gdal.h>
@@ -57,7 +57,7 @@ std::string problemOf(const std::string& path, GDALDatasetH data, const double (
 }
 
 /// Reads the rows from south to north. @return false if reading failed.
-bool readCells(GDALRasterBandH band, MapCells& cells) {
+bool readCells(GDALRasterBandH band, RasterBand& cells) {
     const int columns = cells.cells.x, rows = cells.cells.y;
     cells.values.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     bool isRead = true;
@@ -70,7 +70,7 @@ bool readCells(GDALRasterBandH band, MapCells& cells) {
 
 } // namespace
 
-Result<MapCells> readGeoTiffCells(const std::string& path) {
+Result<RasterBand> readGeoTiffBand(const std::string& path) {
     registerGdal();
     const GdalErrors errors;
     const char* const drivers[] = {"GTiff", nullptr};
@@ -86,7 +86,7 @@ Result<MapCells> readGeoTiffCells(const std::string& path) {
     if (const std::string problem = problemOf(path, data.get(), geotransform); !problem.empty())
         return fileProblem(path, problem);
     const GDALRasterBandH band = GDALGetRasterBand(data.get(), 1);
-    MapCells cells;
+    RasterBand cells;
     cells.cells = {GDALGetRasterXSize(data.get()), GDALGetRasterYSize(data.get())};
     cells.cellSize = geotransform[1];
     cells.southWest = {geotransform[0] + 0.5 * geotransform[1],

@@ -60,8 +60,8 @@ public:
         }
         case Task::ReadRaster:
             return sendRaster(first, second);
-        case Task::ReadCells:
-            return send(readGeoTiffCells(first));
+        case Task::ReadBand:
+            return send(readGeoTiffBand(first));
         case Task::DetectFeatures:
             return send(Result<bool>(FeatureFile::isSupported(first)));
         case Task::WriteTable: {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Guarded.h>
-#include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/places/HostMap.h>
 #include <plugins/treewind/StatisticsLinesCallback.h>
 
 #include <osg/MatrixTransform>
@@ -127,9 +127,11 @@ private:
 
     /// The forest, below a transform to the map of the host if the file names one.
     static ReadResult placeOnMap(Forest& forest) {
-        if (forest.getDescription().hostCrs.empty())
+        const ForestDescription& description = forest.getDescription();
+        if (description.hostCrs.empty())
             return &forest;
-        const Result<glm::dmat4> place = hostMapTransform(forest.getDescription());
+        const Result<glm::dmat4> place =
+            hostMapTransform(description.crs, description.origin, description.hostCrs);
         if (!place)
             return ReadResult(toString(place.problems()));
         osg::ref_ptr<osg::MatrixTransform> transform =

@@ -10,7 +10,7 @@
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/wind/FunctionWind.h>

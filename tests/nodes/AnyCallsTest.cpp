@@ -633,7 +633,7 @@ TEST(AnyCallsTest, EveryPublicHeaderIsCoveredOrExempt) {
         "io/ForestFile.h", "io/ForestStream.h", "io/SpeciesCatalogue.h", "io/TiledForest.h",
         "windfiles/WindExtent.h", "windfiles/WindFile.h",
         // It starts the program for maps: tests/plugins.
-        "forest/HostMap.h",
+        "places/HostMap.h",
         // Context or viewer needed: tests/offscreen, ForestStatisticsGlTest.
         "offscreen/FrameImage.h", "offscreen/OffscreenContext.h", "controls/StatisticsLines.h"};
     for (const auto& [header, calls] : AnyCalls::calls())

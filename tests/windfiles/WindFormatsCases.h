@@ -23,10 +23,10 @@ inline const std::vector<FormatCase>& formatCases() {
         return readToa5(bytes, file, {});
     };
     const auto esri = [](std::string_view bytes, const std::string& file) -> Result<WindContent> {
-        const Result<MapCells> grid = readEsriGrid(bytes, file);
+        const Result<RasterBand> grid = readEsriGrid(bytes, file);
         if (!grid)
             return grid.problems();
-        return windFromCells(grid.value(), grid.value(), file);
+        return windFromBands(grid.value(), grid.value(), file);
     };
     static const std::vector<FormatCase> cases = {{"vectors.vtk", readVtkLegacy},
                                                   {"field.vtk", readVtkLegacy},

@@ -4,8 +4,8 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/Progress.h>
 
-#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ForestDescription.h>

@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/storm/ForestStorm.h>
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/wind/WindSampler.h>
 

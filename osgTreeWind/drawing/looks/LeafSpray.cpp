@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
-#include <osgTreeWind/drawing/looks/SprayCanvas.h>
 #include <osgTreeWind/drawing/looks/SprayCoverage.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -98,7 +97,7 @@ public:
         SprayCoverage cover;
         spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
         // Leaves grow toward the light: first those with the most free space. The additional coverage makes
-        // up for twigs that are thinner in leaf than bare (SprayCanvas).
+        // up for twigs that are thinner in leaf than bare (PaintSpray.cpp).
         const float wanted = _share * (leafCoverage(_form) + 0.15f * twigCoverage(_form));
         for (const float room : {0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
@@ -283,15 +282,6 @@ private:
 
 LeafSpray growSpray(LeafForm form, int variant, float share) {
     return SprayGrower(form, variant, share).spray();
-}
-
-LeafTexels paintSpray(LeafForm form, const LeafSpray& spray) {
-    SprayCanvas canvas;
-    canvas.addTwigs(spray.twigs);
-    const LeafOutline outline = leafOutline(form);
-    for (const LeafBlade& blade : spray.blades)
-        canvas.addLeaf(outline, blade);
-    return canvas.texels();
 }
 
 } // namespace osgTreeWind

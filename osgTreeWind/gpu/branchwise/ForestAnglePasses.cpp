@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/branchwise/ForestAnglePasses.h>
 
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 
 #include <osgUtil/CullVisitor>

@@ -2,7 +2,7 @@
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <osgTreeWind/model/ThesisAxes.h>
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>

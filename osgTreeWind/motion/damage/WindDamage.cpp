@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
-#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 #include <osgTreeWind/species/Season.h>
 

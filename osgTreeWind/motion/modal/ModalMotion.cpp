@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
-#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ReserveGrowth.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/modal/ModalAir.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalStepJob.h>
 
-#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/base/Jobs.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/TreeStore.h>
+#include <osgTreeWind/io/TreeSpool.h>
 
 #include <cstring>
 #include <tuple>
@@ -39,7 +39,7 @@ const char* deserialize(const char* bytes, TreePlacement& tree, bool& onGround) 
     return bytes + length;
 }
 
-std::string serialize(const TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+std::string serialize(const TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
     std::string bytes;
     bytes.reserve(trees.size() * sizeof(TreePlacement));
     auto next = onGround.begin();
@@ -54,7 +54,7 @@ std::string serialize(const TreeStore::Trees& trees, const std::vector<std::size
 
 } // namespace
 
-bool TreeStore::useFile(const std::string& folder, std::size_t maxInMemory) {
+bool TreeSpool::useFile(const std::string& folder, std::size_t maxInMemory) {
     const std::string path = folder + "/trees.part";
     _file.reset(std::fopen(path.c_str(), "w+b"));
     if (_file)
@@ -63,7 +63,7 @@ bool TreeStore::useFile(const std::string& folder, std::size_t maxInMemory) {
     return _file != nullptr;
 }
 
-void TreeStore::add(const TreePlacement& tree, bool onGround) {
+void TreeSpool::add(const TreePlacement& tree, bool onGround) {
     if (onGround)
         _onGround.push_back(_memory.size());
     _memory.push_back(tree);
@@ -71,7 +71,7 @@ void TreeStore::add(const TreePlacement& tree, bool onGround) {
         store();
 }
 
-void TreeStore::store() {
+void TreeSpool::store() {
     if (!_file || _memory.empty())
         return;
     const std::string bytes = serialize(_memory, _onGround);
@@ -87,14 +87,14 @@ void TreeStore::store() {
     _onGround.clear();
 }
 
-void TreeStore::write(const Part& part, const std::string& bytes) {
+void TreeSpool::write(const Part& part, const std::string& bytes) {
     if (bytes.size() != part.bytes || std::fseek(_file.get(), part.begin, SEEK_SET) != 0 ||
         std::fwrite(bytes.data(), 1, bytes.size(), _file.get()) != bytes.size() ||
         std::fflush(_file.get()) != 0)
         _failed = true;
 }
 
-bool TreeStore::load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround) {
+bool TreeSpool::load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround) {
     std::string bytes(part.bytes, '\0');
     if (_failed || std::fseek(_file.get(), part.begin, SEEK_SET) != 0 ||
         std::fread(bytes.data(), 1, bytes.size(), _file.get()) != bytes.size()) {
@@ -113,11 +113,11 @@ bool TreeStore::load(const Part& part, Trees& trees, std::vector<std::size_t>& o
     return true;
 }
 
-void TreeStore::visit(const std::function<void(const Trees&)>& visitor) {
+void TreeSpool::visit(const std::function<void(const Trees&)>& visitor) {
     forEachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>&) { visitor(trees); });
 }
 
-void TreeStore::modify(
+void TreeSpool::modify(
     const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
     forEachPart([&](const Part* part, Trees& trees, const std::vector<std::size_t>& onGround) {
         modifier(trees, onGround);
@@ -126,7 +126,7 @@ void TreeStore::modify(
     });
 }
 
-void TreeStore::forEachPart(
+void TreeSpool::forEachPart(
     const std::function<void(const Part*, Trees& trees, const std::vector<std::size_t>& onGround)>& visitor) {
     if (!_file)
         return visitor(nullptr, _memory, _onGround);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 
 namespace osgTreeWind {
 

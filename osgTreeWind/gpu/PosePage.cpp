@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/gpu/PoseRows.h>
+#include <osgTreeWind/gpu/PosePage.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace osgTreeWind {

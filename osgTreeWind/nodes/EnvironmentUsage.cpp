@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/nodes/Environment.h>
-
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 
 #include <osg/ApplicationUsage>
-#include <osg/Notify>
-
-#include <cstdlib>
-#include <mutex>
 
 namespace osgTreeWind {
 namespace {
@@ -34,21 +28,4 @@ osg::ApplicationUsageProxy stepUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIAB
                                      "of the file, or else the frame time of the host.");
 
 } // namespace
-
-double frameStepOf(const ForestDescription& description) {
-    const char* text = std::getenv("OSGTREEWIND_STEP");
-    if (!text || !*text)
-        return description.step;
-    const std::optional<double> step = parseNumber(text);
-    if (step && frameSteps.contains(*step))
-        return *step;
-    static std::once_flag warned;
-    std::call_once(warned, [&] {
-        OSG_WARN << "osgTreeWind: OSGTREEWIND_STEP: "
-                 << expectedFound("seconds, a finite number " + frameSteps.text(), text)
-                 << "; the variable is ignored" << std::endl;
-    });
-    return description.step;
-}
-
 } // namespace osgTreeWind

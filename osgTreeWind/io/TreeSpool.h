@@ -11,13 +11,13 @@
 
 namespace osgTreeWind {
 
-/// Stores the trees of a document, in memory or in an unnamed temporary file. Not thread-safe.
-class TreeStore {
+/// Spools the trees of a document in memory, or in an unnamed temporary file. Not thread-safe.
+class TreeSpool {
 public:
     using Trees = std::vector<TreePlacement>;
 
-    /// @param memory holds trees that are in memory; must outlive the store.
-    explicit TreeStore(Trees& memory) : _memory(memory) {}
+    /// @param memory holds trees that are in memory; must outlive the spool.
+    explicit TreeSpool(Trees& memory) : _memory(memory) {}
 
     /// From now on, keeps at most that many trees in memory, and the others in a file. @return false if the
     /// file cannot be created in the folder.

@@ -11,8 +11,8 @@
 
 namespace osgTreeWind {
 
-/// A single-band raster with square cells, such as wind speeds or directions.
-struct MapCells {
+/// One band of a raster with square cells, such as wind speeds or directions.
+struct RasterBand {
     glm::ivec2 cells{0};       ///< Number of columns and rows.
     glm::dvec2 southWest{0.0}; ///< Centre of the south-western cell.
     double cellSize = 1.0;
@@ -24,6 +24,6 @@ struct MapCells {
 };
 
 /// Reads a north-up GeoTIFF with one band.
-Result<MapCells> readGeoTiffCells(const std::string& path);
+Result<RasterBand> readGeoTiffBand(const std::string& path);
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ BranchUnit unit() {
 
 } // namespace
 
-TEST(ThesisParts, SpringFollowsTheMeanDiameter) {
+TEST(ThesisParameters, SpringFollowsTheMeanDiameter) {
     Species oak;
     oak.wood.elasticModulus = 12.0e9f;
     const Laws::ThesisBranch branch = makeThesisBranch(unit(), {}, oak);
@@ -21,7 +21,7 @@ TEST(ThesisParts, SpringFollowsTheMeanDiameter) {
     EXPECT_NEAR(branch.spring, 12.0e9f * 0.05f * 0.05f * 0.05f * 0.05f / 32.0f, 0.5f);
 }
 
-TEST(ThesisParts, FollowTheScaledBranch) {
+TEST(ThesisParameters, FollowTheScaledBranch) {
     TreeScale scale;
     scale.axes = {5.0f, 5.0f, 2.0f};
     scale.radius = 3.0f;
@@ -32,7 +32,7 @@ TEST(ThesisParts, FollowTheScaledBranch) {
     EXPECT_NEAR(large.spring / small.spring, 81.0f / 8.0f, 1e-3f);
 }
 
-TEST(ThesisParts, LevelLoadGrowsWithTheLevel) {
+TEST(ThesisParameters, LevelLoadGrowsWithTheLevel) {
     Species oak;
     oak.branch.levelFactor = 0.2f;
     EXPECT_FLOAT_EQ(makeThesisBranch(unit(), {}, oak).levelLoad, 0.6f);

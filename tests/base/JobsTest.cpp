@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/Guarded.h>
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/ThreadPool.h>
 
 #include <gtest/gtest.h>
