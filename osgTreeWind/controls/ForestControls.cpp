@@ -174,7 +174,7 @@ void ForestControls::changeSeason(float seasons) {
 void ForestControls::rebuildForest(const std::function<void(ForestDescription&)>& change) {
     if (!_forest.valid())
         return;
-    ForestDescription description = _forest->getSimulation().describe();
+    ForestDescription description = _forest->getSimulation().currentDescription();
     change(description);
     keepError(_forest->setDescription(std::move(description)));
 }

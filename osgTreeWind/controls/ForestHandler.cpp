@@ -30,13 +30,13 @@ namespace {
 
 using Event = osgGA::GUIEventAdapter;
 
-struct Key {
+struct KeyBinding {
     int key;
     const char *name, *description;
     void (*act)(ForestControls&);
 };
 
-const Key keys[] = {
+const KeyBinding keys[] = {
     {Event::KEY_Up, "Up", "stronger wind", [](ForestControls& f) { f.changeSpeed(1.0); }},
     {Event::KEY_Down, "Down", "weaker wind", [](ForestControls& f) { f.changeSpeed(-1.0); }},
     {Event::KEY_Right, "Right", "turn the wind clockwise", [](ForestControls& f) { f.turnWind(15.0); }},
@@ -75,7 +75,7 @@ constexpr const char* clickEffect = "data of a tree";
 
 template <class Visit>
 void forEachKey(const Visit& visit) {
-    for (const Key& key : keys)
+    for (const KeyBinding& key : keys)
         visit(key.name, key.description);
     for (const Switch& key : {sourceKey, arrowsKey, streaksKey, panelKey, helpKey})
         visit(key.name, key.description);
@@ -142,7 +142,7 @@ private:
 bool ForestHandler::State::handleKey(int key) {
     _lastTextTime = -1.0;
     const auto* found =
-        std::find_if(std::begin(keys), std::end(keys), [key](const Key& k) { return k.key == key; });
+        std::find_if(std::begin(keys), std::end(keys), [key](const KeyBinding& k) { return k.key == key; });
     if (found != std::end(keys))
         found->act(controls);
     else if (key == sourceKey.key)

@@ -114,7 +114,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     return placement;
 }
 
-ForestDescription PlacedForest::describe() const {
+ForestDescription PlacedForest::currentDescription() const {
     ForestDescription now = description();
     now.season = _season;
     if (now.tiles)

@@ -88,7 +88,7 @@ struct PlacedForest {
     TreePlacement placementOf(std::size_t slot) const;
     /// Describes the current forest except for its wind: with the trees that are alive, in slot order with
     /// their given sizes.
-    ForestDescription describe() const;
+    ForestDescription currentDescription() const;
     /// Current time of year (Season.h).
     float season() const { return _season; }
     /// Sets the season, and with it the leaves of all trees.

@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// Parameters of a tree that grows by light. GrowthFields.h has the ranges.
+/// Parameters of a tree that grows by light. GrowthKeys.h has the ranges.
 struct GrowthParameters {
     GrowthGoal size;        ///< Size of the grown tree.
     GrowthSite site;        ///< Neighbours of the tree.

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 using ByOrder = std::array<float, 4>;
 
 /// Growth habit of a species: quantities that a botanist measures on its shoots. Lengths are in metres,
-/// angles in radians, times in years. GrowthFields.h has the ranges.
+/// angles in radians, times in years. GrowthKeys.h has the ranges.
 struct TreeHabit {
     std::string model = "Rauh"; ///< Architectural model (Hallé, Oldeman, Tomlinson 1978); informational.
 

@@ -6,7 +6,7 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Unicode.h>
-#include <osgTreeWind/io/InputFolders.h>
+#include <osgTreeWind/io/ForestSections.h>
 
 #include <algorithm>
 #include <filesystem>

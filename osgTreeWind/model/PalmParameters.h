@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-/// A palm: a bare stem and a head of fronds. Lengths in metres, angles in radians; ranges: TreeFields.h.
+/// A palm: a bare stem and a head of fronds. Lengths in metres, angles in radians; ranges: TreeKeys.h.
 struct PalmParameters {
     float height = 14.0f;           ///< Of the highest frond.
     float trunkDiameter = 0.35f;    ///< At breast height; at most half the height of the stem.

@@ -13,7 +13,7 @@
 namespace osgTreeWind {
 
 /// Parameters of the recursive generator (thesis §2.2, §2.3.2). Lengths in metres, angles in radians; ranges:
-/// TreeFields.h. The defaults make the reference tree: 122 units, 1952 points.
+/// TreeKeys.h. The defaults make the reference tree: 122 units, 1952 points.
 struct RecursiveTreeParameters {
     int levels = 4;                  ///< `iter`: levels of branches above the trunk.
     int childrenPerBranch = 3;       ///< `numD`: branches at the end of each branch.
@@ -37,7 +37,7 @@ struct RecursiveTreeParameters {
     std::uint32_t seed = 1;          ///< Determines the tree, bit for bit, on every machine.
 };
 
-/// Leaf clusters of a tree (thesis §2.4); ranges: TreeFields.h. The defaults make 16 clusters of 3 quads on
+/// Leaf clusters of a tree (thesis §2.4); ranges: TreeKeys.h. The defaults make 16 clusters of 3 quads on
 /// every branch.
 struct LeafParameters {
     int clustersPerBranch = 16; ///< 0 for a bare tree.

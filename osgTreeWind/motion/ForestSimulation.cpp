@@ -58,8 +58,8 @@ const ForestDescription& ForestSimulation::description() const {
     return _forest->description();
 }
 
-ForestDescription ForestSimulation::describe() const {
-    return _forest->describe();
+ForestDescription ForestSimulation::currentDescription() const {
+    return _forest->currentDescription();
 }
 
 std::vector<TreeId> ForestSimulation::trees() const {

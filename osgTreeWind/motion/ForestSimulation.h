@@ -46,7 +46,7 @@ public:
     const ForestDescription& description() const;
     /// The present forest: living trees with their names and given sizes, the current season and wind. A
     /// simulation made from it has the same trees at rest.
-    ForestDescription describe() const;
+    ForestDescription currentDescription() const;
 
     std::vector<TreeId> trees() const; ///< The ids: at first in the order of the description.
     std::size_t modelCount() const;    ///< Shapes, shared by trees of a species.
@@ -111,7 +111,7 @@ public:
     void reset();
 
     /// The damage of the last advance(), if the description asks for `damage`. A fallen tree exists until it
-    /// is removed; changeTree() puts it upright, and describe() lists it as upright.
+    /// is removed; changeTree() puts it upright, and currentDescription() lists it as upright.
     const std::vector<TreeDamage>& damage() const;
     bool isStanding(TreeId tree) const; ///< Whether the tree exists and has not fallen.
 

@@ -83,8 +83,8 @@ MovingForest::MovingForest(const MovingForest& other)
     restoreLeaves();
 }
 
-ForestDescription MovingForest::describe() const {
-    ForestDescription now = _placed.describe();
+ForestDescription MovingForest::currentDescription() const {
+    ForestDescription now = _placed.currentDescription();
     now.wind = *_wind->get();
     now.canopy = canopy();
     return now;

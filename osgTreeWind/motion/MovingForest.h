@@ -35,7 +35,7 @@ public:
     const std::vector<PlacedTree>& trees() const { return _placed.trees; }
     const SharedModels& models() const { return _placed.models(); } ///< Shapes, shared by trees.
     const ForestDescription& description() const { return _placed.description(); }
-    ForestDescription describe() const;
+    ForestDescription currentDescription() const;
     std::vector<TreeId> ids() const; ///< Of the living trees, in slot order.
 
     /// The trees under the law `modal`; null under a branchwise law. Only this class adds and removes trees.

@@ -17,7 +17,7 @@ enum class WoodAllometry {
 };
 
 /// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md; ranges:
-/// SpeciesFields.h.
+/// SpeciesKeys.h.
 struct WoodParameters {
     float elasticModulus = 9.0e9f; ///< Elastic modulus of green wood, Pa.
     // Only the law `modal` and the effect of trees on the wind use the rest.

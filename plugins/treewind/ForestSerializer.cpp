@@ -34,7 +34,7 @@ void report(const osgTreeWind::Diagnostics& problems) {
 /// The .treewind document of a forest. Omits a wind or a ground that has no file form, with a warning.
 /// Returns a problem if the forest cannot be written at all.
 osgTreeWind::Result<std::string> writeDocumentText(const Forest& forest) {
-    osgTreeWind::ForestDescription now = forest.getSimulation().describe();
+    osgTreeWind::ForestDescription now = forest.getSimulation().currentDescription();
     for (;;) {
         std::ostringstream document;
         const osgTreeWind::Diagnostics problems = writeForest(now, document);

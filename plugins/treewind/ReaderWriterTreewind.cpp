@@ -159,7 +159,7 @@ private:
             if (!forest->isOwnChild(forest->getChild(i)))
                 return WriteResult("a .treewind file does not hold the forest's child " +
                                    forest->getChild(i)->getName());
-        ForestDescription now = forest->getSimulation().describe();
+        ForestDescription now = forest->getSimulation().currentDescription();
         const Diagnostics problems = writer(now);
         return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(toString(problems));
     }

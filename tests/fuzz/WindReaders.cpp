@@ -17,9 +17,9 @@ void readCsvWind(const std::string& bytes) {
 }
 
 void readEsriWind(const std::string& bytes) {
-    const Result<MapCells> cells = readEsriGrid(bytes, "fuzz");
-    if (isRead(cells))
-        requireValid(windFromCells(cells.value(), cells.value(), "fuzz"));
+    const Result<RasterBand> band = readEsriGrid(bytes, "fuzz");
+    if (isRead(band))
+        requireValid(windFromBands(band.value(), band.value(), "fuzz"));
 }
 
 const FuzzReaders windReaders = {

@@ -44,7 +44,7 @@ protected:
         file = _folder.write("wood.treewind", document);
         const auto read = readForestFile(file);
         EXPECT_TRUE(read) << toString(read.problems());
-        now = ForestSimulation(read.value()).describe();
+        now = ForestSimulation(read.value()).currentDescription();
     }
 
     std::string edit(const std::string& name = "edited.treewind") {

@@ -104,7 +104,7 @@ TEST(InventorySizes, EstimatesAreKeptByPlacedForest) {
         return tree;
     }();
     placed.put(0, placed.makePlacedTree(turned, &placed.trees[0]), turned.name);
-    const auto trees = placed.describe().trees;
+    const auto trees = placed.currentDescription().trees;
     EXPECT_TRUE(trees[0].estimated.height && !trees[0].estimated.trunkDiameter);
     EXPECT_EQ(trees[0].heading, 1.0f);
     EXPECT_FALSE(trees[1].estimated.height);

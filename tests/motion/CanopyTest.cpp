@@ -160,7 +160,7 @@ TEST(Canopy, BelongsToTheForestAndNotToItsWind) {
     EXPECT_GT(contactOf(simulation), 0.0f);
     ASSERT_TRUE(simulation.setWind(simulation.description().wind.field).empty());
     EXPECT_EQ(simulation.canopy().source, CanopySource::Forest);
-    EXPECT_EQ(simulation.describe().canopy.source, CanopySource::Forest);
+    EXPECT_EQ(simulation.currentDescription().canopy.source, CanopySource::Forest);
     EXPECT_EQ(movingForest(*simulation.cloneAtRest()).canopy().source, CanopySource::Forest);
     CanopySettings invalid;
     invalid.height = -1.0;

@@ -243,7 +243,7 @@ TEST(ForestChanges, DescribeReturnsThePresentForest) {
     const auto storm = std::make_shared<UniformWind>(glm::vec3(20, 0, 0));
     EXPECT_TRUE(simulation.setWind(storm).empty());
 
-    const ForestDescription now = simulation.describe();
+    const ForestDescription now = simulation.currentDescription();
     EXPECT_EQ(now.wind.field, storm);
     EXPECT_EQ(now.season, midwinter);
     EXPECT_EQ(now.origin, given.origin);
@@ -259,7 +259,7 @@ TEST(ForestChanges, DescribeReturnsThePresentForest) {
     EXPECT_EQ(now.trees[2].name, "oak 3");
     EXPECT_EQ(now.trees[2].position.x, given.origin.x + 8.0);
 
-    const ForestDescription again = ForestSimulation(now).describe();
+    const ForestDescription again = ForestSimulation(now).currentDescription();
     ASSERT_EQ(again.trees.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(again.trees[i].name, now.trees[i].name);
@@ -329,7 +329,7 @@ TEST(ForestChanges, ASpeciesCanBeAddedToARunningForest) {
     EXPECT_NE(tip(simulation, 1),
               movingForest(simulation).models()[*simulation.modelOf(TreeId(0))]->skeleton.units[1].tip);
 
-    const ForestDescription now = simulation.describe();
+    const ForestDescription now = simulation.currentDescription();
     EXPECT_EQ(now.species[now.trees.back().species].name, "larch");
     ForestSimulation first(now); // as if the species had been there from the start
     run(first, 20);

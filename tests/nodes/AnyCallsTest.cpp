@@ -127,7 +127,7 @@ private:
         expect(problems);
         if (problems.empty())
             return;
-        const ForestDescription now = _forest->getSimulation().describe();
+        const ForestDescription now = _forest->getSimulation().currentDescription();
         EXPECT_EQ(now.species.size(), before.species.size()) << toString(problems);
         EXPECT_EQ(now.wind.field, before.wind.field) << toString(problems);
         EXPECT_EQ(now.season, before.season) << toString(problems);
@@ -264,7 +264,7 @@ private:
 
     // Forest
     void describe() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->setDescription(description()), before);
     }
     void create() {
@@ -278,7 +278,7 @@ private:
         EXPECT_LE(built->getNumTrees(), given.trees.size());
     }
     void setWind() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<ArbitraryWind>(any);
         Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.integer() : int(any.below(3))));
         if (any.oneIn(3))
@@ -295,25 +295,25 @@ private:
         return canopy;
     }
     void setSeason() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->setSeason(any.number<float>()), before);
         EXPECT_TRUE(std::isfinite(wrapSeason(any.number<float>())));
         EXPECT_TRUE(std::isfinite(leafShare(Appearance(), any.number<float>())));
     }
     void addSpecies() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->addSpecies(species()).problems(), before);
     }
     void addTree() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->addTree(placement()).problems(), before);
     }
     void changeTree() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->changeTree(tree(), placement()), before);
     }
     void removeTree() {
-        const ForestDescription before = _forest->getSimulation().describe();
+        const ForestDescription before = _forest->getSimulation().currentDescription();
         expectChange(_forest->removeTree(tree()), before);
     }
     void findTree() { EXPECT_FALSE(_forest->findTree(any.text() + "?")); }

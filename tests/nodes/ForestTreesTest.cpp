@@ -322,7 +322,7 @@ TEST(ForestTreesTest, AnAddedSpeciesIsInTreesFilesAndCopies) {
     updateFrames(*copy, 1, 10);
     EXPECT_EQ(copy->getUnits(copy->getTrees().back()).size(), 5u);
     std::ostringstream file;
-    EXPECT_TRUE(writeForest(copy->getSimulation().describe(), file).empty());
+    EXPECT_TRUE(writeForest(copy->getSimulation().currentDescription(), file).empty());
     EXPECT_NE(file.str().find("name = \"larch\""), std::string::npos);
 }
 

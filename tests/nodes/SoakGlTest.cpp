@@ -136,7 +136,7 @@ protected:
     }
 
     void writeAndReadForest() {
-        ForestDescription description = forest->getSimulation().describe();
+        ForestDescription description = forest->getSimulation().currentDescription();
         if (dynamic_cast<const FunctionWind*>(description.wind.field.get()))
             description.wind = nullptr;
         std::stringstream text;

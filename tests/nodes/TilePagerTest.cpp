@@ -115,7 +115,7 @@ TEST(TilePagerTest, TreesOfTheHostStay) {
     world.frames(world.at(550.0, 450.0), settleFrames);
     world.frames(world.at(950.0, 950.0), settleFrames);
     EXPECT_TRUE(world.forest().findTree("mine"));
-    const ForestDescription now = world.forest().getSimulation().describe();
+    const ForestDescription now = world.forest().getSimulation().currentDescription();
     ASSERT_EQ(now.trees.size(), 1u) << "trees of tiles are not listed";
     EXPECT_TRUE(now.tiles);
 }

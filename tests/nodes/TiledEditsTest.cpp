@@ -92,7 +92,7 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
     const TemporaryFolder elsewhere;
     for (const std::string& folder : {world.folder().path(), elsewhere.path()}) {
         const std::string file = folder + "/edited.treewind";
-        ASSERT_TRUE(writeForestFile(forest.getSimulation().describe(), file).empty());
+        ASSERT_TRUE(writeForestFile(forest.getSimulation().currentDescription(), file).empty());
         Result<ForestFile> edited = readForestFile(file);
         ASSERT_TRUE(edited) << edited.problems().front().text();
         EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", near}));

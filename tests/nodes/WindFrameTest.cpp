@@ -114,7 +114,7 @@ TEST(WindFrameTest, ACopyHasTheWindInTheSameFrame) {
     EXPECT_TRUE(forest->setWind({toward(osg::X_AXIS, false), WindFrame::Geocentric}).empty());
     const osg::ref_ptr<Forest> copy = new Forest(*forest);
     EXPECT_EQ(copy->getWind().frame, WindFrame::Geocentric);
-    EXPECT_EQ(copy->getSimulation().describe().wind.frame, WindFrame::Geocentric);
+    EXPECT_EQ(copy->getSimulation().currentDescription().wind.frame, WindFrame::Geocentric);
 }
 
 TEST(WindFrameTest, ACanopyDoesNotWeakenSourcesAtAnyPlace) {

@@ -118,7 +118,8 @@ public:
 
 private:
     void write() {
-        const Diagnostics problems = editForestFile(_forest->getSimulation().describe(), _file, _save);
+        const Diagnostics problems =
+            editForestFile(_forest->getSimulation().currentDescription(), _file, _save);
         if (problems.empty())
             std::cout << "wrote " << _save << std::endl;
         else

@@ -143,7 +143,7 @@ TEST(LeafFall, ResetCopiesAndReplacedTreesHaveAllLeaves) {
     ForestSimulation forest(description);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
     EXPECT_EQ(movingForest(*forest.cloneAtRest()).trees()[0].leaves, all);
-    EXPECT_EQ(forest.describe().trees[0].leaves, 1.0f);
+    EXPECT_EQ(forest.currentDescription().trees[0].leaves, 1.0f);
     const TreeId second = TreeId(1);
     EXPECT_TRUE(forest.changeTree(second, *forest.placementOf(second)).empty());
     EXPECT_EQ(movingForest(forest).trees()[1].leaves, all);

@@ -211,7 +211,7 @@ TEST(WindDamage, ACopyHasAllTreesStanding) {
     const auto copy = forest.cloneAtRest();
     EXPECT_TRUE(copy->isStanding(TreeId(0)));
     EXPECT_FALSE(forest.isStanding(TreeId(0)));
-    EXPECT_TRUE(forest.describe().damage);
+    EXPECT_TRUE(forest.currentDescription().damage);
 }
 
 TEST(WindDamage, APauseReportsNothingTwice) {
