@@ -44,7 +44,9 @@ public:
         const double middle = 0.5 * static_cast<double>(_size.height);
         camera.setViewMatrixAsLookAt({0.36 * distance, -0.93 * distance, middle}, {0.0, 0.0, middle},
                                      osg::Z_AXIS);
-        _viewer.viewer().setSceneData(createSetting(*_forest));
+        SettingOptions setting;
+        setting.shadows = false; // most of the time, and little of the picture
+        _viewer.viewer().setSceneData(createSetting(*_forest, setting));
     }
 
     /// @param seenAs factor on the screen height by which the tier is chosen.
