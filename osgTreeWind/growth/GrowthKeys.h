@@ -6,8 +6,8 @@
 
 namespace osgTreeWind {
 
-/// Keys of the size, the habit, the flare and the seed. The site has none: it follows from the tree's
-/// place.
+/// Keys of [species.habit] in files: of the size, the habit, the flare and the seed. The site has none: it
+/// follows from the tree's place.
 template <>
 const Keys& keysOf<GrowthParameters>();
 

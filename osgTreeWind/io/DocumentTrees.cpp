@@ -12,29 +12,29 @@ bool DocumentTrees::canAdd(std::uint64_t count, TableReader& table, const std::s
 
 void DocumentTrees::add(const TreePlacement& tree, bool onGround, DerivedTreeValues derived) {
     _bounds.add(tree);
-    _store.add(tree, onGround);
-    if (_store.isInMemory())
+    _spool.add(tree, onGround);
+    if (_spool.isInMemory())
         _derived.push_back(derived);
 }
 
 void DocumentTrees::modify(
     const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>& modifier) {
     _bounds = {};
-    _store.modify([&](TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
+    _spool.modify([&](TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
         modifier(trees, onGround);
         _bounds.add(trees);
     });
 }
 
 void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
-    if (_store.isInMemory())
+    if (_spool.isInMemory())
         modify([&](TreeSpool::Trees&, const std::vector<std::size_t>&) {
             osgTreeWind::findGrowingSpaces(forest, _derived);
         });
 }
 
 void DocumentTrees::varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families) {
-    if (_store.isInMemory())
+    if (_spool.isInMemory())
         osgTreeWind::varyNeighbourSeeds(forest, families, _derived);
 }
 

@@ -17,13 +17,13 @@ namespace osgTreeWind {
 class DocumentTrees {
 public:
     /// @param memory holds trees that are in memory; must outlive this object.
-    explicit DocumentTrees(TreeSpool::Trees& memory) : _store(memory) {}
+    explicit DocumentTrees(TreeSpool::Trees& memory) : _spool(memory) {}
 
     std::size_t maxCount = 1000000; ///< More trees are an error.
 
     /// The trees so far, for ForestStream.
-    TreeSpool& store() { return _store; }
-    std::size_t size() const { return _store.size(); }
+    TreeSpool& spool() { return _spool; }
+    std::size_t size() const { return _spool.size(); }
     const TreeBounds& bounds() const { return _bounds; }
 
     /// Whether `count` more trees are allowed; otherwise reports a problem with `key`.
@@ -34,7 +34,7 @@ public:
     void add(const TreePlacement& tree, bool onGround, DerivedTreeValues derived);
 
     /// As TreeSpool::visit() and modify().
-    void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _store.visit(visitor); }
+    void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _spool.visit(visitor); }
     void modify(const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
     // If the trees are in memory, which is that of the forest:
@@ -44,7 +44,7 @@ public:
     void forgetNames() { _names.clear(); }
 
 private:
-    TreeSpool _store;
+    TreeSpool _spool;
     TreeBounds _bounds;
     std::vector<DerivedTreeValues> _derived; ///< By tree, if they are in memory.
     std::set<std::string> _names;

@@ -19,10 +19,10 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     ForestStream stream;
     stream._reading = std::make_unique<Reading>();
     Reading& reading = *stream._reading;
-    if (!reading.trees.store().useFile(options.folder, options.treesAtOnce))
+    if (!reading.trees.spool().useFile(options.folder, options.treesAtOnce))
         return fileProblem(options.folder, "cannot be written");
     readDocumentFile(path, options.maxTrees, {}, reading);
-    if (reading.trees.store().hasFailed())
+    if (reading.trees.spool().hasFailed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
                                                " trees while they are read, 72 bytes each and their ids");
     if (!reading.log.problems.empty())
@@ -40,7 +40,7 @@ std::size_t ForestStream::treeCount() const {
 }
 
 bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& visitor) const {
-    TreeSpool& trees = _reading->trees.store();
+    TreeSpool& trees = _reading->trees.spool();
     trees.visit(visitor);
     return !trees.hasFailed();
 }

@@ -17,7 +17,7 @@ struct ReadLog {
 
     std::string file;                  ///< Name used in diagnostics.
     std::vector<std::string> settings; ///< ForestFileOptions::settings.
-    std::vector<std::string> notes;    ///< For ForestDescription::notes.
+    std::vector<std::string> notes;    ///< For ForestFile::notes.
     Diagnostics problems;              ///< The first `maxProblems`, in the order found.
     std::set<std::string> keys;        ///< All dotted keys that are known in the tables read.
 

@@ -46,7 +46,7 @@ private:
     /// @param visitor gets a null part for trees in memory.
     void forEachPart(const std::function<void(const Part* part, Trees& trees,
                                               const std::vector<std::size_t>& onGround)>& visitor);
-    void store();
+    void spool();
     void write(const Part& part, const std::string& bytes);
     bool load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround);
 

@@ -78,7 +78,7 @@ void WindCache::rebuildMap(const PlacedForest& forest) {
 WindFieldPtr WindCache::openField(const std::shared_ptr<const Wind>& wind) {
     if (wind != _openWind) {
         _openWind = wind;
-        _open = WindSampler(wind, _forestToScene).top();
+        _open = LayeredWind(wind, _forestToScene).top();
     }
     return _open;
 }
@@ -95,7 +95,7 @@ WindFieldPtr WindCache::fieldAtTrees(const std::shared_ptr<const Wind>& wind, co
     }
     if (wind != _treesWind) {
         _treesWind = wind;
-        const WindSampler sampler(wind, _forestToScene, _map, _settings.seed);
+        const LayeredWind sampler(wind, _forestToScene, _map, _settings.seed);
         _atTrees = sampler.top();
         if (!(_flow && areSimilar(sampler.canopy()->meanWind(), _flow->meanWind())))
             _flow = sampler.canopy();

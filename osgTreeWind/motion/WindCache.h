@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
-#include <osgTreeWind/wind/WindSampler.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <glm/mat4x4.hpp>
 

@@ -49,6 +49,9 @@ struct TreeUnit;
 /// - Bounds: bounding boxes enclose the trees at rest; the bounding sphere also encloses their sway.
 /// - Threads: any thread may call setWind() and getWind() at any time. Call everything else in the update
 ///   traversal or between frames, setDescription() only between frames. Every threading model works.
+/// - Values: `TreePlacement` and `ForestDescription` are in forest/ForestDescription.h, `TreeSway` in
+///   motion/damage/, `BranchTransform` in drawing/, `ForestSimulation` in motion/, `TreeUnit` beside this
+///   header.
 /// - Errors: a call that returns problems has changed nothing; no problems mean success. If an update runs
 ///   out of memory or a callback throws, OSG_WARN says so, and the trees stand still until setDescription().
 class OSGTREEWIND_EXPORT Forest : public osg::Group {

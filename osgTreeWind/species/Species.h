@@ -107,6 +107,7 @@ constexpr int maxShapes = 64;
 ///
 ///     Species hedge = *findSpecies("oak");
 ///     hedge.name = "hedge oak";
+///     hedge.aliases.clear();
 ///     hedge.shapes = 8;
 struct Species {
     std::string name;                 ///< Common name, as in files.

@@ -23,9 +23,11 @@ namespace osgTreeWind {
 ///     report(wind->update({velocities})); // in every frame, from any thread
 class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
-    /// New data from the simulation. update() copies it.
+    /// New data from the simulation.
     struct Update {
-        Span<float> velocities; ///< u, v, w of each point, m/s, in the order of GridWind::Grid::values.
+        /// u, v, w of each point, m/s, in the order of GridWind::Grid::values. Refers to your memory, which
+        /// must exist until update() has returned.
+        Span<float> velocities;
         /// New position of the grid's first point, metres; empty: unchanged. Layer heights move with it.
         std::optional<glm::dvec3> origin = std::nullopt;
         /// Simulation time of the velocities, seconds; empty: they replace the wind at all times.

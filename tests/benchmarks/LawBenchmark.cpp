@@ -16,9 +16,9 @@
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindSampler.h>
 
 #include <benchmark/benchmark.h>
 
@@ -123,7 +123,7 @@ WindFieldPtr gustsInAWood() {
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
     const std::shared_ptr<CanopyMap> wood = makeCanopyMap(trees);
     wood->setReference(60.0f);
-    return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
+    return std::make_shared<LayeredWind>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
 }
 
 /// Samples in groups of 128 within a tree, over 1.3 km.

@@ -127,7 +127,7 @@ TEST(BlastWave, LongBlastIsNotAveraged) {
 
 TEST(BlastWave, ArrivesReversesAndEnds) {
     const WindSource source = tonneAtTwoSeconds();
-    const WindSampler wind = withSources(nullptr, {source});
+    const LayeredWind wind = withSources(nullptr, {source});
     const auto at = [&](const glm::vec3& place, double time) {
         return wind.velocity(WindPlace(place), time);
     };
@@ -147,7 +147,7 @@ TEST(BlastWave, IsFiniteAndBounded) {
     for (const double charge : {1e-300, 1.0, 1e9, inf, nan}) {
         WindSource source = tonneAtTwoSeconds();
         source.charge = charge;
-        const WindSampler wind = withSources(nullptr, {source});
+        const LayeredWind wind = withSources(nullptr, {source});
         for (const float x : {0.0f, 1e-6f, 0.1f, 1e3f, 1e9f, std::nanf("")})
             for (const double time : {-inf, 0.0, 2.0, 2.0 + 1e-9, 2.5, 1e12, inf, nan}) {
                 const float speed = glm::length(wind.velocity(WindPlace(glm::vec3(x, 0.0f, 0.0f)), time));

@@ -23,7 +23,7 @@ std::shared_ptr<const CanopyMap> stand(float frontalArea = 2.0f) {
     return map;
 }
 
-WindSampler windOf(float speed, std::uint32_t seed = 1) {
+LayeredWind windOf(float speed, std::uint32_t seed = 1) {
     return inStand(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
 }
 
@@ -72,7 +72,7 @@ TEST(CanopyFlow, NeighbourEffectIsThatOfTheStand) {
 }
 
 TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
-    const WindSampler wind = windOf(10.0f);
+    const LayeredWind wind = windOf(10.0f);
     const CanopyProfile profile = CanopyProfile::ofStand(height, 2.0f);
     for (const float z : {20.0f, 15.0f, 10.0f, 30.0f}) {
         const Statistics found(wind, z);
@@ -108,13 +108,13 @@ double correlation(const WindField& wind, const glm::vec3& apart, double later) 
 }
 
 TEST(CanopyFlow, GustsTravelAtNearlyTwiceTheWindAtTheTop) {
-    const WindSampler wind = windOf(10.0f);
+    const LayeredWind wind = windOf(10.0f);
     EXPECT_NEAR(correlation(wind, {36.0f, 0.0f, 0.0f}, 2.0), 1.0, 0.02) << "18 m/s";
     EXPECT_LT(correlation(wind, {36.0f, 0.0f, 0.0f}, 0.0), 0.5);
 }
 
 TEST(CanopyFlow, TimeScaleIsTreeHeightOverSpeedAtTheTop) {
-    const WindSampler wind = windOf(10.0f);
+    const LayeredWind wind = windOf(10.0f);
     double scale = 0.0;
     for (double lag = 0.0; lag < 12.0; lag += 0.25)
         scale += 0.25 * std::max(correlation(wind, {}, lag), 0.0);
@@ -122,13 +122,13 @@ TEST(CanopyFlow, TimeScaleIsTreeHeightOverSpeedAtTheTop) {
 }
 
 TEST(CanopyFlow, GustsAreUncorrelatedAcrossTheWind) {
-    const WindSampler wind = windOf(10.0f);
+    const LayeredWind wind = windOf(10.0f);
     EXPECT_LT(correlation(wind, {0.0f, 20.0f, 0.0f}, 0.0), 0.4);
     EXPECT_LT(std::abs(correlation(wind, {0.0f, 60.0f, 0.0f}, 0.0)), 0.1);
 }
 
 TEST(CanopyFlow, CrownsShelterOnlyPlacesAmongLeaves) {
-    const WindSampler wind = windOf(10.0f);
+    const LayeredWind wind = windOf(10.0f);
     WindPlace among(0.0f, 0.0f, 15.0f), over(0.0f, 0.0f, 30.0f);
     const glm::vec3 free = wind.velocity(among, 3.0), high = wind.velocity(over, 3.0);
     among.inCrown = over.inCrown = true;
@@ -137,7 +137,7 @@ TEST(CanopyFlow, CrownsShelterOnlyPlacesAmongLeaves) {
 }
 
 TEST(CanopyFlow, DependsOnlyOnPlaceTimeAndSeed) {
-    const WindSampler a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
+    const LayeredWind a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
     const WindPlace place(3.0f, 4.0f, 12.0f);
     EXPECT_EQ(a.velocity(place, 5.0), b.velocity(place, 5.0));
     EXPECT_NE(a.velocity(place, 5.0), c.velocity(place, 5.0));
@@ -177,7 +177,7 @@ TEST(CanopyFlow, InvalidOrExcessiveWindIsCalm) {
         float _speed;
     };
     for (const float speed : {NAN, INFINITY, 1e30f, 3e38f}) {
-        const WindSampler wind = inStand(std::make_shared<Nonsense>(speed), *stand(), height, 1);
+        const LayeredWind wind = inStand(std::make_shared<Nonsense>(speed), *stand(), height, 1);
         EXPECT_EQ(wind.velocity(WindPlace(3.0f, 4.0f, 5.0f), 7.0), glm::vec3(0.0f)) << speed;
     }
 }
@@ -187,7 +187,7 @@ TEST(CanopyFlow, BlendsSmoothlyFromOpenCountryIntoTheStand) {
     gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east, toward the edge
     gusts.profile = LogProfile{10.0, 0.05};
     const WindFieldPtr open = GustWind::create(gusts).value();
-    const WindSampler wind = inStand(open, *edge(), 60.0f, 1);
+    const LayeredWind wind = inStand(open, *edge(), 60.0f, 1);
     const WindPlace at(30.0f, 0.0f, 12.0f);
     EXPECT_EQ(wind.velocity(at, 9.0), open->velocity(at, 9.0));
     EXPECT_LT(glm::length(wind.velocity(WindPlace(-200.0f, 0.0f, 2.0f), 9.0)),
@@ -201,7 +201,7 @@ TEST(CanopyFlow, BlendsSmoothlyFromOpenCountryIntoTheStand) {
 }
 
 TEST(CanopyFlow, IsFiniteForAnyPlaceAndTime) {
-    const WindSampler all = inStand(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(),
+    const LayeredWind all = inStand(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(),
                                     60.0f, 1),
                       some = inStand(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *edge(),
                                      60.0f, 1);

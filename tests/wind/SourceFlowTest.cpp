@@ -148,7 +148,7 @@ TEST(SourceFlow, ShelterReducesOnlyTheWind) {
     shelter.share = 0.25;
     WindSource blower = fan();
     const auto wind = std::make_shared<UniformWind>(glm::vec3(0.0f, 8.0f, 0.0f));
-    const WindSampler both = withSources(wind, {shelter, blower});
+    const LayeredWind both = withSources(wind, {shelter, blower});
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 2.0f}, 0.0), glm::vec3(0.0f, 2.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 30.0f, 2.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 20.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));

@@ -57,7 +57,7 @@ glm::vec3 bySources(const std::vector<WindSource>& sources, const WindFieldPtr& 
 TEST(SourceGrid, FindsEachSourceThatReachesAPlace) {
     const std::vector<WindSource> sources = manySources(300);
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(3.0f, -2.0f, 0.0f));
-    const WindSampler many = withSources(wind, sources);
+    const LayeredWind many = withSources(wind, sources);
     Random random(9);
     for (const double time : {0.0, 3.0, 400.0, -50.0, 3.5, 1e7})
         for (int i = 0; i < 60; ++i) {
@@ -92,7 +92,7 @@ TEST(SourceGrid, SourcesFadeOutAtTheirReach) {
         source.velocity.x = source.kind == WindSource::Kind::Vehicle ? -20.0 : 0.0;
         source.turbulence = 0.0;
         source.speed = 20.0;
-        const WindSampler wind = withSources(nullptr, {source});
+        const LayeredWind wind = withSources(nullptr, {source});
         glm::vec3 last = wind.velocity(WindPlace(150.0f, 0.0f, 2.0f), 0.0); // behind a jet's core
         for (float x = 150.0f; x < 20000.0f; x *= 1.0005f) {
             const glm::vec3 next = wind.velocity(WindPlace(x, 0.0f, 2.0f), 0.0);
@@ -109,7 +109,7 @@ TEST(SourceGrid, FadeAtTheReachAffectsOnlyWeakWind) {
     lorry.velocity = {-25.0, 0.0, 0.0};
     lorry.height = 4.0;
     lorry.turbulence = 0.0;
-    const WindSampler wind = withSources(nullptr, {lorry});
+    const LayeredWind wind = withSources(nullptr, {lorry});
     float end = 0.0f;
     for (float x = 10.0f; x < 20000.0f; x += 5.0f)
         if (glm::length(wind.velocity(WindPlace(x, 0.0f, 3.0f), 0.0)) > 0.0f)

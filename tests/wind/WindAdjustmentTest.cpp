@@ -20,13 +20,13 @@ WindFieldPtr toward(const glm::vec3& velocity) {
 }
 
 TEST(WindAdjustment, TurnsANortherlyIntoAnEasterly) {
-    const WindSampler wind = withAdjustment(
+    const LayeredWind wind = withAdjustment(
         toward({0.0f, -4.0f, 1.0f}), {1.5, glm::half_pi<float>()}); // clockwise from above, as a compass
     expectNear(wind.velocity({}, 0.0), {-6.0f, 0.0f, 1.5f});
 }
 
 TEST(WindAdjustment, DoesNotMovePlaces) {
-    const WindSampler wind = withAdjustment(std::make_shared<FunctionWind>([](const glm::vec3& p, double t) {
+    const LayeredWind wind = withAdjustment(std::make_shared<FunctionWind>([](const glm::vec3& p, double t) {
                                                 return glm::vec3(p.x, 0.0f, static_cast<float>(t));
                                             }),
                                             {1.0, glm::pi<float>()});

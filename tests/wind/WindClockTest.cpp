@@ -15,7 +15,7 @@ WindFieldPtr clockWind() {
 } // namespace
 
 TEST(WindClock, ScalesTime) {
-    const WindSampler wind = withClock(clockWind(), {7200.0, 60.0});
+    const LayeredWind wind = withClock(clockWind(), {7200.0, 60.0});
     EXPECT_EQ(wind.velocity({0, 5, 0}, 0.0), glm::vec3(7200, 5, 0));
     EXPECT_EQ(wind.velocity({0, 5, 0}, 60.0), glm::vec3(10800, 5, 0));
 }
@@ -26,7 +26,7 @@ TEST(WindClock, FreezesAndPlaysBackward) {
 }
 
 TEST(WindClock, TravellingWindIsDelayedDownwind) {
-    const WindSampler wind = withClock(clockWind(), {100.0, 1.0, {8.0, 0.0}, {-30.0, 0.0}});
+    const LayeredWind wind = withClock(clockWind(), {100.0, 1.0, {8.0, 0.0}, {-30.0, 0.0}});
     EXPECT_EQ(wind.velocity({-30, 0, 0}, 4.0).x, 104.0f);
     EXPECT_EQ(wind.velocity({50, 0, 0}, 4.0).x, 94.0f);
     const WindPlace places[] = {{-30, 1, 0}, {50, 2, 0}};
@@ -37,7 +37,7 @@ TEST(WindClock, TravellingWindIsDelayedDownwind) {
 }
 
 TEST(WindClock, TravelsInAnyDirection) {
-    const WindSampler wind = withClock(clockWind(), {0.0, 1.0, {-3.0, 4.0}}); // 5 m/s
+    const LayeredWind wind = withClock(clockWind(), {0.0, 1.0, {-3.0, 4.0}}); // 5 m/s
     EXPECT_FLOAT_EQ(wind.velocity({-30, 40, 0}, 100.0).x, 90.0f);
     EXPECT_FLOAT_EQ(wind.velocity({40, 30, 0}, 100.0).x, 100.0f); // across the travel direction
     EXPECT_FLOAT_EQ(wind.velocity({30, -40, 0}, 100.0).x, 110.0f);
@@ -47,9 +47,9 @@ namespace {
 
 /// The combined clock equals two nested samplers.
 void expectEqualsNested(const WindClock& outer, const WindClock& inner) {
-    const WindSampler within = withClock(clockWind(), inner),
+    const LayeredWind within = withClock(clockWind(), inner),
                       both = withClock(clockWind(), outer.then(inner));
-    const WindSampler apart = withClock(std::make_shared<FunctionWind>([&](const glm::vec3& p, double t) {
+    const LayeredWind apart = withClock(std::make_shared<FunctionWind>([&](const glm::vec3& p, double t) {
                                             return within.velocity(WindPlace(p), t);
                                         }),
                                         outer);

@@ -126,10 +126,10 @@ RC_GTEST_PROP(WindProperty, AdjustmentsCombine, ()) {
     const auto halfTurns = [] { return glm::radians(static_cast<float>(*number(-180.0, 180.0))); };
     const WindAdjustment first{*number(0.0, 3.0), halfTurns()}, second{*number(0.0, 3.0), halfTurns()};
     const WindPlace place = anyPlace();
-    const WindSampler both =
+    const LayeredWind both =
                           withAdjustment(wind, {first.strength * second.strength, first.turn + second.turn}),
                       nested =
-                          withAdjustment(std::make_shared<WindSampler>(withAdjustment(wind, first)), second);
+                          withAdjustment(std::make_shared<LayeredWind>(withAdjustment(wind, first)), second);
     RC_ASSERT(near(nested.velocity(place, 0.0), both.velocity(place, 0.0), 1e-5f));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindSampler.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <memory>
 #include <utility>
@@ -10,9 +10,9 @@
 /// Samplers of a field with a single modification.
 namespace osgTreeWind {
 
-inline WindSampler sampler(Wind wind, const glm::dmat4& place = glm::dmat4(1.0),
+inline LayeredWind sampler(Wind wind, const glm::dmat4& place = glm::dmat4(1.0),
                            std::shared_ptr<const CanopyMap> canopy = nullptr) {
-    return WindSampler(std::make_shared<const Wind>(std::move(wind)), place, std::move(canopy));
+    return LayeredWind(std::make_shared<const Wind>(std::move(wind)), place, std::move(canopy));
 }
 
 inline Wind windWithSources(WindFieldPtr field, std::vector<WindSource> sources) {
@@ -21,26 +21,26 @@ inline Wind windWithSources(WindFieldPtr field, std::vector<WindSource> sources)
     return wind;
 }
 
-inline WindSampler withSources(WindFieldPtr field, std::vector<WindSource> sources) {
+inline LayeredWind withSources(WindFieldPtr field, std::vector<WindSource> sources) {
     return sampler(windWithSources(std::move(field), std::move(sources)));
 }
 
-inline WindSampler withClock(WindFieldPtr field, const WindClock& clock) {
+inline LayeredWind withClock(WindFieldPtr field, const WindClock& clock) {
     Wind wind(std::move(field));
     wind.clock = clock;
     return sampler(std::move(wind));
 }
 
-inline WindSampler withAdjustment(WindFieldPtr field, const WindAdjustment& adjustment) {
+inline LayeredWind withAdjustment(WindFieldPtr field, const WindAdjustment& adjustment) {
     Wind wind(std::move(field));
     wind.adjustment = adjustment;
     return sampler(std::move(wind));
 }
 
-inline WindSampler inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
+inline LayeredWind inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
     auto map = std::make_shared<CanopyMap>(stand);
     map->setReference(reference);
-    return WindSampler(std::make_shared<const Wind>(std::move(field)), glm::dmat4(1.0), map, seed);
+    return LayeredWind(std::make_shared<const Wind>(std::move(field)), glm::dmat4(1.0), map, seed);
 }
 
 } // namespace osgTreeWind

@@ -4,7 +4,7 @@
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
-#include <osgTreeWind/wind/WindSampler.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <glm/geometric.hpp>
 
@@ -46,7 +46,7 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
 }
 
 std::vector<ForestStorm::Loads> ForestStorm::largestLoads(double speed, std::uint32_t seed) const {
-    const WindSampler wind(
+    const LayeredWind wind(
         std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed)),
         glm::dmat4(1.0), _canopy, seed);
     ModalMotion motion(*_resting);

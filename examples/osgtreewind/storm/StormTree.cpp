@@ -25,16 +25,16 @@ CanopyTree canopyTreeOf(const PlacedForest& forest) {
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
-WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
+LayeredWind windOf(const PlacedForest& forest, const Storm& storm) {
     const CanopyTree tree = canopyTreeOf(forest);
     const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
     if (!(storm.spacing > 0.0))
-        return WindSampler(std::make_shared<Wind>(
+        return LayeredWind(std::make_shared<Wind>(
             openCountryWind(std::max(static_cast<double>(tree.height), 0.1), mean, storm.seed)));
     const auto spacing = static_cast<float>(storm.spacing);
     auto stand = makeUniformCanopyMap({tree}, tree.height, tree.frontalArea / (spacing * spacing));
     stand->setReference(tree.height);
-    return WindSampler(std::make_shared<Wind>(std::make_shared<UniformWind>(mean)), glm::dmat4(1.0), stand,
+    return LayeredWind(std::make_shared<Wind>(std::make_shared<UniformWind>(mean)), glm::dmat4(1.0), stand,
                        storm.seed);
 }
 

@@ -5,7 +5,7 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/damage/FootLoad.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
-#include <osgTreeWind/wind/WindSampler.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <glm/vec2.hpp>
 
@@ -51,7 +51,7 @@ private:
 
     PlacedForest _forest;
     ModalMotion _motion;
-    WindSampler _wind;
+    LayeredWind _wind;
     FootLoad _load;
     double _time = 0.0, _strain = 0.0;
     std::size_t _middle = 0; ///< Unit at half the height of the trunk.

@@ -40,9 +40,9 @@ WindFieldPtr gusts() {
     return GustWind::create(parameters).value();
 }
 
-TEST(WindSampler, IdentityTransformChangesNothing) {
+TEST(LayeredWind, IdentityTransformChangesNothing) {
     const WindFieldPtr world = gusts();
-    const WindSampler same = sampler(world, glm::dmat4(1.0));
+    const LayeredWind same = sampler(world, glm::dmat4(1.0));
     for (int i = 1; i < 50; ++i) {
         const float x = 13.37f * static_cast<float>(i);
         const WindPlace place({x, -2.0f * x, 0.1f * x}, 0.02f * x);
@@ -50,8 +50,8 @@ TEST(WindSampler, IdentityTransformChangesNothing) {
     }
 }
 
-TEST(WindSampler, SamplesAtTheTransformedPlace) {
-    const WindSampler wind = sampler(std::make_shared<PlaceWind>(), moved({100, 20, 5}) * turned(quarter));
+TEST(LayeredWind, SamplesAtTheTransformedPlace) {
+    const LayeredWind wind = sampler(std::make_shared<PlaceWind>(), moved({100, 20, 5}) * turned(quarter));
     // 3 m along the frame's x axis is 3 m north; the velocity is returned in the frame's axes.
     const glm::vec3 v = wind.velocity({{3, 0, 9}, 2}, 0.0);
     EXPECT_NEAR(v.x, 23.0f, 1e-4f) << "the frame's x is north";
@@ -59,23 +59,23 @@ TEST(WindSampler, SamplesAtTheTransformedPlace) {
     EXPECT_NEAR(v.z, 7.0f, 1e-5f) << "the height above the ground is unchanged";
 }
 
-TEST(WindSampler, TurnsVelocitiesWithoutScaling) {
+TEST(LayeredWind, TurnsVelocitiesWithoutScaling) {
     const WindFieldPtr world = std::make_shared<UniformWind>(glm::vec3(6, 0, 0));
-    const WindSampler wind =
+    const LayeredWind wind =
         sampler(world, moved({5, 5, 5}) * turned(quarter) * glm::scale(glm::dmat4(1.0), {2.0, 2.0, 4.0}));
     EXPECT_LT(glm::distance(wind.velocity({1, 2, 3}, 0.0), glm::vec3(0, -6, 0)), 1e-5f);
-    const WindSampler tilted = sampler(world, turned(quarter, {0, 1, 0}));
+    const LayeredWind tilted = sampler(world, turned(quarter, {0, 1, 0}));
     EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
 }
 
-TEST(WindSampler, ScalesHeightsWithPlaces) {
-    const WindSampler wind =
+TEST(LayeredWind, ScalesHeightsWithPlaces) {
+    const LayeredWind wind =
         sampler(std::make_shared<PlaceWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
     EXPECT_EQ(wind.velocity({{3, 4, 9}, 2}, 0.0), glm::vec3(6, 8, 14));
 }
 
-TEST(WindSampler, SampleEqualsVelocity) {
-    const WindSampler wind = sampler(gusts(), moved({300, -50, 12}) * turned(0.7));
+TEST(LayeredWind, SampleEqualsVelocity) {
+    const LayeredWind wind = sampler(gusts(), moved({300, -50, 12}) * turned(0.7));
     std::vector<WindPlace> places;
     for (int i = 0; i < 150; ++i)
         places.emplace_back(glm::vec3(i, 2 * i, 5 + i % 7), 1.0f);
@@ -85,21 +85,21 @@ TEST(WindSampler, SampleEqualsVelocity) {
         EXPECT_EQ(out[i], wind.velocity(places[i], 4.5)) << i;
 }
 
-TEST(WindSampler, KeepsFloatPrecisionFarFromTheOrigin) {
-    const WindSampler wind = sampler(std::make_shared<PlaceWind>(), moved({1.0e6, -1.0e6, 0}));
+TEST(LayeredWind, KeepsFloatPrecisionFarFromTheOrigin) {
+    const LayeredWind wind = sampler(std::make_shared<PlaceWind>(), moved({1.0e6, -1.0e6, 0}));
     const glm::vec3 v = wind.velocity({{12.3f, 4.5f, 30.25f}, 0.0f}, 0.0);
     EXPECT_NEAR(v.x, 1.0e6f + 12.3f, 0.04f) << "floats have a spacing of 0.06 m there";
     EXPECT_NEAR(v.y, -1.0e6f + 4.5f, 0.04f);
     EXPECT_EQ(v.z, 30.25f);
 }
 
-TEST(WindSampler, DegenerateMatrixDoesNotTurn) {
-    const WindSampler wind = sampler(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
+TEST(LayeredWind, DegenerateMatrixDoesNotTurn) {
+    const LayeredWind wind = sampler(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
     EXPECT_EQ(wind.velocity({4, 5, 6}, 0.0), glm::vec3(1, 2, 3));
     EXPECT_EQ(sampler(nullptr).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
 }
 
-TEST(WindSampler, ReplacingTheFieldDropsFilesAndMap) {
+TEST(LayeredWind, ReplacingTheFieldDropsFilesAndMap) {
     Wind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)));
     WindFiles known;
     known.map = DataTransform();
@@ -113,7 +113,7 @@ TEST(WindSampler, ReplacingTheFieldDropsFilesAndMap) {
     EXPECT_FALSE(mapOf(wind));
 }
 
-TEST(WindSampler, TurnedForestLeansLikeTurnedTrees) {
+TEST(LayeredWind, TurnedForestLeansLikeTurnedTrees) {
     const glm::dmat4 frame = moved({40, 70, 3}) * turned(quarter);
     ForestDescription upright;
     upright.species = {defaultSpecies()};
@@ -126,7 +126,7 @@ TEST(WindSampler, TurnedForestLeansLikeTurnedTrees) {
         tree.heading = static_cast<float>(quarter);
     }
     world.wind = gusts();
-    upright.wind = std::make_shared<WindSampler>(sampler(world.wind, frame));
+    upright.wind = std::make_shared<LayeredWind>(sampler(world.wind, frame));
     ForestSimulation inFrame(upright), inWorld(world);
     for (int i = 0; i < 300; ++i)
         for (ForestSimulation* simulation : {&inFrame, &inWorld})

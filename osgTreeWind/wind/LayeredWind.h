@@ -13,12 +13,12 @@ namespace osgTreeWind {
 /// A Wind at places in the forest's frame. Layers of fields lie on top of each other, and each samples the
 /// one below it: the data with clock, map and adjustment; the frame; the canopy; the sources. Motion of the
 /// forest node does not add to the wind.
-class WindSampler final : public WindField {
+class LayeredWind final : public WindField {
 public:
     /// @param wind not null. @param forestToScene transform of the forest.
     /// @param canopy the stands, after CanopyMap::setReference(); null: trees do not change the wind.
     /// @param seed of the turbulence among the trees.
-    explicit WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene = glm::dmat4(1.0),
+    explicit LayeredWind(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene = glm::dmat4(1.0),
                          std::shared_ptr<const CanopyMap> canopy = nullptr, std::uint32_t seed = 1);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/WindSampler.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <osgTreeWind/wind/SourceGrid.h>
 #include <osgTreeWind/wind/WindFiles.h>
@@ -206,7 +206,7 @@ private:
 
 } // namespace
 
-WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene,
+LayeredWind::LayeredWind(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene,
                          std::shared_ptr<const CanopyMap> canopy, std::uint32_t seed) {
     const FrameChange frame(wind->frame, forestToScene);
     const bool isPlain = !mapOf(*wind) && wind->adjustment.isIdentity() && wind->clock.isIdentity();
@@ -228,7 +228,7 @@ WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& for
                                                  _canopy != nullptr);
 }
 
-void WindSampler::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+void LayeredWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     if (_top)
         _top->sample(places, count, time, out);
     else
@@ -236,7 +236,7 @@ void WindSampler::sample(const WindPlace* places, std::size_t count, double time
 }
 
 WindFieldPtr asField(const Wind& wind) {
-    return WindSampler(std::make_shared<const Wind>(wind)).top();
+    return LayeredWind(std::make_shared<const Wind>(wind)).top();
 }
 
 } // namespace osgTreeWind
