@@ -145,6 +145,8 @@ void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& nam
         reserveGrowth(trees, slot + 1);
         trees.emplace_back();
     }
+    if (!_freeSlots.empty() && _freeSlots.back() == slot)
+        _freeSlots.pop_back();
     PlacedTree& old = trees[slot];
     tree.generation = old.generation;
     tree.alive = true;
@@ -155,6 +157,7 @@ void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& nam
 void PlacedForest::remove(std::size_t slot) {
     trees[slot].alive = false;
     ++trees[slot].generation;
+    _freeSlots.push_back(static_cast<std::uint32_t>(slot));
     names.set(static_cast<std::uint32_t>(slot), {});
 }
 

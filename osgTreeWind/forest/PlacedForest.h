@@ -94,7 +94,9 @@ struct PlacedForest {
     /// Sets the season, and with it the leaves of all trees.
     void setSeason(float season);
 
-    /// Puts a tree into a slot, which it replaces or, for trees.size(), appends.
+    /// The slot for another tree: that of a removed one, if there is one, else trees.size().
+    std::size_t freeSlot() const { return _freeSlots.empty() ? trees.size() : _freeSlots.back(); }
+    /// Puts a tree into a slot, in place of its tree, or into freeSlot().
     void put(std::size_t slot, PlacedTree tree, const std::string& name);
     /// Removes a tree and invalidates its id.
     void remove(std::size_t slot);
@@ -117,6 +119,7 @@ private:
     float _season = midsummer;
     std::vector<float> _seasonLeaves; ///< Per species, share of the summer leaves.
     std::set<std::string> _removedPermanently;
+    std::vector<std::uint32_t> _freeSlots; ///< Of removed trees.
 };
 
 /// Rotates `v` counter-clockwise about the vertical.

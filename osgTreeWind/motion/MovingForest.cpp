@@ -123,7 +123,8 @@ Result<TreeId> MovingForest::addTree(const TreePlacement& placement) {
     if (Diagnostics problems = check(placement, description()); !problems.empty())
         return problems;
     const PlacedTree tree = _placed.makePlacedTree(placement);
-    const std::size_t slot = _modal->add(modalTree(tree));
+    const std::size_t slot = _placed.freeSlot();
+    _modal->add(slot, modalTree(tree));
     _placed.put(slot, tree, placement.name);
     treeChanged(slot);
     return _placed.idOf(slot);

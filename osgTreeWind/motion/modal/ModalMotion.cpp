@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/Jobs.h>
-#include <osgTreeWind/base/ReserveGrowth.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/modal/ModalAir.h>
 #include <osgTreeWind/motion/modal/SwayTransfer.h>
@@ -87,20 +86,13 @@ std::size_t ModalMotion::makeArchetypesFor(const std::vector<Tree>& trees, std::
     return ready;
 }
 
-std::size_t ModalMotion::add(const Tree& tree) {
-    std::size_t number = treeCount();
-    if (_free.empty()) {
-        _state.resize(number + 1);
-    } else {
-        number = _free.back();
-        _free.pop_back();
-    }
+void ModalMotion::add(std::size_t number, const Tree& tree) {
+    _state.resize(std::max(treeCount(), number + 1));
     const std::size_t group = groupIndex(_archetypes.indexOf(tree.form), tree.level);
     makeArchetypes();
     _state.addToGroup(number, group);
     placeTree(number, tree, {});
     _state.updateLean(number);
-    return number;
 }
 
 void ModalMotion::remove(std::size_t tree) {
@@ -109,7 +101,6 @@ void ModalMotion::remove(std::size_t tree) {
     _state.removeFromGroup(tree);
     _state.leans[tree] = glm::vec2(0.0f);
     clearFall(tree);
-    _free.push_back(static_cast<std::uint32_t>(tree));
 }
 
 void ModalMotion::replace(std::size_t tree, const Tree& other) {

@@ -30,10 +30,10 @@ public:
     void setExecutor(Executor executor);
 
     /// Adds a tree at rest in calm, in microseconds for any number of trees; the first tree of a size class
-    /// takes milliseconds. Its model and species must outlive this object.
-    /// @return its number: that of a removed tree, if there is one, otherwise treeCount().
-    std::size_t add(const Tree& tree);
-    void remove(std::size_t tree); ///< Frees its number for add().
+    /// takes milliseconds. Its model and species must outlive this object. @param number of the tree, which
+    /// no other tree has.
+    void add(std::size_t number, const Tree& tree);
+    void remove(std::size_t tree); ///< Frees its number.
     /// Replaces a tree; keeps its level and its motion, exactly within a size class, otherwise as a
     /// least-squares fit of the crown's motion.
     void replace(std::size_t tree, const Tree& other);
@@ -105,7 +105,7 @@ public:
     std::size_t archetypeCount() const { return _archetypes.size(); }
     std::size_t archetypeBytes() const { return _archetypes.bytes(); }
     /// State memory of all trees.
-    std::size_t stateBytes() const { return _state.bytes() + _free.capacity() * sizeof(std::uint32_t); }
+    std::size_t stateBytes() const { return _state.bytes(); }
     /// State memory per tree, with all modes and patches of its level.
     static std::size_t treeBytes(Level level);
 
@@ -120,7 +120,6 @@ private:
     InstructionSet _instructions = bestInstructionSet();
     std::size_t _turns = ModalStepJob().turns;
     ModalArchetypes _archetypes;
-    std::vector<std::uint32_t> _free; ///< Numbers of removed trees.
 };
 
 } // namespace osgTreeWind

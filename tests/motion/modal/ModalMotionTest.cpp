@@ -167,7 +167,8 @@ TEST(ModalMotion, AReplacedTreeKeepsItsNeighbourEffect) {
         EXPECT_EQ(motion.factors(0).shelter, 0.5f);
     }
     motion.remove(0);
-    EXPECT_EQ(motion.factors(motion.add(placed(small))).shelter, 1.0f) << "the neighbours are not known yet";
+    motion.add(0, placed(small));
+    EXPECT_EQ(motion.factors(0).shelter, 1.0f) << "the neighbours are not known yet";
 }
 
 TEST(ModalMotion, WithoutGainNothingMoves) {
