@@ -22,6 +22,7 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     if (!reading.trees.spool().useFile(options.folder, options.treesAtOnce))
         return fileProblem(options.folder, "cannot be written");
     readDocumentFile(path, options.maxTrees, {}, reading);
+    reading.trees.spool().flush();
     if (reading.trees.spool().hasFailed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
                                                " trees while they are read, 72 bytes each and their ids");

@@ -68,10 +68,10 @@ void TreeSpool::add(const TreePlacement& tree, bool onGround) {
         _onGround.push_back(_memory.size());
     _memory.push_back(tree);
     if (_file && _memory.size() >= _maxInMemory)
-        spool();
+        flush();
 }
 
-void TreeSpool::spool() {
+void TreeSpool::flush() {
     if (!_file || _memory.empty())
         return;
     const std::string bytes = serialize(_memory, _onGround);
@@ -130,7 +130,7 @@ void TreeSpool::forEachPart(
     const std::function<void(const Part*, Trees& trees, const std::vector<std::size_t>& onGround)>& visitor) {
     if (!_file)
         return visitor(nullptr, _memory, _onGround);
-    spool();
+    flush();
     Trees().swap(_memory);
     Trees trees;
     std::vector<std::size_t> onGround;

@@ -24,6 +24,8 @@ public:
     bool useFile(const std::string& folder, std::size_t maxInMemory);
     /// @param onGround the height is unknown, and the tree stands on the ground if there is one.
     void add(const TreePlacement& tree, bool onGround);
+    /// Moves the trees in memory to the file, if there is one.
+    void flush();
     bool isInMemory() const { return !_file; } ///< Whether useFile() was not called.
     std::size_t size() const { return _stored + _memory.size(); }
 
@@ -46,7 +48,6 @@ private:
     /// @param visitor gets a null part for trees in memory.
     void forEachPart(const std::function<void(const Part* part, Trees& trees,
                                               const std::vector<std::size_t>& onGround)>& visitor);
-    void spool();
     void write(const Part& part, const std::string& bytes);
     bool load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround);
 

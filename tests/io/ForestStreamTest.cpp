@@ -103,6 +103,18 @@ TEST(ForestStreamTest, treesEqualThoseReadAtOnce) {
     }
 }
 
+TEST(ForestStreamTest, aFileThatIsReadInOnePassLeavesNoTreesInMemory) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.write("plain.treewind", "version = 1\norigin = [0, 0, 0]\n[[species]]\nname = \"a\"\n"
+                                       "[[tree]]\nposition = [1, 2, 0]\n[[tree]]\nposition = [9, 2, 0]\n");
+    for (const std::size_t atOnce : {1u, 100000u}) {
+        const ForestStream stream = streamOf(file, folder, atOnce);
+        EXPECT_EQ(stream.treeCount(), 2u);
+        EXPECT_TRUE(stream.file().trees.empty()) << atOnce;
+    }
+}
+
 TEST(ForestStreamTest, tiledFilesEqualThoseOfTheWholeForest) {
     const TemporaryFolder folder, worlds;
     const std::string file = variedFile(folder);
