@@ -8,7 +8,7 @@ namespace osgTreeWind {
 template <>
 const Keys& keysOf<DrawingOptions>() {
     using P = DrawingOptions;
-    static const Keys fields = {
+    static const Keys keys = {
         {"tiers", at<&P::tiers>, {}, "Whether trees that look small have less detail"},
         {"full", at<&P::full>, above(0, 100000),
          "Height from which all leaf cards are drawn; from four times this height, also all vertices",
@@ -26,13 +26,13 @@ const Keys& keysOf<DrawingOptions>() {
          "down to a quarter of their height",
          "ms"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<ForestDescription>() {
     using P = ForestDescription;
-    static const Keys fields = {
+    static const Keys keys = {
         {"law",
          at<&P::law>,
          {},
@@ -48,7 +48,7 @@ const Keys& keysOf<ForestDescription>() {
          "Whether the wind brings down trees, boughs and autumn leaves ([risk.md](risk.md)); `\"modal\"` "
          "only"},
     };
-    return fields;
+    return keys;
 }
 
 std::string wordOf(MotionLaw law) {
@@ -58,8 +58,8 @@ std::string wordOf(MotionLaw law) {
     return {};
 }
 
-const Keys& forestFileFields() {
-    static const Keys fields = {
+const Keys& forestFileKeys() {
+    static const Keys keys = {
         {"crs",
          at<&ForestDescription::crs>,
          {},
@@ -74,24 +74,24 @@ const Keys& forestFileFields() {
          "variable `OSGTREEWIND_STEP` overrides it",
          "s"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<EstimatedSizes>() {
     using P = EstimatedSizes;
-    static const Keys fields = {
+    static const Keys keys = {
         {"height", at<&P::height>, {}, "Whether the height was [estimated](#sizes-that-are-not-measured)"},
         {"trunk_diameter", at<&P::trunkDiameter>, {}, "Whether the trunk diameter was estimated"},
         {"crown_width", at<&P::crownWidth>, {}, "Whether the crown width was estimated"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<TreePlacement>() {
     using P = TreePlacement;
-    static const Keys fields = {
+    static const Keys keys = {
         {"height", at<&P::size, &TreeSize::height>, above(0, 150), "Total height", "m"},
         {"trunk_diameter", at<&P::size, &TreeSize::trunkDiameter>, above(0, 20),
          "Stem diameter at breast height (DBH)", "m"},
@@ -118,7 +118,7 @@ const Keys& keysOf<TreePlacement>() {
         {"id", at<&P::name>, {}, "Unique name, any text"},
         {"estimated", at<&P::estimated>, {}, ""},
     };
-    return fields;
+    return keys;
 }
 
 std::vector<KeyConflict> conflictsOf(const DrawingOptions& drawing) {

@@ -22,7 +22,7 @@ const Keys& keysOf<ForestDescription>();
 /// The word for a law in a file.
 std::string wordOf(MotionLaw law);
 /// Keys of ForestDescription in the root table of a file.
-const Keys& forestFileFields();
+const Keys& forestFileKeys();
 
 // Ranges of ForestDescription::gain, noiseExponent, season and step (seconds).
 constexpr Range gains = within(0, 100), noiseExponents = within(0, 3), seasons = within(0, 4),

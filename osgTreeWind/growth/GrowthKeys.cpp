@@ -7,7 +7,7 @@ template <>
 const Keys& keysOf<GrowthParameters>() {
     using G = GrowthParameters;
     using H = TreeHabit;
-    static const Keys fields = {
+    static const Keys keys = {
         {"height", at<&G::size, &GrowthGoal::height>, within(1, 100), "Height of the tree", "m"},
         {"trunk_diameter", at<&G::size, &GrowthGoal::trunkDiameter>, within(0.01, 5), "Stem diameter (DBH)",
          "m"},
@@ -72,7 +72,7 @@ const Keys& keysOf<GrowthParameters>() {
         {"flare", at<&G::flare>, within(0, 3), "Relative widening of the trunk radius at the ground"},
         {"seed", at<&G::seed>, {}, "Random seed"},
     };
-    return fields;
+    return keys;
 }
 
 } // namespace osgTreeWind

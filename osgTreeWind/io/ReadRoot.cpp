@@ -59,12 +59,12 @@ void readSeason(TableReader& root, float& season) {
 }
 
 void readMotion(TableReader& table, ForestDescription& forest, float& leaves) {
-    Keys fields = keysOf<ForestDescription>();
+    Keys keys = keysOf<ForestDescription>();
     if (table.hasText("law", "damped")) { // a law of version 1.0
         table.note("motion.law: \"damped\" no longer exists; it is read as \"modal\"");
-        fields.front().words.emplace_back("damped", static_cast<int>(MotionLaw::Modal));
+        keys.front().words.emplace_back("damped", static_cast<int>(MotionLaw::Modal));
     }
-    readKeys(table, fields, &forest);
+    readKeys(table, keys, &forest);
     table.read("leaves", leaves, keyAt(keysOf<TreePlacement>(), "leaves").range);
     bool isFractal = false;
     const bool isKnown = table.readChoice<bool>("noise", isFractal, {{"perlin", false}, {"1/f", true}});
@@ -146,7 +146,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
     readVersion(root);
     root.read("seed", reading.defaults.seed);
     readSearch(root, reading.folders);
-    readKeys(root, forestFileFields(), &forest);
+    readKeys(root, forestFileKeys(), &forest);
     map.read(root);
     readSeason(root, forest.season);
     root.table("motion", [&](TableReader& table) { readMotion(table, forest, reading.defaults.leaves); });

@@ -93,9 +93,9 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     if (!table.has("height") && !table.has("roughness"))
         return true;
     LogProfile read;
-    const Keys& fields = keysOf<LogProfile>();
-    bool complete = table.require("height", read.height, keyAt(fields, "height").range);
-    complete &= table.require("roughness", read.roughness, keyAt(fields, "roughness").range);
+    const Keys& keys = keysOf<LogProfile>();
+    bool complete = table.require("height", read.height, keyAt(keys, "height").range);
+    complete &= table.require("roughness", read.roughness, keyAt(keys, "roughness").range);
     profile = read;
     if (complete && !read.valid()) {
         table.problem("roughness", "expected less than height");

@@ -130,7 +130,7 @@ void writeSpecies(std::ostream& output, const Species& species) {
         output << "\n[species.habit]\n";
         writeKeys(output, "species.habit", *species.tree.growth);
     }
-    output << "\n[species.leaves]\n"; // all fields, because defaults depend on other tables
+    output << "\n[species.leaves]\n"; // all keys, because defaults depend on other tables
     writeKeys(output, "species.leaves", keysOf<LeafParameters>(), &species.tree.leaves, nullptr);
 }
 
@@ -195,7 +195,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
            << '\n';
     const ForestDescription defaults;
-    writeKeys(output, "", forestFileFields(), &forest, &defaults);
+    writeKeys(output, "", forestFileKeys(), &forest, &defaults);
     if (isOnStretchedMap(forest))
         output << "stretched = true\n";
     if (forest.trees.empty() && !forest.tiles)

@@ -26,9 +26,9 @@ public:
         std::string problem = files ? writeFiles(*files) : writeField(*wind.field);
         const WindClock defaults;
         if (wind.clock.start != defaults.start || wind.clock.scale != defaults.scale)
-            keepFirst(problem, fields(wind.clock));
+            keepFirst(problem, keys(wind.clock));
         if (!wind.adjustment.isIdentity())
-            keepFirst(problem, fields(wind.adjustment));
+            keepFirst(problem, keys(wind.adjustment));
         const bool isFromFile = files && !dynamic_cast<const TimeSeriesWind*>(wind.field.get());
         if (wind.clock.travels() && !isFromFile)
             key("travel", tomlText(std::vector<double>{wind.clock.travel.x, wind.clock.travel.y}));
@@ -44,14 +44,14 @@ private:
         if (const auto* gusts = dynamic_cast<const GustWind*>(&field)) {
             kind("gusts");
             key("velocity", tomlText(gusts->parameters().mean));
-            return fields(gusts->parameters()) + profile(gusts->parameters().profile);
+            return keys(gusts->parameters()) + profile(gusts->parameters().profile);
         }
         if (const auto* grid = dynamic_cast<const GridWind*>(&field))
-            return kind("grid"), fields(grid->grid());
+            return kind("grid"), keys(grid->grid());
         if (const auto* thesis = dynamic_cast<const ThesisWind*>(&field))
-            return kind("forest_wind"), fields(thesis->array());
+            return kind("forest_wind"), keys(thesis->array());
         if (const auto* record = dynamic_cast<const TimeSeriesWind*>(&field))
-            return kind("series"), fields(record->series()) + profile(record->series().profile);
+            return kind("series"), keys(record->series()) + profile(record->series().profile);
         return "this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series or "
                "one "
                "from a file, not a callable or streamed one";
@@ -71,16 +71,16 @@ private:
     }
     void kind(const char* name) { _output << "kind = \"" << name << "\"\n"; }
 
-    /// Writes all fields of a struct. @return the first problem with their values.
+    /// Writes all keys of a struct. @return the first problem with their values.
     template <typename Struct>
-    std::string fields(const Struct& value) {
+    std::string keys(const Struct& value) {
         Diagnostics problems;
         checkKeys(value, "", problems);
         writeKeys(_output, "wind", keysOf<Struct>(), &value, nullptr);
         return problems.empty() ? "" : problems.front().text();
     }
     std::string profile(const std::optional<LogProfile>& profile) {
-        return profile ? fields(*profile) : std::string();
+        return profile ? keys(*profile) : std::string();
     }
 
     static void keepFirst(std::string& problem, std::string&& next) {

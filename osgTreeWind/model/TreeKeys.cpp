@@ -8,7 +8,7 @@ namespace osgTreeWind {
 template <>
 const Keys& keysOf<RecursiveTreeParameters>() {
     using P = RecursiveTreeParameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"levels", at<&P::levels>, within(0, 8), "Levels of branches above the trunk"},
         {"children_per_branch", at<&P::childrenPerBranch>, within(1, 8),
          "Branches at the end of each branch"},
@@ -38,13 +38,13 @@ const Keys& keysOf<RecursiveTreeParameters>() {
         {"radius_ratio", at<&P::radiusRatio>, within(0.01, 1), "Branch base radius / parent tip radius"},
         {"seed", at<&P::seed>, {}, "Random seed"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<PalmParameters>() {
     using P = PalmParameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"height", at<&P::height>, within(0.5, 60), "Height of the highest frond", "m"},
         {"trunk_diameter", at<&P::trunkDiameter>, within(0.01, 5),
          "Stem diameter (DBH); at most half the stem height", "m"},
@@ -65,13 +65,13 @@ const Keys& keysOf<PalmParameters>() {
          "m"},
         {"seed", at<&P::seed>, {}, "Random seed"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<LeafParameters>() {
     using P = LeafParameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"clusters_per_branch", at<&P::clustersPerBranch>, within(0, 64),
          "Clusters on each branch; 0 makes a bare tree"},
         {"clusters", at<&P::clusters>, within(0, 100000),
@@ -102,7 +102,7 @@ const Keys& keysOf<LeafParameters>() {
          "the rule above applies"},
         {"seed", at<&P::seed>, {}, "Random seed"},
     };
-    return fields;
+    return keys;
 }
 
 std::vector<KeyConflict> conflictsOf(const RecursiveTreeParameters& tree) {

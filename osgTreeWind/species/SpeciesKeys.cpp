@@ -6,7 +6,7 @@ namespace osgTreeWind {
 template <>
 const Keys& keysOf<HeightAllometry>() {
     using P = HeightAllometry;
-    static const Keys fields = {
+    static const Keys keys = {
         {"scale", at<&P::scale>, within(0, 500), "Factor of the height law", "m"},
         {"power", at<&P::power>, within(0.1, 3), "Exponent of the height law"},
         {"spread", at<&P::spread>, within(0, 2), "Standard deviation of ln(height)"},
@@ -19,13 +19,13 @@ const Keys& keysOf<HeightAllometry>() {
          "m"},
         {"source", at<&P::source>, {}, "Source of these numbers"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<CrownAllometry>() {
     using P = CrownAllometry;
-    static const Keys fields = {
+    static const Keys keys = {
         {"base", at<&P::base>, within(0, 50), "Constant of the width law", "m"},
         {"per_diameter", at<&P::perDiameter>, within(0, 100), "Slope of the width law"},
         {"open_base", at<&P::openBase>, within(0, 50), "`base` of open-grown trees", "m"},
@@ -37,13 +37,13 @@ const Keys& keysOf<CrownAllometry>() {
         {"largest", at<&P::largest>, within(0, 100),
          "The same as `species.height.largest` for the crown's width", "m"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<WoodParameters>() {
     using P = WoodParameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"elastic_modulus", at<&P::elasticModulus>, within(1e3, 1e12), "Elastic modulus of green wood", "Pa"},
         {"density", at<&P::density>, within(1, 1e4), "Density of green wood with bark", "kg/m³"},
         {"damping_ratio", at<&P::dampingRatio>, within(0, 2), "Damping ratio of the wood, without air"},
@@ -81,13 +81,13 @@ const Keys& keysOf<WoodParameters>() {
          "",
          numberedFromZero({"drawn", "conifer", "broadleaf"})},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<BranchParameters>() {
     using P = BranchParameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"max_angle", at<&P::maxAngle>, within(0, 90), "Largest rotation about each axis", "degrees"},
         {"partial_steps", at<&P::partialSteps>, within(1, 10000),
          "Number of steps to a new angle (`thesis-smooth`)"},
@@ -95,13 +95,13 @@ const Keys& keysOf<BranchParameters>() {
          "Load added per branch level (`thesis-smooth`)", "m/s"},
         {"noise_frequency", at<&P::noiseFrequency>, within(0, 100), "Frequency of the load's noise", "Hz"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<LeafMotion>() {
     using P = LeafMotion;
-    static const Keys fields = {
+    static const Keys keys = {
         {"max_angle_x", at<&P::maxAngleX>, within(0, 90), "Largest swing along the branch", "degrees"},
         {"max_angle_z", at<&P::maxAngleZ>, within(0, 90), "Largest swing across the branch", "degrees"},
         {"max_rotation", at<&P::maxRotation>, within(0, 180), "Largest rotation about the petiole",
@@ -118,13 +118,13 @@ const Keys& keysOf<LeafMotion>() {
          "Largest downwind turn of a petiole that stands across the wind (`modal`)", "degrees"},
         {"shoot_sway", at<&P::shootSway>, within(0, 10), "Factor on the sway of thin bough ends (`modal`)"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<Appearance>() {
     using P = Appearance;
-    static const Keys fields = {
+    static const Keys keys = {
         {"bark", at<&P::bark>, within(0, 1), "Bark colour"},
         {"leaves", at<&P::leaves>, within(0, 1), "Leaf colour in summer"},
         {"spring_leaves", at<&P::springLeaves>, within(0, 1), "Colour of unfolding leaves"},
@@ -151,13 +151,13 @@ const Keys& keysOf<Appearance>() {
         {"leaf_image", at<&P::leafImage>, {}, "Image of a spray, instead of `leaf_form`", "file"},
         {"bark_image", at<&P::barkImage>, {}, "Image of bark, instead of `bark_form`", "file"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<Species>() {
     using P = Species;
-    static const Keys fields = {
+    static const Keys keys = {
         {"aliases", at<&P::aliases>, {}, "Other names; each must be unique"},
         {"source", at<&P::source>, {}, "Source of the numbers"},
         {"shapes", at<&P::shapes>, within(1, maxShapes), "Number of different shapes that the trees share"},
@@ -168,7 +168,7 @@ const Keys& keysOf<Species>() {
         {"leaf", at<&P::leaf>, {}, ""},
         {"appearance", at<&P::appearance>, {}, ""},
     };
-    return fields;
+    return keys;
 }
 
 } // namespace osgTreeWind

@@ -18,7 +18,7 @@ template <>
 const Keys& keysOf<LeafMotion>();
 template <>
 const Keys& keysOf<Appearance>();
-/// All fields except the name and TreeParameters.
+/// All keys except the name and TreeParameters.
 template <>
 const Keys& keysOf<Species>();
 

@@ -6,7 +6,7 @@ namespace osgTreeWind {
 template <>
 const Keys& keysOf<GustWind::Parameters>() {
     using P = GustWind::Parameters;
-    static const Keys fields = {
+    static const Keys keys = {
         {"intensity", at<&P::intensity>, within(0, 1),
          "Turbulence intensity along the wind: 0.15 in open country, 0.25 in suburbs, 0.3 and more over a "
          "forest. Across the wind, 0.8 of this value; upward, 0.5"},
@@ -14,13 +14,13 @@ const Keys& keysOf<GustWind::Parameters>() {
          "Integral length scale of the turbulence along the wind", "m"},
         {"seed", at<&P::seed>, {}, "Seed of the turbulence; without it, the `seed` of the file"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<GridWind::Grid>() {
     using P = GridWind::Grid;
-    static const Keys fields = {
+    static const Keys keys = {
         {"corner", at<&P::origin>, worldCoordinates,
          "Position of the first point relative to the forest's origin", "m"},
         {"points", at<&P::points>, gridPoints, "Number of points east, north and up"},
@@ -31,48 +31,48 @@ const Keys& keysOf<GridWind::Grid>() {
         {"roughness", at<&P::roughness>, within(0, 100), "Roughness length of the ground", "m"},
         {"values", at<&P::values>, windSpeeds, "Velocity components u, v, w of each point", "m/s"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<ThesisWind::Array>() {
     using P = ThesisWind::Array;
-    static const Keys fields = {
+    static const Keys keys = {
         {"width", at<&P::width>, gridPoints, "Number of cells along thesis x (east)"},
         {"length", at<&P::length>, gridPoints, "Number of cells along thesis z (south)"},
         {"corner", at<&P::origin>, worldCoordinates,
          "Position of the array's corner relative to the forest's origin", "m"},
         {"values", at<&P::values>, windSpeeds, "Velocity components in thesis axes", "m/s"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<WindSeries>() {
     using P = WindSeries;
-    static const Keys fields = {
+    static const Keys keys = {
         {"times", at<&P::times>, {}, "Times of the velocities", "s"},
         {"velocities", at<&P::velocities>, windSpeeds, "Velocities toward east, north, up, one for each time",
          "m/s"},
         {"repeat", at<&P::repeat>, {}, "Whether the record starts again after its last time"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<LogProfile>() {
     using P = LogProfile;
-    static const Keys fields = {
+    static const Keys keys = {
         {"height", at<&P::height>, above(0, 10000), "Height of the measurement above the ground", "m"},
         {"roughness", at<&P::roughness>, above(0, 100), "Roughness length of the ground", "m"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<CanopySettings>() {
     using P = CanopySettings;
-    static const Keys fields = {
+    static const Keys keys = {
         {"canopy",
          at<&P::source>,
          {},
@@ -100,35 +100,35 @@ const Keys& keysOf<CanopySettings>() {
         {"canopy_usual_frontal_area", at<&P::usualFrontalArea>, within(0, 20),
          "Frontal area index of that stand; 0: the mean of all stands"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<WindClock>() {
     using P = WindClock;
-    static const Keys fields = {
+    static const Keys keys = {
         {"start", at<&P::start>, within(-1e12, 1e12), "Time of the wind data at scene time 0", "s"},
         {"time_scale", at<&P::scale>, within(-1e6, 1e6),
          "Seconds of wind data per second of the scene: 60 shows an hour in a minute, 0 freezes the wind"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<WindAdjustment>() {
     using P = WindAdjustment;
-    static const Keys fields = {
+    static const Keys keys = {
         {"strength", at<&P::strength>, within(0, 10), "Factor applied to all velocities"},
         {"turn", at<&P::turn>, within(-360, 360),
          "Clockwise rotation of all velocities; positions do not turn", "degrees"},
     };
-    return fields;
+    return keys;
 }
 
 template <>
 const Keys& keysOf<WindSource>() {
     using P = WindSource;
-    static const Keys fields = {
+    static const Keys keys = {
         {"kind",
          at<&P::kind>,
          {},
@@ -159,7 +159,7 @@ const Keys& keysOf<WindSource>() {
         {"turbulence", at<&P::turbulence>, within(0, 1),
          "Turbulence intensity of the flow that the source adds"},
     };
-    return fields;
+    return keys;
 }
 
 } // namespace osgTreeWind

@@ -89,7 +89,7 @@ private:
         if (word == "POINT_DATA" || word == "CELL_DATA")
             readCount(word == "CELL_DATA");
         else if (word == "FIELD")
-            readKeys();
+            readFields();
         else if (word == "METADATA")
             skipMetadata();
         else if (word.empty())
@@ -265,7 +265,7 @@ private:
         skipArray("UNSIGNED_CHAR", table ? 4.0 * number : number * _image.vectorCount());
     }
 
-    void readKeys() {
+    void readFields() {
         _tokens.next(); // name
         const int arrays = _tokens.integer("a number of arrays from 0 to 1000", 0, 1000);
         for (int i = 0; i < arrays && _tokens.good() && !_isWindRead; ++i) {

@@ -207,7 +207,7 @@ TEST(DocumentedKeys, ManualMatchesTheFields) {
     addRows<WindSource>(rows, "wind.source");
     addRows<CanopySettings>(rows, "wind");
     const ForestDescription forest;
-    addRows(rows, forestFileFields(), {{"", &forest}});
+    addRows(rows, forestFileKeys(), {{"", &forest}});
     addRows<ForestDescription>(rows, "motion");
     addRows<DrawingOptions>(rows, "drawing");
     addRows<Species>(rows, "species");
