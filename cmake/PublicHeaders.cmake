@@ -21,14 +21,14 @@ set(public_headers
     osgTreeWind/forest/ForestTiles.h
     osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
-    osgTreeWind/io/ForestFile.h
-    osgTreeWind/io/ForestStream.h
-    osgTreeWind/io/SpeciesCatalogue.h
-    osgTreeWind/io/TiledForest.h
     osgTreeWind/growth/GrowthGoal.h
     osgTreeWind/growth/GrowthParameters.h
     osgTreeWind/growth/GrowthSite.h
     osgTreeWind/growth/TreeHabit.h
+    osgTreeWind/io/ForestFile.h
+    osgTreeWind/io/ForestStream.h
+    osgTreeWind/io/SpeciesCatalogue.h
+    osgTreeWind/io/TiledForest.h
     osgTreeWind/model/PalmParameters.h
     osgTreeWind/model/ScannedTree.h
     osgTreeWind/model/Skeleton.h
@@ -49,17 +49,17 @@ set(public_headers
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
-    osgTreeWind/wind/ThesisWind.h
+    osgTreeWind/wind/CanopySettings.h
     osgTreeWind/wind/FunctionWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
-    osgTreeWind/wind/Wind.h
     osgTreeWind/wind/StreamedWind.h
+    osgTreeWind/wind/ThesisWind.h
     osgTreeWind/wind/TimeSeriesWind.h
     osgTreeWind/wind/UniformWind.h
+    osgTreeWind/wind/Wind.h
     osgTreeWind/wind/WindAdjustment.h
-    osgTreeWind/wind/CanopySettings.h
     osgTreeWind/wind/WindClock.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h

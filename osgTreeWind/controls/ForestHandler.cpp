@@ -164,7 +164,7 @@ void ForestHandler::State::placeSource() {
     Forest& forest = *controls.forest();
     const ForestSimulation& simulation = forest.getSimulation();
     if (selected && simulation.holds(selected->id())) {
-        const PlacedTree& tree = movingForest(simulation).placed().trees[slotOfTree(selected->id())];
+        const PlacedTree& tree = movingForest(simulation).trees()[slotOfTree(selected->id())];
         _sourceFoot = toOsg(tree.position);
         if (forest.getWind().frame == WindFrame::Scene)
             *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));

@@ -27,10 +27,11 @@ void DocumentTrees::modify(
 }
 
 void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
-    if (_spool.isInMemory())
-        modify([&](TreeSpool::Trees&, const std::vector<std::size_t>&) {
-            osgTreeWind::findGrowingSpaces(forest, _derived);
-        });
+    if (!_spool.isInMemory())
+        return;
+    osgTreeWind::findGrowingSpaces(forest, _derived);
+    _bounds = {};
+    _bounds.add(forest.trees);
 }
 
 void DocumentTrees::varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families) {

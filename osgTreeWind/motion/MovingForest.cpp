@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/motion/damage/FootLoad.h>
 #include <osgTreeWind/motion/modal/ModalPoses.h>
@@ -21,7 +22,6 @@ namespace {
 
 constexpr std::size_t shedUpdatesPerStep = 16; // trees
 constexpr std::size_t largeForest = 256;       // trees; below it, threads cost more than they save
-constexpr double maxStep = 1.0;                // seconds
 constexpr double maxWindInterval = 0.1 + 1e-6; // seconds between samples of the wind
 
 PlacedForest placeTrees(ForestDescription&& description, const SimulationOptions& options) {
@@ -257,7 +257,7 @@ void MovingForest::reset() {
 std::optional<float> MovingForest::advanceTime(double time) {
     if (!std::isfinite(time) || time == _time)
         return {};
-    const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
+    const double elapsed = _time ? std::min(time - *_time, ForestSimulation::maxStep) : 0.0;
     _time = time;
     return static_cast<float>(elapsed);
 }

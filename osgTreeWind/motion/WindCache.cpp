@@ -25,7 +25,6 @@ void WindCache::setCanopy(const CanopySettings& canopy) {
     _meanStand = CanopyCell();
     _map = nullptr;
     _flow = nullptr;
-    _treesWind = nullptr;
 }
 
 void WindCache::setForestToScene(const glm::dmat4& forestToScene) {

@@ -155,12 +155,6 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
                      glm::vec3(0.0f, 0.0f, spread.up * down));
 }
 
-glm::vec3 CanopyFlow::velocity(const WindPlace& place, double time) const {
-    glm::vec3 result;
-    sample(&place, 1, time, &result);
-    return result;
-}
-
 void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::Advected noise = _noise.advected(glm::dvec3(_gustVelocity) * clampedTime(time, 1e12));
     constexpr std::size_t block = GustNoise::blockSize;

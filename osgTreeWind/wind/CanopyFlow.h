@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/WindLayer.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,14 +18,13 @@ namespace osgTreeWind {
 /// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), with rare and strong sweeps from above
 /// that vary in direction. Toward open country the flow blends into the open wind with its own gusts. The
 /// result depends only on place and time, and is finite for finite arguments.
-class CanopyFlow final : public WindField {
+class CanopyFlow final : public WindLayer {
 public:
     /// @param open the wind above the canopy, not null. @param mean the same without synthetic gusts.
     /// @param map not null, after CanopyMap::setReference().
     CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<const CanopyMap> map,
                std::uint32_t seed);
 
-    glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
     /// Crown contact and shelter of a tree at this place, in the mean wind.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/SourceGrid.h>
 #include <osgTreeWind/wind/WindFiles.h>
+#include <osgTreeWind/wind/WindLayer.h>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -38,16 +39,6 @@ void sampleInBlocks(const WindPlace* places, std::size_t count, Transform transf
         sample(first, moved, some);
     }
 }
-
-/// A layer whose single velocities are samples.
-class WindLayer : public WindField {
-public:
-    glm::vec3 velocity(const WindPlace& place, double time) const override {
-        glm::vec3 result;
-        sample(&place, 1, time, &result);
-        return result;
-    }
-};
 
 /// A field of a wind with the wind's clock, map and adjustment.
 class AdjustedField final : public WindLayer {

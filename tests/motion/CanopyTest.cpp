@@ -66,13 +66,12 @@ float contactOf(ForestSimulation& simulation) {
 TEST(Canopy, CrownsInContactDampEachOther) {
     ForestSimulation closed(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0)),
         open(stand(CanopySource::None));
-    const float width =
-        movingForest(closed).placed().sizeOf(movingForest(closed).placed().trees[0]).crownWidth;
+    const float width = movingForest(closed).placed().sizeOf(movingForest(closed).trees()[0]).crownWidth;
     const float share = 0.25f * 3.14159265f * width * width / 16.0f;
     EXPECT_NEAR(contactOf(closed), 0.05f * std::min(share, 1.0f), 0.003f);
     EXPECT_LT(contactOf(alone), 0.001f);
     EXPECT_EQ(contactOf(open), 0.0f);
-    for (std::size_t slot = 1; slot < movingForest(closed).placed().trees.size(); ++slot)
+    for (std::size_t slot = 1; slot < movingForest(closed).trees().size(); ++slot)
         EXPECT_TRUE(closed.removeTree(movingForest(closed).placed().idOf(slot)).empty());
     closed.advance(0.1);
     EXPECT_LT(movingForest(closed).modal()->factors(0).contact, 0.001f) << "its neighbours were removed";

@@ -21,7 +21,7 @@ struct InstancedScene {
     InstancedResources resources;
     TreeTiers tiers;
     std::vector<osg::ref_ptr<PosePass>> passes{}; ///< By model.
-    TreeCells cells{};
+    mutable TreeCells cells{};                    // they cache their bounds
     NeighbourShade shade{};
     std::vector<osg::Vec3> flutter{}; ///< By species: current phases.
 };

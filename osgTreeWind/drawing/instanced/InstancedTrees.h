@@ -82,7 +82,7 @@ private:
 
     ExceptionGuard _guard;
     std::shared_ptr<ForestSimulation> _simulation;
-    mutable InstancedScene _scene; // its cells cache their bounds
+    InstancedScene _scene;
 
     struct NearState {
         std::uint8_t lastSeen = 0; ///< Low bits of the last frame in which a camera saw the branches.
