@@ -31,7 +31,7 @@ inline constexpr UnitOfMeasure unitsOfTime[] = {{1.0, {"s", "sec", "secs", "seco
                                                 {86400.0, {"d", "day", "days"}},
                                                 {604800.0, {"week", "weeks"}}};
 
-/// The size of the unit with a name; empty if there is none.
+/// The size of a named unit; empty if the name is unknown.
 template <std::size_t N>
 std::optional<double> sizeOfUnit(const UnitOfMeasure (&units)[N], std::string_view name) {
     for (const UnitOfMeasure& unit : units)

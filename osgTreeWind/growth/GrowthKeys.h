@@ -6,8 +6,8 @@
 
 namespace osgTreeWind {
 
-/// Keys of [species.habit] in files: of the size, the habit, the flare and the seed. The site has none: it
-/// follows from the tree's place.
+/// Keys of [species.habit] in files: the size, the habit, the flare and the seed. The site is not in files;
+/// it follows from the place of the tree.
 template <>
 const Keys& keysOf<GrowthParameters>();
 

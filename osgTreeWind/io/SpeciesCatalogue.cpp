@@ -101,10 +101,9 @@ const std::string& findScientificName(const std::string& comparable) {
 }
 
 /// The scientific name, or genus, for a common name in English, German, French, Spanish, Dutch or Italian
-/// (osgTreeWind/species/names.csv). Empty if the table does not have the name. Of 907 names, 720 were
-/// confirmed in the species lists of American Forests and the Urban Tree Database, OKSTRA and GALK (German),
-/// INBO and Alterra (Dutch), IFN4 (Spanish), and the tree inventories of Paris and Vienna; the others are in
-/// common use.
+/// (osgTreeWind/species/names.csv). Empty if the table does not have the name. Published lists confirm 720 of
+/// the 907 names: American Forests, the Urban Tree Database, OKSTRA and GALK (German), INBO and Alterra
+/// (Dutch), IFN4 (Spanish), and the tree inventories of Paris and Vienna. The other names are in common use.
 const std::string& scientificName(const std::string& commonName) {
     return findScientificName(comparableName(commonName));
 }

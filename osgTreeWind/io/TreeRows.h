@@ -42,7 +42,7 @@ public:
     // The current row:
     virtual bool has(std::size_t column) const = 0;
     virtual std::string text(std::size_t column) const = 0;
-    /// The cell as a finite number; empty if it is none.
+    /// The number in the cell; empty if the cell holds no finite number.
     virtual std::optional<double> number(std::size_t column) const = 0;
     /// The transformed place of the geometry.
     virtual Result<VectorPlace> place() const = 0;

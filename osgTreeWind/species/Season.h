@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-// A season is a number: 0 in midwinter (4 February), 1 in midspring (5 May), 2 in midsummer (6 August), 3 in
+// A season is a number: 0 in midwinter (4 February), 1 in midspring (6 May), 2 in midsummer (6 August), 3 in
 // midautumn (5 November) of the temperate north, and linear in days. 4 is the same as 0.
 constexpr float midwinter = 0.0f, midspring = 1.0f, midsummer = 2.0f, midautumn = 3.0f;
 

@@ -16,7 +16,7 @@ struct PointColumn {
     float& height(std::size_t layer) const { return grid.heights[first + layer * layerStep]; }
     float* velocity(std::size_t layer) const { return grid.values.data() + 3 * (first + layer * layerStep); }
 
-    /// The lowest layer whose height passes a test; the number of layers if there is none.
+    /// The lowest layer whose height passes a test; the number of layers if no height does.
     template <typename Test>
     std::size_t lowestWhere(Test test) const {
         std::size_t layer = 0;

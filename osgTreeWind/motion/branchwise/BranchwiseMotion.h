@@ -28,7 +28,7 @@ public:
     /// Samples the wind of every unit, takes one step of the law, and composes the poses.
     void step(const WindField* wind, double time);
     void reset();                              ///< Back to rest, in calm.
-    TreeMotion motion(std::size_t slot) const; ///< Present state of a tree; empty if there is none.
+    TreeMotion motion(std::size_t slot) const; ///< State of a tree; empty if the slot holds none.
     /// One unit of motion(). @param slot must hold a tree.
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const {
         const std::size_t at = _forest.trees[slot].firstUnit + unit;
