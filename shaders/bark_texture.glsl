@@ -50,7 +50,7 @@ float barkRelief(float height, vec2 coord) {
     vec2 across = dFdx(coord), along = dFdy(coord);
     float pixel = sqrt(0.5 * (dot(across, across) + dot(along, along))) + 1.0e-6; // in widths of the bark
     vec2 slope = barkRise(height, coord, across, along) / pixel;
-    vec2 toLight = normalize(gl_LightSource[SUN].position.xyz).xy;
+    vec2 toLight = normalize(osg_LightSource[SUN].position.xyz).xy;
     return 1.0 - clamp(0.04 * dot(slope, toLight), -0.5, 0.5);
 #endif
 }

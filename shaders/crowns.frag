@@ -1,4 +1,3 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Round crowns, with shading, in random cells of a grid. If they are smaller than a pixel, only their mean cover.
 

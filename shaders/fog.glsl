@@ -7,11 +7,11 @@ float fogLeft(vec3 eyePosition) {
 #ifdef FOG_MODE
     float far = abs(eyePosition.z);
 #if FOG_MODE == 1
-    return clamp((gl_Fog.end - far) * gl_Fog.scale, 0.0, 1.0);
+    return clamp((sceneFog.end - far) * sceneFog.scale, 0.0, 1.0);
 #elif FOG_MODE == 2
-    return clamp(exp(-gl_Fog.density * far), 0.0, 1.0);
+    return clamp(exp(-sceneFog.density * far), 0.0, 1.0);
 #else
-    return clamp(exp(-gl_Fog.density * far * gl_Fog.density * far), 0.0, 1.0);
+    return clamp(exp(-sceneFog.density * far * sceneFog.density * far), 0.0, 1.0);
 #endif
 #else
     return 1.0;

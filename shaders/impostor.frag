@@ -1,13 +1,9 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Selects one of the four nearest pictures and one of two mipmaps per pixel, at random by their interpolation weights,
 // and draws the pixel (under multisampling each sample) with the probability of its coverage. Without blending, the
 // order of the trees does not matter.
 
 #pragma import_defines(COVERAGE, FADING)
-#ifdef COVERAGE
-#extension GL_ARB_sample_shading : enable
-#endif
 
 #include "coverage.glsl"
 #include "dither.glsl"

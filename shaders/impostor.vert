@@ -1,11 +1,9 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The impostor of a tree: a picture that faces the eye and leans as the tree does.
-// gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
+// osg_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
 
 #include "law/tint.glsl"
 #include "light.glsl"
-#define VERTEX_SHADER
 #include "surface.glsl"
 
 in vec4 treePlace; // foot, heading
@@ -35,9 +33,9 @@ const float quarter = 1.57079633;
 
 /// Direction from a point to the eye, in the forest's frame.
 vec3 towardEye(vec3 point) {
-    bool parallel = gl_ProjectionMatrix[3][3] > 0.5;
-    vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : -vec3(gl_ModelViewMatrix * vec4(point, 1.0));
-    return normalize(eye * gl_NormalMatrix); // by the inverse of the model-view matrix
+    bool parallel = osg_ProjectionMatrix[3][3] > 0.5;
+    vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : -vec3(osg_ModelViewMatrix * vec4(point, 1.0));
+    return normalize(eye * osg_NormalMatrix); // by the inverse of the model-view matrix
 }
 
 /// Rotation of a fallen tree from its standing position.
@@ -73,24 +71,24 @@ void main() {
     // The height of a point in the picture is a sine of the elevation: interpolate accordingly.
     vec2 weights = sin(quarter / rows * vec2(low + 1.0 - row, row - low)) / sin(quarter / rows);
     vec2 extent = mat2(impostorExtents[int(low)], impostorExtents[int(low) + 1]) * weights;
-    float rise = mix(extent.x, extent.y, gl_Vertex.y) * length(vec2(scale.y * level, scale.x * toEye.z));
-    float across = gl_Vertex.x * impostorSize.x * scale.x;
+    float rise = mix(extent.x, extent.y, osg_Vertex.y) * length(vec2(scale.y * level, scale.x * toEye.z));
+    float across = osg_Vertex.x * impostorSize.x * scale.x;
 
     // The plane of the picture contains the middle of the tree.
     vec3 point = across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
     float share = clamp(mix(rise / height, 0.75, toEye.z * toEye.z), 0.0, 1.0);
     point.xy += treeState.xy * pow(share, leanPower);
 
-    vec4 eyePosition = gl_ModelViewMatrix * vec4(treePlace.xyz + down * point, 1.0);
-    pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
+    vec4 eyePosition = osg_ModelViewMatrix * vec4(treePlace.xyz + down * point, 1.0);
+    pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * osg_Vertex.x, osg_Vertex.y));
     pictureEye = eyePosition.xyz;
     pictureLeft = mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, clamp(rise / height, 0.0, 1.0) + toEye.z * toEye.z));
-    vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + 0.5 * height * down[2], 1.0);
+    vec4 middle = osg_ModelViewMatrix * vec4(treePlace.xyz + 0.5 * height * down[2], 1.0);
     vec3 sunThrough, sunWay;
     linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunThrough, sunWay);
     vec2 turn = vec2(cos(treePlace.w), sin(treePlace.w));
     mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
-    mat3 fromTree = mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]), normalize(gl_NormalMatrix[2])) * down;
+    mat3 fromTree = mat3(normalize(osg_NormalMatrix[0]), normalize(osg_NormalMatrix[1]), normalize(osg_NormalMatrix[2])) * down;
     lightByNormal = lightByNormal * fromTree * heading;
     vec3 tint = treeTint(treeState.w);
     barkLight *= tint;
@@ -102,5 +100,5 @@ void main() {
     pictureSunThrough = sunThrough;
     pictureSunWay = sunWay * (fromTree * heading);
 #endif
-    placeSurface(eyePosition, normalize(gl_NormalMatrix * (down * toEye)), treeState.w);
+    placeSurface(eyePosition, normalize(osg_NormalMatrix * (down * toEye)), treeState.w);
 }

@@ -62,9 +62,9 @@ vec3 turnedByHeading(vec3 v) {
 /// Eye-space position of a point that moves with a unit. @param rest in the tree's rest frame, scaled.
 vec4 eyePoint(UnitPose pose, vec3 rest) {
     vec3 inTree = turnVector(pose.rotation, rest) + pose.translation;
-    return gl_ModelViewMatrix * vec4(turnedByHeading(inTree) + treePlace.xyz, 1.0);
+    return osg_ModelViewMatrix * vec4(turnedByHeading(inTree) + treePlace.xyz, 1.0);
 }
 
 vec3 eyeDirection(UnitPose pose, vec3 rest) {
-    return normalize(gl_NormalMatrix * turnedByHeading(turnVector(pose.rotation, rest)));
+    return normalize(osg_NormalMatrix * turnedByHeading(turnVector(pose.rotation, rest)));
 }

@@ -1,8 +1,7 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Bark of trees in an instanced draw. Vertices are at a distance `radius` from the centre line of the branch.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u (0 to 2 around), v, unit and reach
-// (instance.glsl); gl_MultiTexCoord1: shade (law/shade.glsl).
+// osg_Vertex: centre, radius; osg_Normal: outward; osg_MultiTexCoord0: u (0 to 2 around), v, unit and reach
+// (instance.glsl); osg_MultiTexCoord1: shade (law/shade.glsl).
 
 #pragma import_defines(FADING)
 
@@ -12,7 +11,6 @@
 #include "law/shoot.glsl"
 #include "instance.glsl"
 #include "light.glsl"
-#define VERTEX_SHADER
 #include "surface.glsl"
 
 uniform vec3 flutterPhases;
@@ -30,19 +28,19 @@ void main() {
         return;
     }
 #endif
-    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z));
-    vec3 rest = treeSize.xxy * gl_Vertex.xyz;
-    float reach = reachOf(gl_MultiTexCoord0.z);
+    UnitPose pose = unitPose(int(osg_MultiTexCoord0.z));
+    vec3 rest = treeSize.xxy * osg_Vertex.xyz;
+    float reach = reachOf(osg_MultiTexCoord0.z);
     if (reach > 0.0)
         rest += limberness * shootSway(rest, reach, pose.wind, flutterPhases, treeState.z);
-    rest += treeSize.z * gl_Vertex.w * gl_Normal;
+    rest += treeSize.z * osg_Vertex.w * osg_Normal;
     vec4 eyePosition = eyePoint(pose, rest);
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading(),
+    Shade shade = Shade(unpackedShares(osg_MultiTexCoord1.x), unpackedShares(osg_MultiTexCoord1.y), treeHeading(),
                         leftByNeighbours(rest.z));
-    vec3 eyeNormal = eyeDirection(pose, gl_Normal);
+    vec3 eyeNormal = eyeDirection(pose, osg_Normal);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
-    barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));
-    barkRadius = treeSize.z * gl_Vertex.w;
+    barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
+    barkRadius = treeSize.z * osg_Vertex.w;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

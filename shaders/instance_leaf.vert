@@ -1,10 +1,9 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster in an instanced draw, rotated by flutter, rest orientation, wind and branch.
-// gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit and reach
-// (instance.glsl), leaf; gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade
+// osg_Vertex: anchor, size; osg_Normal: corner in the leaf frame; osg_MultiTexCoord0: u, v, unit and reach
+// (instance.glsl), leaf; osg_MultiTexCoord1: rest orientation; osg_MultiTexCoord2: normal in the leaf frame, shade
 // (law/shade.glsl);
-// gl_MultiTexCoord3: outward direction in the crown, shade.
+// osg_MultiTexCoord3: outward direction in the crown, shade.
 
 #pragma import_defines(FADING)
 
@@ -18,7 +17,6 @@
 #include "instance.glsl"
 #include "law/reconfiguration.glsl"
 #include "light.glsl"
-#define VERTEX_SHADER
 #include "surface.glsl"
 
 uniform vec4 flutterLimits;
@@ -36,33 +34,33 @@ flat out float leafBorne; // 1: leaves, 0: bare twigs
 
 void main() {
 #ifdef FADING
-    if (isLeftOut(fract(0.7548777 * gl_MultiTexCoord0.w))) {
+    if (isLeftOut(fract(0.7548777 * osg_MultiTexCoord0.w))) {
         gl_Position = leftOut;
         return;
     }
 #endif
-    int unit = int(gl_MultiTexCoord0.z);
+    int unit = int(osg_MultiTexCoord0.z);
     UnitPose pose = unitPose(unit);
-    vec3 rest = treeSize.xxy * gl_Vertex.xyz;
-    rest += limberness * shootSway(rest, reachOf(gl_MultiTexCoord0.z), pose.wind, flutterPhases, treeState.z);
-    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
+    vec3 rest = treeSize.xxy * osg_Vertex.xyz;
+    rest += limberness * shootSway(rest, reachOf(osg_MultiTexCoord0.z), pose.wind, flutterPhases, treeState.z);
+    leafBorne = fract(0.618034 * osg_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), texelFetch(posePulls, poseTexel(unit), 0), leafBorne);
-    float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, gl_MultiTexCoord0.w);
-    vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
-    vec4 turn = turnAfter(gl_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
-    vec4 downwind = downwindTurn(turnVector(gl_MultiTexCoord1, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
+    float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, osg_MultiTexCoord0.w);
+    vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, osg_MultiTexCoord0.w, flutterLimits);
+    vec4 turn = turnAfter(osg_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
+    vec4 downwind = downwindTurn(turnVector(osg_MultiTexCoord1, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
     float tremble = leafBorne * trembleShare(pose.wind, leafTremble.y);
-    vec3 trembling = trembleWave(gl_Normal, flutterPhases, treeState.z, gl_MultiTexCoord0.w);
-    vec3 corner = turnVector(downwind, turnVector(turn, gl_Normal * vec3(pull.ww, 1.0)));
-    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (gl_Vertex.w * corner + leafTremble.x * tremble * trembling));
+    vec3 trembling = trembleWave(osg_Normal, flutterPhases, treeState.z, osg_MultiTexCoord0.w);
+    vec3 corner = turnVector(downwind, turnVector(turn, osg_Normal * vec3(pull.ww, 1.0)));
+    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (osg_Vertex.w * corner + leafTremble.x * tremble * trembling));
 
     // Foliage is lit more like a crown than like single blades.
-    vec3 blade = turnVector(downwind, turnVector(turn, gl_MultiTexCoord2.xyz));
-    vec3 crown = gl_MultiTexCoord3.xyz;
+    vec3 blade = turnVector(downwind, turnVector(turn, osg_MultiTexCoord2.xyz));
+    vec3 crown = osg_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading(),
+    Shade shade = Shade(unpackedShares(osg_MultiTexCoord2.w), unpackedShares(osg_MultiTexCoord3.w), treeHeading(),
                         leftByNeighbours(rest.z));
-    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
+    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, osg_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
     float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
@@ -70,12 +68,12 @@ void main() {
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides
     own *= leafBrightness;
     leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
-    float glint = bladeGlint(gl_MultiTexCoord0.w,
-                             eyeDirection(pose, turnVector(gl_MultiTexCoord1, gl_MultiTexCoord2.xyz)),
+    float glint = bladeGlint(osg_MultiTexCoord0.w,
+                             eyeDirection(pose, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz)),
                              eyeDirection(pose, blade + tremble * trembling));
     leafLight = own * (leafLight + (glint - 1.0) * sunLight);
     sunLight *= glint * own;
-    leafCoord = gl_MultiTexCoord0.xy;
+    leafCoord = osg_MultiTexCoord0.xy;
     leafCard = gl_VertexID / 4;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;

@@ -1,10 +1,6 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 
 #pragma import_defines(COVERAGE, FADING)
-#ifdef COVERAGE
-#extension GL_ARB_sample_shading : enable
-#endif
 
 #include "dither.glsl"
 #include "leaf_texture.glsl"

@@ -33,28 +33,22 @@ uniform sampler2DShadow shadowTexture1;
 #endif
 #endif
 
-/// Coordinates in a shadow texture, by the eye-space planes that OSG sets for a texture unit.
-vec4 shadowPlace(int unit, vec4 eye) {
-    return vec4(dot(gl_EyePlaneS[unit], eye), dot(gl_EyePlaneT[unit], eye), dot(gl_EyePlaneR[unit], eye),
-                dot(gl_EyePlaneQ[unit], eye));
-}
-
 #ifdef SHADOWED
 /// Share of the sun's light outside shadows.
 float sunLeft(vec3 eyePosition) {
-    vec4 place = gl_LightSource[SUN].position;
+    vec4 place = osg_LightSource[SUN].position;
     vec4 eye = vec4(eyePosition + SHADOW_CLEARANCE * normalize(place.xyz - place.w * eyePosition), 1.0);
     float left = 1.0;
 #ifdef SHADOW_MAP
     left = osgShadow_ambientBias.x +
-           osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
+           osgShadow_ambientBias.y * textureProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye));
 #endif
 #ifdef SHADOW_MAPS
     vec4 place0 = shadowPlace(SHADOW_MAP_UNIT0, eye);
-    left = shadow2DProj(shadowTexture0, place0).r;
+    left = textureProj(shadowTexture0, place0);
 #if SHADOW_MAPS > 1
     if (any(greaterThan(abs(2.0 * place0.xyz - place0.w), vec3(place0.w)))) // outside the first map
-        left = shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
+        left = textureProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye));
 #endif
 #endif
     return left;
@@ -77,7 +71,7 @@ vec3 sceneColor(vec3 color, vec3 eyePosition) {
 #endif
     vec3 lit = encoded(color);
 #ifdef FOG_MODE
-    lit = mix(gl_Fog.color.rgb, lit, fogLeft(eyePosition));
+    lit = mix(sceneFog.color.rgb, lit, fogLeft(eyePosition));
 #endif
     return lit;
 }

@@ -8,16 +8,18 @@
 /// eye: position in eye space. normal: unit normal in eye space, toward the eye for impostors.
 /// tree: number of the tree, [0, 1).
 void placeSurface(vec4 eye, vec3 normal, float tree) {
-    gl_ClipVertex = eye;
-    gl_Position = gl_ProjectionMatrix * eye;
+    clipSurface(eye);
+    gl_Position = osg_ProjectionMatrix * eye;
 }
 
 #else
 
 /// The end of each fragment shader.
 /// color: final colour, lit, encoded and in fog. albedo: linear, without light.
+out vec4 surfaceColor;
+
 void paintSurface(vec3 color, vec3 albedo) {
-    gl_FragColor = vec4(color, 1.0);
+    surfaceColor = vec4(color, 1.0);
 }
 
 #endif

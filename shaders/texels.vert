@@ -1,7 +1,6 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A quad over the whole target of a pass, with one fragment per texel.
+// A quad over the whole target of a pass, with one fragment per texel: a strip of four vertices, without arrays.
 
 void main() {
-    gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0);
+    gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0);
 }

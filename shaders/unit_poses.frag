@@ -1,4 +1,3 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The pose pass: composes the pose of a unit from its rotation and those of the units that carry it.
 
@@ -15,6 +14,10 @@
 uniform sampler2D unitTurns; // quaternions
 uniform sampler2D unitWinds; // in the tree's axes
 
+layout(location = 0) out vec4 poseRotation;
+layout(location = 1) out vec4 poseTranslation;
+layout(location = 2) out vec4 posePull;
+
 void main() {
     ivec2 at = treeAndUnit();
     if (at.y >= unitCount)
@@ -30,10 +33,10 @@ void main() {
         translation = turnVector(turn, translation - base) + base;
         unit = int(rest.w);
     }
-    gl_FragData[0] = rotation;
+    poseRotation = rotation;
     vec3 wind = texelFetch(unitWinds, texelOfUnit(at.x, at.y), 0).xyz;
-    gl_FragData[1] = vec4(translation, length(wind));
+    poseTranslation = vec4(translation, length(wind));
     vec4 foliage = foliageOf(at.x);
     vec4 pull = foliagePull(wind, foliage.x, foliage.y, foliage.z, foliage.w);
-    gl_FragData[2] = vec4(turnVector(vec4(-rotation.xyz, rotation.w), pull.xyz), pull.w);
+    posePull = vec4(turnVector(vec4(-rotation.xyz, rotation.w), pull.xyz), pull.w);
 }

@@ -1,4 +1,3 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The angle pass of the law `modal`: computes the rotation of a unit about its base, [Phi R] (q, F').
 
@@ -9,6 +8,9 @@
 #include "law/rotation.glsl"
 
 uniform sampler2D modalMatrices; // of all archetypes; per unit: the rows of its two axes, and a texel with its patch
+
+layout(location = 0) out vec4 unitTurn;
+layout(location = 1) out vec4 unitWind;
 
 void main() {
     ivec2 at = treeAndUnit();
@@ -25,15 +27,15 @@ void main() {
     }
     vec3 span = axesOf(at.x) * (dataTexel(treeUnits, 2 * at.y + 1).xyz - dataTexel(treeUnits, 2 * at.y).xyz);
     vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
-    gl_FragData[0] = swungRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
+    unitTurn = swungRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
     for (int i = 0; i < mostFallen; ++i) {
         vec4 part = fallenPart(at.x, i);
         float angle = sqrt(dot(part.xy, part.xy));
         if (angle == 0.0 || at.y != int(part.z + 0.5))
             continue;
         vec4 turn = vec4(sin(0.5 * angle) * part.xy / angle, 0.0, cos(0.5 * angle));
-        gl_FragData[0] = turnAfter(turn, gl_FragData[0]);
+        unitTurn = turnAfter(turn, unitTurn);
     }
     int patchIndex = int(dataTexel(modalMatrices, texel + 2 * length).x);
-    gl_FragData[1] = vec4(patchWind(at.x, patchIndex), 0.0);
+    unitWind = vec4(patchWind(at.x, patchIndex), 0.0);
 }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
@@ -18,7 +19,7 @@ constexpr float clearance = 2.0f;      // metres above the highest tree
 
 } // namespace
 
-WindArrows::WindArrows() {
+WindArrows::WindArrows() : SceneGeometry(sharedProgram("lines", "color")) {
     setUpLines(*this, pointsPerArrow * across * across, 2.0f);
 }
 

@@ -3,13 +3,13 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 
-#include <osg/Geometry>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 
 namespace osgTreeWind {
 
 /// A square grid of arrows that shows the undisturbed wind above a forest. They point downwind; their length
 /// is 1 m for each m/s, their colour windColour().
-class WindArrows : public osg::Geometry {
+class WindArrows : public SceneGeometry {
 public:
     static constexpr int across = 24; ///< Arrows per side.
 

@@ -2,6 +2,7 @@
 #include <osgTreeWind/controls/WindOverlay.h>
 
 #include <osgTreeWind/base/Viridis.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 
 #include <osg/LineWidth>
 
@@ -34,15 +35,13 @@ float groundHeight(const ForestDescription& forest, const glm::vec2& place) {
 
 void setUpLines(osg::Geometry& geometry, unsigned points, float width) {
     geometry.setDataVariance(osg::Object::DYNAMIC);
-    geometry.setUseDisplayList(false);
-    geometry.setUseVertexBufferObjects(true);
     geometry.setVertexArray(new osg::Vec3Array(points));
     geometry.setColorArray(new osg::Vec4Array(points), osg::Array::BIND_PER_VERTEX);
     geometry.addPrimitiveSet(new osg::DrawArrays(GL_LINES, 0, static_cast<int>(points)));
     geometry.setCullingActive(false);
     osg::StateSet* state = geometry.getOrCreateStateSet();
     state->setMode(GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
-    state->setAttributeAndModes(new osg::LineWidth(width));
+    state->setAttributeAndModes(new CompatibilityOnly<osg::LineWidth>(width));
 }
 
 } // namespace osgTreeWind

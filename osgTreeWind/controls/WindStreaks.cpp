@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
@@ -15,7 +16,7 @@
 
 namespace osgTreeWind {
 
-WindStreaks::WindStreaks() {
+WindStreaks::WindStreaks() : SceneGeometry(sharedProgram("lines", "color")) {
     setUpLines(*this, count * 2 * (points - 1), 2.0f);
     getOrCreateStateSet()->setAttributeAndModes(new osg::BlendFunc);
     getOrCreateStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 
-#include <osg/Geometry>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 
 #include <array>
 #include <random>
@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 /// Streaks that show the path of air particles in the last second, in the undisturbed wind, among and above
 /// the trees. Their colours are lighter than those of WindArrows.
-class WindStreaks : public osg::Geometry {
+class WindStreaks : public SceneGeometry {
 public:
     static constexpr unsigned count = 900;
 

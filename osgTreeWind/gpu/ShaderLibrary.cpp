@@ -4,9 +4,9 @@
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
 
-#include <osg/GLExtensions>
 #include <osg/Notify>
 #include <osg/State>
 #include <osgDB/FileUtils>
@@ -55,30 +55,46 @@ std::string expandIncludes(const std::string& name, Source source, int depth = 0
     return text;
 }
 
-struct Text {
-    explicit Text(const std::string& shader) : name(shader), text(expandIncludes(shader, FilesFirst)) {}
-    std::string name, text;
+/// A shader of a program.
+struct Part {
+    osg::Shader::Type type;
+    std::string name, text; ///< Without the lines that depend on the profile.
 };
 
-/// A program that falls back to the embedded shaders if overriding files do not compile or link.
-class OverridableProgram : public osg::Program {
-public:
-    void add(osg::Shader::Type type, const Text& given) {
-        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, given.text);
-        shader->setName(given.name);
-        _overridden = _overridden || given.text != expandIncludes(given.name, EmbeddedOnly);
-        addShader(shader);
-        _shaders.push_back(shader);
-    }
+/// The whole text of a shader. The version of a file that 1.0 wrote is dropped.
+std::string textInProfile(osg::Shader::Type type, const std::string& text, bool core) {
+    std::string result = core ? "#version 330 core\n" : "#version 330 compatibility\n";
+    if (type == osg::Shader::VERTEX)
+        result += "#define VERTEX_SHADER\n";
+    else
+        result += "#pragma import_defines(COVERAGE)\n"
+                  "#ifdef COVERAGE\n#extension GL_ARB_sample_shading : enable\n#endif\n";
+    result += expandIncludes(core ? "core.glsl" : "compatibility.glsl", EmbeddedOnly);
+    return result + (text.rfind("#version", 0) == 0 ? text.substr(text.find('\n') + 1) : text);
+}
 
-    void compileGLObjects(osg::State& state) const override {
-        if (canRunPrograms(state))
-            osg::Program::compileGLObjects(state);
+/// The shaders of a program in one profile. They fall back to the embedded shaders if overriding files do not
+/// compile or link.
+class ProfileProgram : public osg::Program {
+public:
+    ProfileProgram(const std::string& name, const std::vector<Part>& parts, bool core) : _core(core) {
+        setName(name);
+        addBindAttribLocation("treePlace", treePlaceLocation);
+        addBindAttribLocation("treeSize", treeSizeLocation);
+        addBindAttribLocation("treeState", treeStateLocation);
+        addBindAttribLocation("treeLight", treeLightLocation);
+        for (const Part& part : parts) {
+            osg::ref_ptr<osg::Shader> shader =
+                new osg::Shader(part.type, textInProfile(part.type, part.text, core));
+            shader->setName(part.name);
+            addShader(shader);
+            _shaders.push_back(shader);
+            _overridden = _overridden || (findEmbeddedText("shaders/" + part.name) &&
+                                          part.text != expandIncludes(part.name, EmbeddedOnly));
+        }
     }
 
     void apply(osg::State& state) const override {
-        if (!canRunPrograms(state))
-            return;
         osg::Program::apply(state);
         const std::lock_guard<std::mutex> lock(_mutex);
         if (!_overridden || getPCP(state)->isLinked())
@@ -86,15 +102,48 @@ public:
         OSG_WARN << "osgTreeWind: shader files in OSG_FILE_PATH do not work for \"" << getName()
                  << "\"; the embedded shaders are used instead" << std::endl;
         for (const osg::ref_ptr<osg::Shader>& shader : _shaders)
-            shader->setShaderSource(expandIncludes(shader->getName(), EmbeddedOnly));
+            shader->setShaderSource(textInProfile(
+                shader->getType(), expandIncludes(shader->getName(), EmbeddedOnly), _core));
         _overridden = false;
         osg::Program::apply(state);
     }
 
 private:
+    bool _core;
     std::vector<osg::ref_ptr<osg::Shader>> _shaders;
     mutable std::mutex _mutex; // contexts may draw in parallel
     mutable bool _overridden = false;
+};
+
+/// A program for contexts of both profiles, which may share it. It has no shaders itself.
+class LibraryProgram : public osg::Program {
+public:
+    LibraryProgram(const std::string& name, const std::vector<Part>& parts)
+        : _compatibility(new ProfileProgram(name, parts, false)),
+          _core(new ProfileProgram(name, parts, true)) {
+        setName(name);
+    }
+    LibraryProgram(const LibraryProgram& other, const osg::CopyOp& copy)
+        : osg::Program(other, copy), _compatibility(other._compatibility), _core(other._core) {}
+    osg::Object* clone(const osg::CopyOp& copy) const override { return new LibraryProgram(*this, copy); }
+
+    void apply(osg::State& state) const override { inProfileOf(state).apply(state); }
+    void compileGLObjects(osg::State& state) const override { inProfileOf(state).compileGLObjects(state); }
+    void resizeGLObjectBuffers(unsigned maxSize) override {
+        _compatibility->resizeGLObjectBuffers(maxSize);
+        _core->resizeGLObjectBuffers(maxSize);
+    }
+    void releaseGLObjects(osg::State* state) const override {
+        _compatibility->releaseGLObjects(state);
+        _core->releaseGLObjects(state);
+    }
+
+private:
+    const osg::Program& inProfileOf(osg::State& state) const {
+        return prepareProfile(state) ? *_core : *_compatibility;
+    }
+
+    osg::ref_ptr<osg::Program> _compatibility, _core;
 };
 
 } // namespace
@@ -103,35 +152,20 @@ std::string shaderText(const std::string& name) {
     return expandIncludes(name, FilesFirst);
 }
 
-bool canRunPrograms(const osg::State& state) {
-    static std::once_flag said;
-    GLint profile = 0;
-    if (state.get<osg::GLExtensions>()->glVersion >= 3.2f)
-        glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
-    if (!(profile & GL_CONTEXT_CORE_PROFILE_BIT))
-        return true;
-    std::call_once(said, [] {
-        OSG_WARN << "osgTreeWind: trees are not drawn in an OpenGL core profile; expected a compatibility "
-                    "profile, as the shaders of `#version 330 compatibility` need it"
-                 << std::endl;
-    });
-    return false;
-}
-
 osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::string& fragment) {
     static SharedObjects<std::array<std::string, 4>, osg::Program> programs;
-    const Text vertexText(vertex + ".vert"), fragmentText(fragment + ".frag");
-    return programs.get({vertexText.name, vertexText.text, fragmentText.name, fragmentText.text}, [&] {
-        osg::ref_ptr<OverridableProgram> program = new OverridableProgram;
-        program->setName("osgTreeWind " + fragment);
-        program->addBindAttribLocation("treePlace", treePlaceLocation);
-        program->addBindAttribLocation("treeSize", treeSizeLocation);
-        program->addBindAttribLocation("treeState", treeStateLocation);
-        program->addBindAttribLocation("treeLight", treeLightLocation);
-        program->add(osg::Shader::VERTEX, vertexText);
-        program->add(osg::Shader::FRAGMENT, fragmentText);
-        return osg::ref_ptr<osg::Program>(program);
+    const Part parts[] = {{osg::Shader::VERTEX, vertex + ".vert", shaderText(vertex + ".vert")},
+                          {osg::Shader::FRAGMENT, fragment + ".frag", shaderText(fragment + ".frag")}};
+    return programs.get({parts[0].name, parts[0].text, parts[1].name, parts[1].text}, [&] {
+        return osg::ref_ptr<osg::Program>(
+            new LibraryProgram("osgTreeWind " + fragment, {parts[0], parts[1]}));
     });
+}
+
+osg::ref_ptr<osg::Program> makeProgram(const std::string& name, const std::string& vertexText,
+                                       const std::string& fragmentText) {
+    return new LibraryProgram("osgTreeWind " + name, {{osg::Shader::VERTEX, name, vertexText},
+                                                      {osg::Shader::FRAGMENT, name, fragmentText}});
 }
 
 } // namespace osgTreeWind

@@ -25,14 +25,20 @@ inline void drawBothSides(osg::StateSet& state) {
     state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
 }
 
-/// Whether the current context supports the library's programs, which need `#version 330 compatibility`. A
-/// core profile does not: the first such call gives an OSG_WARN.
-bool canRunPrograms(const osg::State& state);
+/// Makes shaders apply all clip planes in a core profile, for state without setSceneDefines().
+inline void clipByAllPlanes(osg::StateSet& state) {
+    state.setDefine("CLIP_PLANES", "8");
+}
 
 /// Returns a program of the shaders `vertex`.vert and `fragment`.frag. Calls share one program while their
 /// texts are equal and it is referenced. If a file in OSG_FILE_PATH does not compile or link, OSG prints the
-/// driver's log, and the embedded shaders replace it after one OSG_WARN. The program has no effect in
-/// contexts without canRunPrograms(). Any thread.
+/// driver's log, and the embedded shaders replace it after one OSG_WARN. Contexts of both profiles may share the
+/// program: each gets shaders of `#version 330` for its own profile (shaders/core.glsl). Any thread.
 osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::string& fragment);
+
+/// Returns a program of two texts that have no `#version` and use the names of shaders/core.glsl, for contexts
+/// of both profiles. Any thread.
+osg::ref_ptr<osg::Program> makeProgram(const std::string& name, const std::string& vertexText,
+                                       const std::string& fragmentText);
 
 } // namespace osgTreeWind

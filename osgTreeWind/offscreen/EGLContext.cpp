@@ -14,8 +14,9 @@ namespace {
 
 class EGLGraphicsContext : public OffscreenContextBase {
 public:
-    EGLGraphicsContext(int width, int height, EGLDisplay display, EGLContext context, EGLSurface surface)
-        : OffscreenContextBase(width, height), _display(display), _context(context), _surface(surface) {}
+    EGLGraphicsContext(int width, int height, ContextProfile profile, EGLDisplay display, EGLContext context,
+                       EGLSurface surface)
+        : OffscreenContextBase(width, height, profile), _display(display), _context(context), _surface(surface) {}
 
     const char* className() const override { return "EGLGraphicsContext"; }
     bool valid() const override { return _context != EGL_NO_CONTEXT; }
@@ -121,7 +122,8 @@ const char* offscreenBackendName() {
     return "egl";
 }
 
-Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height) {
+Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
+                                                                ContextProfile profile) {
     if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
         return *sizeError;
 
@@ -138,16 +140,23 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
         return problem("EGL made no pbuffer of " + std::to_string(width) + "x" + std::to_string(height) +
                        " pixels");
 
-    const EGLint profile[] = {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
-                              EGL_NONE};
-    const EGLContext context = eglCreateContext(chosen.display, chosen.config, EGL_NO_CONTEXT, profile);
+    const bool isCore = profile == ContextProfile::Core;
+    const EGLint attributes[] = {EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 isCore ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                        : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                 EGL_CONTEXT_MAJOR_VERSION,
+                                 isCore ? 3 : 1,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 isCore ? 3 : 0,
+                                 EGL_NONE};
+    const EGLContext context = eglCreateContext(chosen.display, chosen.config, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) {
-        Diagnostic missing = problem("EGL made no context with the OpenGL compatibility profile");
+        Diagnostic missing = problem(std::string("EGL made no context with the OpenGL ") + profileName(profile) + " profile");
         eglDestroySurface(chosen.display, surface);
         return missing;
     }
     return osg::ref_ptr<osg::GraphicsContext>(
-        new EGLGraphicsContext(width, height, chosen.display, context, surface));
+        new EGLGraphicsContext(width, height, profile, chosen.display, context, surface));
 }
 
 } // namespace osgTreeWind

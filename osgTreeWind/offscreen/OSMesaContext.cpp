@@ -15,9 +15,9 @@ namespace {
 
 class OSMesaGraphicsContext : public OffscreenContextBase {
 public:
-    OSMesaGraphicsContext(int width, int height, OSMesaContext context,
+    OSMesaGraphicsContext(int width, int height, ContextProfile profile, OSMesaContext context,
                           std::unique_ptr<std::uint32_t[]> pixels)
-        : OffscreenContextBase(width, height), _context(context), _pixels(std::move(pixels)) {}
+        : OffscreenContextBase(width, height, profile), _context(context), _pixels(std::move(pixels)) {}
 
     const char* className() const override { return "OSMesaGraphicsContext"; }
     bool valid() const override { return _context != nullptr; }
@@ -60,7 +60,8 @@ const char* offscreenBackendName() {
     return "osmesa";
 }
 
-Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height) {
+Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
+                                                                ContextProfile profile) {
     if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
         return *sizeError;
 
@@ -83,14 +84,18 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
                               OSMESA_STENCIL_BITS,
                               8,
                               OSMESA_PROFILE,
-                              OSMESA_COMPAT_PROFILE,
+                              profile == ContextProfile::Core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              profile == ContextProfile::Core ? 3 : 1,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              profile == ContextProfile::Core ? 3 : 0,
                               0};
     const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context)
-        return fileProblem({}, "libOSMesa made no context; expected an OpenGL compatibility profile");
+        return fileProblem({}, std::string("libOSMesa made no context; expected an OpenGL ") + profileName(profile) + " profile");
 
     return osg::ref_ptr<osg::GraphicsContext>(
-        new OSMesaGraphicsContext(width, height, context, std::move(pixels)));
+        new OSMesaGraphicsContext(width, height, profile, context, std::move(pixels)));
 }
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Result.h>
 
+#include <osg/GL>
 #include <osg/GraphicsContext>
 
 namespace osgTreeWind {
@@ -10,7 +11,16 @@ namespace osgTreeWind {
 /// Maximum width and height of an offscreen context, pixels.
 constexpr int maxOffscreenSize = 16384;
 
-/// Creates an OpenGL context that needs no display: compatibility profile, RGBA8 colour, 24 bit depth, 8 bit
+/// Profiles of an OpenGL context.
+enum class ContextProfile { Compatibility, Core };
+/// The profile that OSG is built for.
+#ifdef OSG_GL_FIXED_FUNCTION_AVAILABLE
+constexpr ContextProfile osgProfile = ContextProfile::Compatibility;
+#else
+constexpr ContextProfile osgProfile = ContextProfile::Core;
+#endif
+
+/// Creates an OpenGL context that needs no display: RGBA8 colour, 24 bit depth, 8 bit
 /// stencil, single buffered, with its own osg::State and context id.
 ///
 /// Assign it to a camera with setGraphicsContext(), and set the viewport, or use attachFrameImage().
@@ -22,9 +32,12 @@ constexpr int maxOffscreenSize = 16384;
 /// software renderer) and osgTreeWind::EGL (a GPU if there is one, else Mesa's software renderer). It may
 /// also open windows.
 /// @param width, height in pixels, 1 to maxOffscreenSize.
+/// @param profile of the context. In a core profile, only drawables whose state has a program are drawn. An OSG
+/// that is not built for it gets generic vertex attributes and vertex array objects there.
 /// @return a context that is valid() and not yet realized, or one problem. Any thread; leaves no context
 /// current.
-Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height);
+Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
+                                                                ContextProfile profile = osgProfile);
 
 /// The backend of this program: "osmesa" or "egl".
 const char* offscreenBackendName();

@@ -2,6 +2,7 @@
 #include <osgTreeWind/offscreen/OffscreenContextBase.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GLExtensions>
@@ -21,7 +22,7 @@ std::optional<Diagnostic> OffscreenContextBase::sizeProblem(int width, int heigh
                                   std::to_string(maxOffscreenSize));
 }
 
-OffscreenContextBase::OffscreenContextBase(int width, int height) {
+OffscreenContextBase::OffscreenContextBase(int width, int height, ContextProfile profile) {
     _traits = new Traits;
     _traits->width = width;
     _traits->height = height;
@@ -34,6 +35,16 @@ OffscreenContextBase::OffscreenContextBase(int width, int height) {
     setState(new osg::State);
     getState()->setGraphicsContext(this);
     getState()->setContextID(createNewContextID());
+    if (profile != ContextProfile::Core)
+        return;
+    _traits->glContextVersion = "3.3";
+    _traits->glContextProfileMask = 1;
+    osg::ref_ptr<osg::DisplaySettings> settings =
+        new osg::DisplaySettings(*osg::DisplaySettings::instance());
+    settings->setVertexBufferHint(osg::DisplaySettings::VERTEX_ARRAY_OBJECT);
+    getState()->setDisplaySettings(settings);
+    getState()->setUseVertexAttributeAliasing(true);
+    getState()->setUseModelViewAndProjectionUniforms(true);
 }
 
 std::unique_lock<std::recursive_mutex> OffscreenContextBase::lockSoftwareRenderer() const {
@@ -56,6 +67,8 @@ bool OffscreenContextBase::realizeImplementation() {
     // Mesa and libglvnd have entry points for all extensions. OSG takes this one for support, and
     // multisampled frame buffer objects then fail.
     const unsigned int id = getState()->getContextID();
+    if (getState()->getUseVertexAttributeAliasing())
+        useCoreExtensions(*osg::GLExtensions::Get(id, true));
     if (!osg::isGLExtensionSupported(id, "GL_NV_framebuffer_multisample_coverage"))
         osg::GLExtensions::Get(id, true)->glRenderbufferStorageMultisampleCoverageNV = nullptr;
     _realized = releaseContextImplementation();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GraphicsContext>
 
@@ -9,6 +10,10 @@
 #include <optional>
 
 namespace osgTreeWind {
+
+inline const char* profileName(ContextProfile profile) {
+    return profile == ContextProfile::Core ? "core" : "compatibility";
+}
 
 /// Base class of the offscreen backends, with traits, state and context id. A backend implements valid(),
 /// makeCurrentImplementation(), releaseContextImplementation() and closeImplementation(), and calls close()
@@ -31,7 +36,7 @@ public:
     const char* libraryName() const override { return "osgTreeWind"; }
 
 protected:
-    OffscreenContextBase(int width, int height);
+    OffscreenContextBase(int width, int height, ContextProfile profile);
 
     /// Locks the mutex that all contexts of Mesa's software renderer share; an empty lock for other
     /// renderers. Hold it during calls of OpenGL. Mesa 22.3 has a data race: to find pending reads of a

@@ -1,4 +1,3 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The branch pass (thesis §5.2, appendix B): computes the next state of a branch unit from its previous state, the wind
 // at its base and its parameters. osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp packs the texels.
@@ -29,6 +28,8 @@ vec3 thesisNoise(vec4 source) {
                 motionNoise(noiseStream(seed, unit, 2u), cell, time.z, time.w));
 }
 
+out vec4 nextState;
+
 void main() {
     int unit = targetIndex(previousAngles);
     vec4 state = dataTexel(previousAngles, unit);
@@ -41,6 +42,6 @@ void main() {
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
     vec3 thesisAir = vec3(air.x, air.z, -air.y);
     vec3 noise = thesisNoise(c);
-    gl_FragColor = motionLaw == 0 ? thesisBranchStep(state, thesisAir, noise, branch)
+    nextState = motionLaw == 0 ? thesisBranchStep(state, thesisAir, noise, branch)
                                   : thesisSmoothBranchStep(state, thesisAir, noise, branch);
 }

@@ -1,4 +1,3 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The leaf pass (thesis §5.2, appendix D): computes the next angles of a leaf cluster from its previous angles.
 // osgTreeWind/gpu/branchwise/ForestAnglePasses.cpp packs the texels.
@@ -14,6 +13,8 @@ uniform sampler2D previousAngles; // one texel per leaf cluster: its state
 uniform sampler2D leafParameters; // one texel per leaf cluster: species, seed (two halves), index in the tree
 uniform sampler2D speciesTexels;  // four texels per species; the second: noise time of leaves, then their motion
 
+out vec4 nextState;
+
 void main() {
     int leaf = targetIndex(previousAngles);
     vec4 own = dataTexel(leafParameters, leaf);
@@ -27,6 +28,6 @@ void main() {
     uint cell = wholeNumber(time.xy);
     float x = motionNoise(noiseStream(seed, index, 3u), cell, time.z, time.w);
     float z = motionNoise(noiseStream(seed, index, 4u), cell, time.z, time.w);
-    gl_FragColor = thesisLeafStep(dataTexel(previousAngles, leaf), x, z,
+    nextState = thesisLeafStep(dataTexel(previousAngles, leaf), x, z,
                                   ThesisLeaf(a.x, a.y, a.z, a.w, b.x, b.y));
 }

@@ -172,26 +172,22 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
                                   ? "vec4 at = vec4(0.0), bones = boneWeight0;\nvec3 normal = vec3(0.0);\n"
                                     "for (int i = 0; i < 2; ++i, bones = bones.zwxy) {\n"
                                     "mat4 bone = matrixPalette[int(bones.x)];\n"
-                                    "at += bones.y * (bone * gl_Vertex);\n"
-                                    "normal += bones.y * (mat3(bone) * gl_Normal);\n}\n"
-                                  : "vec4 at = gl_Vertex;\nvec3 normal = gl_Normal;\n";
+                                    "at += bones.y * (bone * osg_Vertex);\n"
+                                    "normal += bones.y * (mat3(bone) * osg_Normal);\n}\n"
+                                  : "vec4 at = osg_Vertex;\nvec3 normal = osg_Normal;\n";
     const std::string palette =
-        "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nin vec4 boneWeight0;\n";
+        "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nlayout(location = " +
+        std::to_string(osgAnimation::RigTransformHardware().getFirstVertexAttributeTarget()) +
+        ") in vec4 boneWeight0;\n";
     const std::string text =
-        "#version 330 compatibility\n" + shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " +
+        shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " +
         part + "Coord;\nout vec3 " + part +
         "Light;\nout float barkRadius;\nvoid main() {\nbarkRadius = 1.0;\n" + place +
-        "vec4 eyePosition = gl_ModelViewMatrix * at;\n" + part + "Light = gl_MultiTexCoord0.z * " + part +
-        "Shade(eyePosition.xyz, normalize(gl_NormalMatrix * normal), "
+        "vec4 eyePosition = osg_ModelViewMatrix * at;\n" + part + "Light = osg_MultiTexCoord0.z * " + part +
+        "Shade(eyePosition.xyz, normalize(osg_NormalMatrix * normal), "
         "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0), 1.0));\n" +
-        part + "Coord = gl_MultiTexCoord0.xy;\ngl_Position = gl_ProjectionMatrix * eyePosition;\n}\n";
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, text));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaderText(part + ".frag")));
-    if (hardware)
-        program->addBindAttribLocation("boneWeight0",
-                                       osgAnimation::RigTransformHardware().getFirstVertexAttributeTarget());
-    return program;
+        part + "Coord = osg_MultiTexCoord0.xy;\ngl_Position = osg_ProjectionMatrix * eyePosition;\n}\n";
+    return makeProgram(part, text, shaderText(part + ".frag"));
 }
 
 /// Makes the bones of a tree. @param turns receives the rotations that move them.

@@ -29,6 +29,7 @@ using namespace osgTreeWind;
 struct RenderOptions {
     std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers,
                       view = "eye";
+    ContextProfile profile = osgProfile;
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
@@ -159,7 +160,7 @@ void render(const RenderOptions& options) {
     osg::ref_ptr<osg::Group> scene =
         createSetting(*forest, {options.light.shadows, options.light.day(), view.eye});
 
-    OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
+    OffscreenViewer drawing(options.width, options.height, samplesAcross(options), options.profile);
     osgViewer::Viewer& viewer = drawing.viewer();
     placeCamera(*viewer.getCamera(), view, lens);
     const BranchwiseForest* posed = nullptr;
@@ -234,6 +235,11 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     addBackendOption(*command, options->backend);
+    command
+        ->add_option("--profile", options->profile,
+                     "OpenGL profile: compatibility or core (default: the one that OSG is built for)")
+        ->transform(CLI::Transformer(std::map<std::string, ContextProfile>{
+            {"compatibility", ContextProfile::Compatibility}, {"core", ContextProfile::Core}}));
     command
         ->add_option("--tiers", options->tiers,
                      "Levels of detail (law modal): off draws every tree in full (default: as in the file)")

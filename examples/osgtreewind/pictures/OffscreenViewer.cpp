@@ -5,7 +5,6 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/offscreen/FrameImage.h>
-#include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/color_space.hpp>
@@ -62,11 +61,12 @@ void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
 
 } // namespace
 
-OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross)
+OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross,
+                                 osgTreeWind::ContextProfile profile)
     : _samplesAcross(samplesAcross), _image(new osg::Image) {
     _image->allocateImage(width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     const auto context = valueOrThrow(
-        osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross), Failed);
+        osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross, profile), Failed);
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setKeyEventSetsDone(0);
     _viewer.setLightingMode(osg::View::NO_LIGHT);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
 #include <osgViewer/Viewer>
 
 /// Draws pictures without a display.
@@ -8,7 +10,8 @@ class OffscreenViewer {
 public:
     /// Throws CommandError if there is no OpenGL context.
     /// @param samplesAcross samples per pixel in each direction.
-    OffscreenViewer(int width, int height, int samplesAcross);
+    OffscreenViewer(int width, int height, int samplesAcross,
+                    osgTreeWind::ContextProfile profile = osgTreeWind::osgProfile);
 
     osgViewer::Viewer& viewer() { return _viewer; }
     /// Draws a frame. @return RGBA image, valid until the next call.

@@ -6,11 +6,11 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ValueNoise.h>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/places/Ground.h>
 
-#include <osg/Geometry>
 #include <osg/Texture2D>
 
 #include <algorithm>
@@ -85,15 +85,12 @@ struct Rim {
 /// @param define preprocessor lines for both shaders.
 osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     using osgTreeWind::sceneShader, osgTreeWind::shaderText;
-    const std::string version = "#version 330 compatibility\n";
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(
-        osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") + shaderText("fog.glsl") +
-                                 sceneShader("glow.glsl") + sceneShader("ground.vert")));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + define + shaderText("scene.glsl") +
-                                                                  sceneShader("ground.frag")));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(osgTreeWind::makeProgram(
+        "ground",
+        define + shaderText("shadowed.glsl") + shaderText("fog.glsl") + sceneShader("glow.glsl") +
+            sceneShader("ground.vert"),
+        define + shaderText("scene.glsl") + sceneShader("ground.frag")));
     state->setTextureAttribute(0, groundTexture());
     state->addUniform(new osg::Uniform("groundTexture", 0));
     state->addUniform(
@@ -149,9 +146,7 @@ osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
             for (const int corner : {first, first + spokes, beside + spokes, first, beside + spokes, beside})
                 triangles->push_back(static_cast<GLushort>(corner));
         }
-    osg::ref_ptr<osg::Geometry> ground = new osg::Geometry;
-    ground->setUseDisplayList(false);
-    ground->setUseVertexBufferObjects(true);
+    osg::ref_ptr<osg::Geometry> ground = new osgTreeWind::SceneGeometry;
     ground->setVertexArray(corners);
     ground->addPrimitiveSet(triangles);
     const osg::Vec3 middle(rim.middle, 0.0f), reach(radius, radius, 0.0f);

@@ -7,6 +7,7 @@
 #include <examples/osgtreewind/scene/Tufts.h>
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 
 #include <osg/Fog>
 #include <osg/LightModel>
@@ -14,10 +15,11 @@
 
 namespace {
 
-using osgTreeWind::Forest;
+using osgTreeWind::CompatibilityOnly, osgTreeWind::Forest;
 
 osg::ref_ptr<osg::LightSource> createSun(const Daylight& day) {
     osg::ref_ptr<osg::LightSource> sun = new osg::LightSource;
+    sun->setLight(new CompatibilityOnly<osg::Light>);
     sun->getLight()->setPosition(osg::Vec4(day.toSun, 0.0f));
     sun->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
     sun->getLight()->setDiffuse(osg::Vec4(day.sun, 1.0f));
@@ -25,7 +27,7 @@ osg::ref_ptr<osg::LightSource> createSun(const Daylight& day) {
 }
 
 void lightBySky(osg::StateSet& state, const Daylight& day) {
-    osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
+    osg::ref_ptr<osg::LightModel> model = new CompatibilityOnly<osg::LightModel>;
     model->setAmbientIntensity(osg::Vec4(day.sky + day.around, 1.0f));
     state.setAttribute(model);
     setGlow(state, day);
@@ -41,7 +43,7 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     osg::ref_ptr<osg::Group> setting = shadows ? new SunShadows(&forest, day.toSun) : new osg::Group;
     osg::StateSet* state = setting->getOrCreateStateSet();
     lightBySky(*state, day);
-    osg::ref_ptr<osg::Fog> haze = new osg::Fog;
+    osg::ref_ptr<osg::Fog> haze = new CompatibilityOnly<osg::Fog>;
     haze->setMode(osg::Fog::EXP2);
     haze->setColor(osg::Vec4(day.haze, 1.0f));
     haze->setDensity(2.2f / groundRadius(forest.getBound()));

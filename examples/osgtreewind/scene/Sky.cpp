@@ -6,9 +6,9 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/base/ValueNoise.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/Depth>
-#include <osg/Program>
 #include <osg/Texture2D>
 
 #include <algorithm>
@@ -179,10 +179,8 @@ osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     sky->setComputeBoundingBoxCallback(new NoBounds);
     sky->setCullingActive(false);
     osg::StateSet* state = sky->getOrCreateStateSet();
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, sceneShader("sky.vert")));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, sceneShader("sky.frag")));
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(
+        osgTreeWind::makeProgram("sky", sceneShader("sky.vert"), sceneShader("sky.frag")));
     state->setTextureAttribute(0, paintedSky(day));
     state->addUniform(new osg::Uniform("sky", 0));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));

@@ -63,9 +63,7 @@ SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(ca
         state->setAttributeAndModes(new osg::PolygonOffset(1.1f, 4.0f), overriding);
 
         map.planes->setMode(osg::TexGen::EYE_LINEAR);
-        getOrCreateStateSet()->setTextureAttributeAndModes(unit, texture);
-        for (const GLenum mode : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
-            getOrCreateStateSet()->setTextureMode(unit, mode, osg::StateAttribute::ON);
+        getOrCreateStateSet()->setTextureAttribute(unit, texture);
         getOrCreateStateSet()->addUniform(
             new osg::Uniform(("shadowTexture" + std::to_string(i)).c_str(), unit));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/gpu/OpenGLProfile.h>
+
 #include <osg/Camera>
 #include <osg/Group>
 #include <osg/TexGen>
@@ -25,7 +27,7 @@ private:
     /// Shadow map for a part of the view.
     struct Map {
         osg::ref_ptr<osg::Camera> camera = new osg::Camera;
-        osg::ref_ptr<osg::TexGen> planes = new osg::TexGen;
+        osg::ref_ptr<osg::TexGen> planes = new osgTreeWind::CompatibilityOnly<osg::TexGen>;
         double reach; ///< Largest distance from the eye that it covers, metres.
     };
     /// Places the camera of a map. @return whether the map holds all casters, as those after it do.

@@ -5,6 +5,7 @@
 #include <examples/osgtreewind/scene/Ground.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/wind/Wind.h>
 
 #include <osg/Image>
@@ -131,9 +132,7 @@ osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const
             for (int blade = 0; blade < 8; ++blade)
                 tuft.add(random);
         }
-    osg::ref_ptr<osg::Geometry> tufts = new osg::Geometry;
-    tufts->setUseDisplayList(false);
-    tufts->setUseVertexBufferObjects(true);
+    osg::ref_ptr<osg::Geometry> tufts = new osgTreeWind::SceneGeometry;
     tufts->setVertexArray(corners);
     tufts->setTexCoordArray(0, coords);
     tufts->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
@@ -47,6 +48,7 @@ BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
 
     osg::StateSet* state = getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
+    clipByAllPlanes(*state);
     bindDataTexture(*state, "unitPoses", unitPosesTextureUnit, _unitPoses.texture());
     useLeafAngles(nullptr);
     uploadUnitPoses();

@@ -2,8 +2,8 @@
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
+#include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
-#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
 
@@ -23,9 +23,10 @@ void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
 }
 
 void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
-    if (!_geometry || !canRunPrograms(*renderInfo.getState()))
+    if (!_geometry)
         return;
     const DrawTimer time(renderInfo, "Forest draw");
+    applySceneUniforms(renderInfo);
     _geometry->draw(renderInfo);
 }
 

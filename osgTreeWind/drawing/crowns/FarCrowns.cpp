@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/crowns/FarCrowns.h>
 
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/species/Season.h>
@@ -39,10 +40,8 @@ public:
     }
 
     osg::ref_ptr<osg::Geometry> geometry() const {
-        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        osg::ref_ptr<osg::Geometry> geometry = new SceneGeometry;
         geometry->setName("far crowns");
-        geometry->setUseDisplayList(false);
-        geometry->setUseVertexBufferObjects(true);
         geometry->setVertexArray(_corners);
         geometry->setVertexAttribArray(treePlaceLocation, _places, osg::Array::BIND_PER_VERTEX);
         geometry->setVertexAttribArray(treeSizeLocation, _crowns, osg::Array::BIND_PER_VERTEX);
@@ -74,6 +73,7 @@ FarCrowns::FarCrowns(const CrownSummary& summary, const ForestDescription& world
     osg::StateSet* state = getOrCreateStateSet();
     state->setAttributeAndModes(sharedProgram("crowns", "crowns"), protectedProgram);
     drawBothSides(*state);
+    clipByAllPlanes(*state);
     state->addUniform(_colors);
     state->addUniform(new osg::Uniform("tierColor", osg::Vec3(0.5f, 0.05f, 1.0f)));
     const ForestTiles& tiles = *world.tiles;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/ground/GroundMesh.h>
 
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,9 +74,7 @@ public:
             addSkirt(k + 1, groundSquares, k, groundSquares, 0, 1);
             addSkirt(0, k + 1, 0, k, -1, 0);
         }
-        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-        geometry->setUseDisplayList(false);
-        geometry->setUseVertexBufferObjects(true);
+        osg::ref_ptr<osg::Geometry> geometry = new SceneGeometry(sharedProgram("ground", "color"));
         geometry->setVertexArray(_vertices);
         geometry->setNormalArray(_normals, osg::Array::BIND_PER_VERTEX);
         geometry->setTexCoordArray(0, _places);

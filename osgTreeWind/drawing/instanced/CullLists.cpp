@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
-#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 
 namespace osgTreeWind {
 namespace {
@@ -33,10 +33,11 @@ std::size_t CullLists::bandOf(float distance) {
     return band;
 }
 
-void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* stateGraph,
-                      osg::Camera* camera) {
+void CullLists::begin(unsigned frame, std::size_t models, osgUtil::RenderStage* stage,
+                      osgUtil::StateGraph* stateGraph, osg::Camera* camera) {
     _frame = frame;
     _camera = camera;
+    _stage = stage;
     _stateGraph = stateGraph;
     _used = 0;
     _nearTrees.clear();
@@ -65,10 +66,9 @@ void CullLists::addTreeCounts(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
-    if (!canRunPrograms(*renderInfo.getState()))
-        return;
+    prepareProfile(*renderInfo.getState()); // before the textures of the trees are made
     osg::ref_ptr<osg::Camera> camera;
-    setSceneDefines(*_shading, _stateGraph,
+    setSceneDefines(*_shading, _stage->getStateSet(), _stateGraph,
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] {

@@ -43,8 +43,9 @@ public:
 
     /// Empties the lists for a new cull.
     /// @param models number of models in the forest.
-    /// @param stateGraph of the forest, from which the lighting of the scene is read.
-    void begin(unsigned frame, std::size_t models, osgUtil::StateGraph* stateGraph, osg::Camera* camera);
+    /// @param stage in which the trees are drawn. @param stateGraph of the forest, from which the lighting of the scene is read.
+    void begin(unsigned frame, std::size_t models, osgUtil::RenderStage* stage,
+               osgUtil::StateGraph* stateGraph, osg::Camera* camera);
     unsigned frame() const { return _frame; }
 
     /// Number of distance bands. They are drawn from near to far, so that near trees hide far ones.
@@ -85,6 +86,7 @@ public:
 private:
     unsigned _frame = ~0u;
     std::size_t _used = 0, _models = 0;
+    osgUtil::RenderStage* _stage = nullptr; // it owns this one while it draws
     osg::ref_ptr<osgUtil::StateGraph> _stateGraph;
     osg::observer_ptr<osg::Camera> _camera; // a ref_ptr could form a cycle: the camera may own the trees
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;

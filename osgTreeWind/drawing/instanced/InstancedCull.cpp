@@ -21,8 +21,8 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 } // namespace
 
 void InstancedCull::run() {
-    lists.begin(frame, scene.resources.models.size(), visitor.getCurrentStateGraph(),
-                visitor.getCurrentCamera());
+    lists.begin(frame, scene.resources.models.size(), visitor.getCurrentRenderBin()->getStage(),
+                visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
     const ImpostorProjection projection(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;

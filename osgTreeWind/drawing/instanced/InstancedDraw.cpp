@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 
+#include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/GLExtensions>
@@ -33,8 +35,6 @@ void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool flush
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
-    if (!canRunPrograms(state))
-        return;
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
@@ -51,13 +51,15 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
 void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    state.unbindVertexArrayObject(); // it belongs to the geometry of the previous draw
-    state.setCurrentToGlobalVertexArrayState();
+    prepareProfile(state);
+    state.setCurrentToGlobalVertexArrayState(); // the bound one belongs to the geometry of the previous draw
+    state.bindVertexArrayObject(state.getCurrentVertexArrayState());
     if (_trees->page) {
         const DrawTimer time(renderInfo, "Forest pose");
         _trees->passes->apply(state, *_trees->page);
     }
     const DrawTimer time(renderInfo, "Forest draw");
+    applySceneUniforms(renderInfo);
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);

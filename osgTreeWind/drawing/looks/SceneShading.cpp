@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SceneShading.h>
 
+#include <osg/ClipPlane>
 #include <osg/Fog>
 #include <osg/GLExtensions>
+#include <osg/Light>
 #include <osg/Multisample>
 #include <osg/Uniform>
 
@@ -16,10 +18,12 @@ namespace {
 /// The state sets from the root of the scene to a node of the state graph.
 class InheritedState {
 public:
-    explicit InheritedState(const osgUtil::StateGraph* graph) {
+    InheritedState(const osg::StateSet* stage, const osgUtil::StateGraph* graph) {
         for (; graph; graph = graph->_parent)
             if (graph->getStateSet())
                 _sets.push_back(graph->getStateSet());
+        if (stage)
+            _sets.push_back(stage);
         std::reverse(_sets.begin(), _sets.end());
     }
 
@@ -41,13 +45,18 @@ public:
         return static_cast<const osg::Fog*>(result);
     }
 
+    /// Null if no state set has it.
+    const osg::Uniform* uniform(const std::string& name) const {
+        for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
+            if (const osg::Uniform* uniform = (*set)->getUniform(name))
+                return uniform;
+        return nullptr;
+    }
     /// The value of an integer uniform or sampler as text; empty if no state set has it.
     std::string number(const char* name) const {
         int value = 0;
-        for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
-            if (const osg::Uniform* uniform = (*set)->getUniform(name))
-                return uniform->get(value) ? std::to_string(value) : std::string();
-        return {};
+        const osg::Uniform* found = uniform(name);
+        return found && found->get(value) ? std::to_string(value) : std::string();
     }
 
 private:
@@ -74,17 +83,27 @@ std::string fogMode(const osg::Fog* fog) {
     return fog->getMode() == osg::Fog::LINEAR ? "1" : fog->getMode() == osg::Fog::EXP ? "2" : "3";
 }
 
+/// Whether a light is on: by its mode, or as a uniform that the host sets (shaders/core.glsl).
+bool isLightOn(const InheritedState& inherited, unsigned light) {
+    const std::string prefix = "osg_LightSource[" + std::to_string(light) + "].";
+    bool enabled = true;
+    if (const osg::Uniform* uniform = inherited.uniform(prefix + "enabled"))
+        uniform->get(enabled);
+    return isOn(inherited.mode(GL_LIGHT0 + light)) || (enabled && inherited.uniform(prefix + "position"));
+}
+
 } // namespace
 
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* stateGraph, bool sampleMask) {
-    const InheritedState inherited(stateGraph);
+void setSceneDefines(osg::StateSet& state, const osg::StateSet* stage, const osgUtil::StateGraph* stateGraph,
+                     bool sampleMask) {
+    const InheritedState inherited(stage, stateGraph);
     osg::StateSet::DefineList defines;
     const auto define = [&](const char* name, const std::string& value) {
         defines[name] = {value, osg::StateAttribute::ON};
     };
     std::string lights;
     for (unsigned i = 0; i < 8; ++i)
-        if (isOn(inherited.mode(GL_LIGHT0 + i)))
+        if (isLightOn(inherited, i))
             lights += (lights.empty() ? "" : ", ") + std::to_string(i);
     if (!lights.empty())
         define("LIGHTS", lights);
@@ -93,6 +112,9 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* stateGraph
         define("UNLIT", "1");
     if (isOn(inherited.mode(GL_FOG)))
         define("FOG_MODE", fogMode(inherited.fog()));
+    for (unsigned i = 0; i < 8; ++i)
+        if (isOn(inherited.mode(GL_CLIP_PLANE0 + i)))
+            define("CLIP_PLANES", std::to_string(i + 1));
     if (isOn(inherited.mode(GL_FRAMEBUFFER_SRGB)))
         define("LINEAR_COLORS", "1");
     const auto multisample = inherited.mode(GL_MULTISAMPLE_ARB);

@@ -23,6 +23,7 @@ uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades
 uniform sampler2D groundCover;   // red: cover by crowns, green: sky hidden by trunks
 uniform vec4 coverPlace;         // corner, 1 / size
 #endif
+out vec4 pixelColor;
 void main() {
     vec2 p = place;
     vec2 q = vec2(0.80 * p.x - 0.60 * p.y, 0.60 * p.x + 0.80 * p.y);
@@ -49,5 +50,5 @@ void main() {
 #else
     vec3 light = sky + sunOnIt;
 #endif
-    gl_FragColor = vec4(mix(haze.rgb, encoded((0.35 + 1.3 * blades) * grass * light), haze.a), 1.0);
+    pixelColor = vec4(mix(haze.rgb, encoded((0.35 + 1.3 * blades) * grass * light), haze.a), 1.0);
 }

@@ -29,25 +29,25 @@ out vec3 sunOnIt;
 uniform vec4 rim;       // middle of the ground, half of its widths
 uniform float rimStart; // haze hides the ground beyond this share of the way to its edge
 void main() {
-    vec4 vertex = gl_Vertex;
+    vec4 vertex = osg_Vertex;
 #ifdef LEVEL
-    vertex.xy += gl_ModelViewMatrixInverse[3].xy; // the disc follows the eye
+    vertex.xy += (-osg_ModelViewMatrix[3].xyz * mat3(osg_ModelViewMatrix)).xy; // the disc follows the eye
 #endif
     place = vertex.xy;
 #ifdef TUFTS
-    rise = gl_MultiTexCoord0.x;
-    shade = gl_MultiTexCoord0.y;
-    vertex.xyz += rise * bent(place, gl_MultiTexCoord0.z);
+    rise = osg_MultiTexCoord0.x;
+    shade = osg_MultiTexCoord0.y;
+    vertex.xyz += rise * bent(place, osg_MultiTexCoord0.z);
 #endif
-    vec4 eye = gl_ModelViewMatrix * vertex;
+    vec4 eye = osg_ModelViewMatrix * vertex;
 #ifdef RELIEF
-    vec3 up = normalize(gl_NormalMatrix * gl_Normal);
+    vec3 up = normalize(osg_NormalMatrix * osg_Normal);
 #else
-    vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
+    vec3 up = normalize(osg_NormalMatrix * vec3(0.0, 0.0, 1.0));
 #endif
-    float facing = max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0);
+    float facing = max(dot(up, normalize(osg_LightSource[0].position.xyz)), 0.0);
     facing = mix(0.2, 1.0, facing); // upright blades catch light from the side
-    sunLight = facing * gl_LightSource[0].diffuse.rgb;
+    sunLight = facing * osg_LightSource[0].diffuse.rgb;
 #ifdef SHADOWED
     eyePosition = eye.xyz;
 #else
@@ -57,13 +57,13 @@ void main() {
     vec2 way = abs(place - rim.xy) / rim.zw;
     float toRim = max(way.x, way.y);
 #else
-    float toRim = length(gl_Vertex.xy) / rim.z;
+    float toRim = length(osg_Vertex.xy) / rim.z;
 #endif
 #ifdef TUFTS
     toRim = 0.0;
 #endif
     float kept = (1.0 - smoothstep(rimStart, 1.0, toRim)) * fogLeft(eye.xyz);
-    haze = vec4(gl_Fog.color.rgb + glow(normalize(mat3(gl_ModelViewMatrixInverse) * eye.xyz)), kept);
+    haze = vec4(sceneFog.color.rgb + glow(normalize(eye.xyz * mat3(osg_ModelViewMatrix))), kept);
     fine = 1.0 / (1.0 + dot(eye.xyz, eye.xyz) / (250.0 * 250.0));
-    gl_Position = gl_ProjectionMatrix * eye;
+    gl_Position = osg_ProjectionMatrix * eye;
 }

@@ -1,7 +1,7 @@
-#version 330 compatibility
 // SPDX-License-Identifier: MIT
 in vec2 spot;
 uniform sampler2D sky;
+out vec4 pixelColor;
 void main() {
-    gl_FragColor = vec4(texture(sky, spot).rgb, 1.0);
+    pixelColor = vec4(texture(sky, spot).rgb, 1.0);
 }

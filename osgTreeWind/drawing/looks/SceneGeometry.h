@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Geometry>
+#include <osg/Program>
+
+namespace osgTreeWind {
+
+/// A geometry that is also drawn in a core profile: its program gets the uniforms of the scene there
+/// (SceneUniforms.h), and without a program of the host, it is drawn with its own.
+class SceneGeometry : public osg::Geometry {
+public:
+    /// @param program for a core profile without a program of the host; may be null.
+    explicit SceneGeometry(osg::Program* program = nullptr);
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+
+protected:
+    ~SceneGeometry() override = default;
+
+private:
+    osg::ref_ptr<osg::Program> _program;
+};
+
+} // namespace osgTreeWind
