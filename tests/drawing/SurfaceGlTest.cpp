@@ -6,6 +6,8 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
 #include <osg/Geometry>
 #include <osg/Texture2D>
 
@@ -63,17 +65,14 @@ osg::ref_ptr<osg::Group> scene(Forest* forest, const std::string& vertexEnd, con
     osg::ref_ptr<osg::Group> walls = new osg::Group;
     walls->addChild(wall(-2, 2, -5));
     walls->addChild(wall(4, 12, 6));
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(
-        osg::Shader::VERTEX, "#version 330 compatibility\nout float far;\nvoid main() { gl_Position = "
-                             "gl_ModelViewProjectionMatrix * gl_Vertex; " +
-                                 vertexEnd + " }"));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT,
-                        "#version 330 compatibility\nuniform float farthest;\nin float far;\nvoid main() { "
-                        "gl_FragColor = vec4(0.2, 0.2, 0.9, 1.0); " +
-                            fragmentEnd + " }"));
-    walls->getOrCreateStateSet()->setAttributeAndModes(program);
+    walls->getOrCreateStateSet()->setAttributeAndModes(
+        makeProgram("walls",
+                    "out float far;\nvoid main() { gl_Position = osg_ProjectionMatrix * osg_ModelViewMatrix * "
+                    "osg_Vertex; " +
+                        vertexEnd + " }",
+                    "uniform float farthest;\nin float far;\nout vec4 color;\nvoid main() { "
+                    "color = vec4(0.2, 0.2, 0.9, 1.0); " +
+                        fragmentEnd + " }"));
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(walls);
     root->addChild(forest);

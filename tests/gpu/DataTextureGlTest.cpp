@@ -24,24 +24,22 @@ float expected(int texel, int channel) {
 
 /// A drawable whose shader reads texel i as those of the library do, and writes one byte of it to pixel i.
 osg::ref_ptr<osg::Geometry> makeByteDrawable(const DataTexture& data) {
-    const std::string fragment = "#version 330 compatibility\n" + shaderText("data.glsl") + R"(
+    const std::string fragment = shaderText("data.glsl") + R"(
 uniform sampler2D data;
 uniform int channel, shownByte;
+out vec4 color;
 void main() {
     int i = int(gl_FragCoord.y) * 80 + int(gl_FragCoord.x);
     uint bits = i < 5000 ? floatBitsToUint(dataTexel(data, i)[channel]) : 0u;
     float value = float((bits >> uint(8 * shownByte)) & 255u) / 255.0;
-    gl_FragColor = vec4(value, value, value, 1.0);
+    color = vec4(value, value, value, 1.0);
 })";
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(
-        osg::Shader::VERTEX, "#version 330 compatibility\nvoid main() { gl_Position = gl_Vertex; }"));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
     osg::ref_ptr<osg::Geometry> quad =
         osg::createTexturedQuadGeometry(osg::Vec3(-1, -1, 0), osg::Vec3(2, 0, 0), osg::Vec3(0, 2, 0));
     quad->setCullingActive(false);
     osg::StateSet* state = quad->getOrCreateStateSet();
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(
+        makeProgram("bytes", "void main() { gl_Position = osg_Vertex; }", fragment));
     state->setTextureAttribute(0, data.texture());
     state->addUniform(new osg::Uniform("data", 0));
     state->setMode(GL_DEPTH_TEST, osg::StateAttribute::OFF);

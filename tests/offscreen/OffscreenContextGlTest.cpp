@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <tests/gl/GlTest.h>
@@ -236,13 +237,9 @@ TEST_F(OffscreenContextGlTest, FloatTargetsKeepValuesBelowZeroAndAboveOne) {
     pass->attach(osg::Camera::COLOR_BUFFER, target);
     pass->addChild(quad(osg::Vec3(-1, -1, 0), osg::Vec3(2, 0, 0), osg::Vec3(0, 2, 0)));
     osg::StateSet* const state = pass->getOrCreateStateSet();
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, "#version 330 compatibility\n"
-                                                            "void main() { gl_Position = ftransform(); }\n"));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "#version 330 compatibility\n"
-                                                              "uniform vec4 value;\n"
-                                                              "void main() { gl_FragColor = value; }\n"));
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(osgTreeWind::makeProgram(
+        "value", "void main() { gl_Position = osg_ProjectionMatrix * osg_ModelViewMatrix * osg_Vertex; }",
+        "uniform vec4 value;\nout vec4 color;\nvoid main() { color = value; }"));
     state->addUniform(new osg::Uniform("value", value));
     viewer().setSceneData(pass);
     frame(0);

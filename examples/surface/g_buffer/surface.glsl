@@ -6,18 +6,20 @@
 out vec3 hostNormal;
 
 void placeSurface(vec4 eye, vec3 normal, float tree) {
-    gl_ClipVertex = eye;
-    gl_Position = gl_ProjectionMatrix * eye;
+    clipSurface(eye);
+    gl_Position = osg_ProjectionMatrix * eye;
     hostNormal = normal;
 }
 
 #else
 
 in vec3 hostNormal;
+layout(location = 0) out vec4 hostAlbedo;
+layout(location = 1) out vec4 hostNormals;
 
 void paintSurface(vec3 color, vec3 albedo) {
-    gl_FragData[0] = vec4(albedo, 1.0);
-    gl_FragData[1] = vec4(normalize(hostNormal), 1.0);
+    hostAlbedo = vec4(albedo, 1.0);
+    hostNormals = vec4(normalize(hostNormal), 1.0);
 }
 
 #endif

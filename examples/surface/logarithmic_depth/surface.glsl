@@ -9,17 +9,18 @@ uniform float farthest; // metres
 out float hostDistance;
 
 void placeSurface(vec4 eye, vec3 normal, float tree) {
-    gl_ClipVertex = eye;
-    gl_Position = gl_ProjectionMatrix * eye;
+    clipSurface(eye);
+    gl_Position = osg_ProjectionMatrix * eye;
     hostDistance = gl_Position.w;
 }
 
 #else
 
 in float hostDistance;
+out vec4 hostColor;
 
 void paintSurface(vec3 color, vec3 albedo) {
-    gl_FragColor = vec4(color, 1.0);
+    hostColor = vec4(color, 1.0);
     gl_FragDepth = log2(1.0 + hostDistance) / log2(1.0 + farthest);
 }
 

@@ -6,18 +6,19 @@
 flat out float hostTree;
 
 void placeSurface(vec4 eye, vec3 normal, float tree) {
-    gl_ClipVertex = eye;
-    gl_Position = gl_ProjectionMatrix * eye;
+    clipSurface(eye);
+    gl_Position = osg_ProjectionMatrix * eye;
     hostTree = tree;
 }
 
 #else
 
 flat in float hostTree;
+out vec4 hostColor;
 
 void paintSurface(vec3 color, vec3 albedo) {
     uint id = 1u + uint(hostTree * 16777214.0); // 0: no tree
-    gl_FragColor = vec4(vec3(id >> 16, id >> 8 & 255u, id & 255u) / 255.0, 1.0);
+    hostColor = vec4(vec3(id >> 16, id >> 8 & 255u, id & 255u) / 255.0, 1.0);
 }
 
 #endif

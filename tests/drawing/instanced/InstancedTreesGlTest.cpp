@@ -25,15 +25,9 @@ namespace {
 
 /// Draws white, independent of lights.
 osg::ref_ptr<osg::StateSet> silhouette(const char* vertexShader) {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, shaderText(vertexShader)));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.0); }"));
-    program->addBindAttribLocation("treePlace", treePlaceLocation);
-    program->addBindAttribLocation("treeSize", treeSizeLocation);
-    program->addBindAttribLocation("treeState", treeStateLocation);
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(makeProgram("white", shaderText(vertexShader),
+                                            "out vec4 color;\nvoid main() { color = vec4(1.0); }"));
     return state;
 }
 

@@ -49,7 +49,7 @@ protected:
 
 private:
     static osg::ref_ptr<osg::Program> program(const std::string& declared, const std::string& body) {
-        std::string text = "#version 330 compatibility\n";
+        std::string text;
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
@@ -57,14 +57,11 @@ private:
               "law/reconfiguration.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
-                "void main() {\n"
+                "out vec4 result;\nvoid main() {\n"
                 "    vec4 state = dataTexel(previousAngles, targetIndex(previousAngles));\n"
-                "    gl_FragColor = " +
+                "    result = " +
                 body + ";\n}\n";
-        osg::ref_ptr<osg::Program> program = new osg::Program;
-        program->addShader(new osg::Shader(osg::Shader::VERTEX, shaderText("texels.vert")));
-        program->addShader(new osg::Shader(osg::Shader::FRAGMENT, text));
-        return program;
+        return makeProgram("law", shaderText("texels.vert"), text);
     }
 };
 
