@@ -2,6 +2,7 @@
 #include <osgTreeWind/controls/TextPanel.h>
 
 #include <osg/Depth>
+#include <osg/Fog>
 #include <osgText/Font>
 
 #include <algorithm>

@@ -4,10 +4,16 @@
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
+#include <osg/Version>
+
+#include <dlfcn.h>
 #include <malloc.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +28,22 @@ GlTest::GlTest()
       _formerLevel(osg::getNotifyLevel()) {
     osg::setNotifyHandler(_collector);
     osg::setNotifyLevel(osg::NOTICE);
+    [[maybe_unused]] static const bool printed = [] {
+        Dl_info info{};
+        dladdr(reinterpret_cast<void*>(&osgGetVersion), &info);
+        std::cout << "libosg: " << std::filesystem::canonical(info.dli_fname).string() << std::endl;
+        return true;
+    }();
     mallopt(M_PERTURB, 0xA5); // what is read after it was freed is not what it was
+}
+
+std::string GlTest::takeMessages() {
+    std::string messages = _collector->take();
+#ifndef OSG_GL_FIXED_FUNCTION_AVAILABLE // there, OSG complains about lights, fog and the like of a scene
+    static const std::regex unsupported("Warning: [A-Za-z]+::apply\\(State&\\) - (is )?not supported\\.\n");
+    messages = std::regex_replace(messages, unsupported, "");
+#endif
+    return messages;
 }
 
 GlTest::~GlTest() {

@@ -21,7 +21,7 @@ constexpr std::size_t keptMemory = std::size_t(1) << 30;
 constexpr std::size_t keptMemory = std::size_t(8) << 20;
 #endif
 
-/// A test that draws without a display. Whatever OSG says at NOTICE or above (OpenGL errors, shader logs,
+/// A test that draws without a display, in the profile that OSG is built for. Whatever OSG says at NOTICE or above (OpenGL errors, shader logs,
 /// failed frame buffer objects, warnings of ours) fails it, unless the test takes the message and judges it.
 class GlTest : public ::testing::Test {
 protected:
@@ -46,7 +46,7 @@ protected:
     osg::ref_ptr<osg::Image> render(osg::Node* node, int width, int height, int frames = 1);
 
     /// What OSG said since the last look; the test has then dealt with it.
-    std::string takeMessages() { return _collector->take(); }
+    std::string takeMessages();
 
     void TearDown() override;
 

@@ -95,10 +95,10 @@ TEST_P(ForestCopyTest, OutlivesTheOriginal) {
 
 TEST_P(ForestCopyTest, CopiesTheStateSet) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
-    forest->getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
+    forest->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     ASSERT_NE(copy->getStateSet(), nullptr);
-    EXPECT_EQ(copy->getStateSet()->getMode(GL_FOG), GLuint(osg::StateAttribute::ON));
+    EXPECT_EQ(copy->getStateSet()->getMode(GL_BLEND), GLuint(osg::StateAttribute::ON));
 }
 
 TEST_P(ForestCopyTest, RequiresOneUpdateTraversal) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -16,8 +17,9 @@ using namespace osgTreeWind;
 
 namespace {
 
-osg::ref_ptr<osg::GraphicsContext> realizedContext(int width, int height) {
-    auto made = createOffscreenContext(width, height);
+osg::ref_ptr<osg::GraphicsContext> realizedContext(int width, int height,
+                                                  ContextProfile profile = osgProfile) {
+    auto made = createOffscreenContext(width, height, profile);
     if (!made) {
         ADD_FAILURE() << made.problems().front().message;
         return nullptr;
@@ -81,11 +83,24 @@ TEST_F(OffscreenContextGlTest, LeavesNoContextCurrent) {
     EXPECT_EQ(glGetString(GL_VERSION), nullptr);
 }
 
-TEST_F(OffscreenContextGlTest, OffersOpenGL33WithTheCompatibilityProfile) {
+TEST_F(OffscreenContextGlTest, OffersOpenGL33InBothProfiles) {
+    for (const ContextProfile profile : {ContextProfile::Compatibility, ContextProfile::Core}) {
+        auto context = realizedContext(8, 8, profile);
+        ASSERT_TRUE(context && context->makeCurrent());
+        EXPECT_GE(integer(GL_MAJOR_VERSION) * 10 + integer(GL_MINOR_VERSION), 33) << glGetString(GL_VERSION);
+        EXPECT_TRUE(integer(GL_CONTEXT_PROFILE_MASK) & (profile == ContextProfile::Core
+                                                            ? GL_CONTEXT_CORE_PROFILE_BIT
+                                                            : GL_CONTEXT_COMPATIBILITY_PROFILE_BIT));
+        EXPECT_EQ(isCoreProfile(*context->getState()), profile == ContextProfile::Core);
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        context->releaseContext();
+    }
+}
+
+#ifdef OSG_GL_VERTEX_FUNCS_AVAILABLE
+TEST_F(OffscreenContextGlTest, HasTheFixedFunctionInACompatibilityProfile) {
     auto context = realizedContext(8, 8);
     ASSERT_TRUE(context && context->makeCurrent());
-    EXPECT_GE(integer(GL_MAJOR_VERSION) * 10 + integer(GL_MINOR_VERSION), 33) << glGetString(GL_VERSION);
-    EXPECT_TRUE(integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT);
     glColor3f(1, 0, 0);
     glBegin(GL_QUADS);
     glVertex2f(-1, -1);
@@ -108,6 +123,7 @@ TEST_F(OffscreenContextGlTest, HasTheDocumentedDepthAndStencilBits) {
     EXPECT_EQ(integer(GL_ALPHA_BITS), 8);
     context->releaseContext();
 }
+#endif
 
 TEST_F(OffscreenContextGlTest, TwoContextsHaveTheirOwnIdsAndPixels) {
     auto first = realizedContext(8, 8);

@@ -110,7 +110,7 @@ TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
     TreeNode& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[1];
     tree.setName("by the gate");
     tree.addChild(new osg::Group);
-    tree.getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
+    tree.getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
     tree.getBranch(3);
     osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));
     EXPECT_EQ(copy->getName(), "by the gate");
@@ -121,7 +121,7 @@ TEST_P(TreeNodeCopyTest, HasItsOwnPartsAndKeepsUserNodes) {
     EXPECT_NE(copy->getPosedTree(), tree.getPosedTree());
     EXPECT_NE(copy->getBranch(3), tree.getBranch(3));
     EXPECT_TRUE(copy->getBranch(3)->getRotation().zeroRotation()) << "at rest";
-    EXPECT_EQ(copy->getStateSet()->getMode(GL_FOG), GLuint(osg::StateAttribute::ON));
+    EXPECT_EQ(copy->getStateSet()->getMode(GL_BLEND), GLuint(osg::StateAttribute::ON));
 }
 
 TEST_P(TreeNodeCopyTest, DoesNotChangeTheOriginal) {
