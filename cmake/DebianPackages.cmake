@@ -3,6 +3,9 @@
 # (`cpack -G TGZ`).
 set(soname ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_COMPONENTS_ALL library development plugin tool documentation)
+if(osgTreeWind_linkage STREQUAL "STATIC")
+    list(REMOVE_ITEM CPACK_COMPONENTS_ALL plugin) # part of development
+endif()
 set(CPACK_PACKAGE_CONTACT "osgTreeWind maintainers <maintainers@osgtreewind.example>")
 set(CPACK_PACKAGE_VENDOR "osgTreeWind")
 set(CPACK_STRIP_FILES ON)

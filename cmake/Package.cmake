@@ -43,6 +43,13 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 
+set(pkgconfig_libraries -losgTreeWind)
+if(osgTreeWind_linkage STREQUAL "STATIC") # with the plugins and the dependencies of the library
+    set(pkgconfig_libraries "-losgdb_treewind -losgdb_serializers_osgtreewind -losgTreeWind")
+    set(pkgconfig_static
+        "Requires.private: openscenegraph-osgViewer tomlplusplus pugixml zlib libutf8proc\nLibs.private: -lcsv -lOpenGL")
+    install(FILES cmake/FindLibCsv.cmake DESTINATION ${package_folder} COMPONENT development)
+endif()
 file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/osgTreeWind.pc.in osgTreeWind.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/osgTreeWind.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig

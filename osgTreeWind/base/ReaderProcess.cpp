@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path of the program: the environment variable, or else osgTreeWind/ beside the library. For programs
-/// that link the library statically, it searches the library folders of the installation and the build.
+/// The path of the program: the environment variable, or else osgTreeWind/ beside the library. A program that
+/// links the library statically searches beside itself, then the folders of the installation and the build.
 std::string findProgram(const ReaderProgram& reader) {
     if (const char* path = std::getenv(reader.variable))
         return path;
@@ -31,14 +31,14 @@ std::string findProgram(const ReaderProgram& reader) {
     Dl_info info{};
     dladdr(&symbol, &info);
     std::error_code ignored;
-    fs::path object = info.dli_fname ? info.dli_fname : "", program;
+    fs::path object = info.dli_fname ? info.dli_fname : "";
     if (!object.is_absolute()) // argv[0] of a statically linked program
         object = fs::read_symlink("/proc/self/exe", ignored);
-    for (const char* libraries : {"", OSGTREEWIND_LIBRARIES_FROM_PROGRAMS, "../lib"})
-        if (program = object.parent_path() / libraries / "osgTreeWind" / reader.name;
-            fs::exists(program, ignored))
-            break;
-    return program;
+    const fs::path folder = object.parent_path(), name = fs::path("osgTreeWind") / reader.name;
+    for (const char* libraries : {"", OSGTREEWIND_LIBRARY_FOLDERS}) // relative to the object or absolute
+        if (fs::exists(folder / libraries / name, ignored))
+            return folder / libraries / name;
+    return folder / name;
 }
 
 /// Starts a program whose standard input and output are one end of a socket. It inherits no other

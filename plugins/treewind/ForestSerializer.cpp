@@ -152,6 +152,9 @@ bool readBranchwiseDrawing(osgDB::InputStream& input, Forest&) {
 
 } // namespace
 
+/// For USE_SERIALIZER_WRAPPER_LIBRARY(osgtreewind) in programs that link this library statically.
+extern "C" void wrapper_serializer_library_osgtreewind() {}
+
 // Without osg::Group, whose wrapper would write the children.
 REGISTER_OBJECT_WRAPPER(osgTreeWind_Forest, new osgTreeWind::Forest, osgTreeWind::Forest,
                         "osg::Object osg::Node osgTreeWind::Forest") {
