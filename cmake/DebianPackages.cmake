@@ -45,6 +45,10 @@ set(CPACK_COMPONENT_TOOL_DEPENDS library) # for the programs that read formats
 file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libopenscenegraph-dev, libglm-dev")
+if(osgTreeWind_linkage STREQUAL "STATIC")
+    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+        ", libtomlplusplus-dev, libpugixml-dev, libcsv-dev, zlib1g-dev, libutf8proc-dev, libopengl-dev, pkg-config")
+endif()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS osgtreewind-plugin)
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "ffmpeg, osgtreewind-plugin")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS osgtreewind-doc)
