@@ -14,11 +14,15 @@
 
 namespace osgTreeWind {
 
-bool isCoreProfile(const osg::State& state) {
+bool isCoreProfile([[maybe_unused]] const osg::State& state) {
+#ifdef OSG_GL_FIXED_FUNCTION_AVAILABLE
     GLint profile = 0;
     if (state.get<osg::GLExtensions>()->glVersion >= 3.2f)
         glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     return profile & GL_CONTEXT_CORE_PROFILE_BIT;
+#else
+    return true;
+#endif
 }
 
 bool prepareProfile(osg::State& state) {

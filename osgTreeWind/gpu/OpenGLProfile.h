@@ -6,24 +6,25 @@
 
 namespace osgTreeWind {
 
-/// Whether the current context, which `state` belongs to, has an OpenGL core profile.
+/// Whether the current context, which `state` belongs to, is used as an OpenGL core profile: it has one, or
+/// OSG is built without the fixed function.
 bool isCoreProfile(const osg::State& state);
 
-/// Corrects what an OSG that is not built for core profiles takes for missing there, as extensions that became
-/// part of OpenGL are not listed.
+/// Corrects what an OSG that is not built for core profiles takes for missing there, as extensions that
+/// became part of OpenGL are not listed.
 inline void useCoreExtensions(osg::GLExtensions& extensions) {
     extensions.isShadowSupported = true;
     extensions.preferGenerateMipmapSGISForPowerOfTwo = false;
 }
 
-/// Makes OSG's state fit for a core profile if the current context has one: generic vertex attributes, matrices
-/// as uniforms, a vertex array object for drawables without one, and no modes of the fixed function. An OSG
-/// that is built for core profiles (OPENGL_PROFILE=GLCORE) has done most of this; Debian's has not.
+/// Makes OSG's state fit for a core profile if the current context has one: generic vertex attributes,
+/// matrices as uniforms, a vertex array object for drawables without one, and no modes of the fixed function.
+/// An OSG that is built for core profiles (OPENGL_PROFILE=GLCORE) has done most of this; Debian's has not.
 /// @return isCoreProfile().
 bool prepareProfile(osg::State& state);
 
-/// An attribute that only a compatibility profile has, such as osg::Light. In a core profile it is not applied,
-/// but shaders may get its values (drawing/looks/SceneUniforms.h).
+/// An attribute that only a compatibility profile has, such as osg::Light. In a core profile it is not
+/// applied, but shaders may get its values (drawing/looks/SceneUniforms.h).
 template <typename Attribute>
 class CompatibilityOnly : public Attribute {
 public:

@@ -102,8 +102,8 @@ public:
         OSG_WARN << "osgTreeWind: shader files in OSG_FILE_PATH do not work for \"" << getName()
                  << "\"; the embedded shaders are used instead" << std::endl;
         for (const osg::ref_ptr<osg::Shader>& shader : _shaders)
-            shader->setShaderSource(textInProfile(
-                shader->getType(), expandIncludes(shader->getName(), EmbeddedOnly), _core));
+            shader->setShaderSource(
+                textInProfile(shader->getType(), expandIncludes(shader->getName(), EmbeddedOnly), _core));
         _overridden = false;
         osg::Program::apply(state);
     }
@@ -115,7 +115,8 @@ private:
     mutable bool _overridden = false;
 };
 
-/// A program for contexts of both profiles, which may share it. It has no shaders itself.
+/// A program for contexts of both profiles, which may share it. It has no shaders itself: OSG takes it for
+/// fixed function, and leaves it alone when it compiles in advance.
 class LibraryProgram : public osg::Program {
 public:
     LibraryProgram(const std::string& name, const std::vector<Part>& parts)
@@ -146,6 +147,15 @@ private:
     osg::ref_ptr<osg::Program> _compatibility, _core;
 };
 
+/// A program for all contexts in which OSG draws.
+osg::ref_ptr<osg::Program> programOf(const std::string& name, const std::vector<Part>& parts) {
+#ifdef OSG_GL_FIXED_FUNCTION_AVAILABLE
+    return new LibraryProgram(name, parts);
+#else
+    return new ProfileProgram(name, parts, true);
+#endif
+}
+
 } // namespace
 
 std::string shaderText(const std::string& name) {
@@ -157,15 +167,14 @@ osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::s
     const Part parts[] = {{osg::Shader::VERTEX, vertex + ".vert", shaderText(vertex + ".vert")},
                           {osg::Shader::FRAGMENT, fragment + ".frag", shaderText(fragment + ".frag")}};
     return programs.get({parts[0].name, parts[0].text, parts[1].name, parts[1].text}, [&] {
-        return osg::ref_ptr<osg::Program>(
-            new LibraryProgram("osgTreeWind " + fragment, {parts[0], parts[1]}));
+        return programOf("osgTreeWind " + fragment, {parts[0], parts[1]});
     });
 }
 
 osg::ref_ptr<osg::Program> makeProgram(const std::string& name, const std::string& vertexText,
                                        const std::string& fragmentText) {
-    return new LibraryProgram("osgTreeWind " + name, {{osg::Shader::VERTEX, name, vertexText},
-                                                      {osg::Shader::FRAGMENT, name, fragmentText}});
+    return programOf("osgTreeWind " + name,
+                     {{osg::Shader::VERTEX, name, vertexText}, {osg::Shader::FRAGMENT, name, fragmentText}});
 }
 
 } // namespace osgTreeWind

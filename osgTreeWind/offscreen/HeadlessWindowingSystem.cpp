@@ -68,9 +68,9 @@ public:
 
 private:
     static osg::GraphicsContext* make(osg::GraphicsContext::Traits* traits) {
-        auto made = createOffscreenContext(
-            traits->width, traits->height,
-            traits->glContextProfileMask & 1 ? ContextProfile::Core : ContextProfile::Compatibility);
+        auto made =
+            createOffscreenContext(traits->width, traits->height,
+                                   traits->glContextProfileMask & 1 ? ContextProfile::Core : osgProfile);
         if (!made) {
             OSG_WARN << "osgTreeWindHeadless: " << made.problems().front().message << std::endl;
             return nullptr;

@@ -3,6 +3,7 @@
 
 #include <tests/MessageCollector.h>
 
+#include <osg/GL>
 #include <osg/Image>
 #include <osg/Vec4ub>
 #include <osgViewer/Viewer>
@@ -21,8 +22,17 @@ constexpr std::size_t keptMemory = std::size_t(1) << 30;
 constexpr std::size_t keptMemory = std::size_t(8) << 20;
 #endif
 
-/// A test that draws without a display, in the profile that OSG is built for. Whatever OSG says at NOTICE or above (OpenGL errors, shader logs,
-/// failed frame buffer objects, warnings of ours) fails it, unless the test takes the message and judges it.
+/// Whether OSG has OpenGL's fixed function. Without it, OSG draws shapes that have no program in one colour,
+/// and the shaders of osgShadow::ShadowMap do not compile.
+#ifdef OSG_GL_FIXED_FUNCTION_AVAILABLE
+constexpr bool hasFixedFunction = true;
+#else
+constexpr bool hasFixedFunction = false;
+#endif
+
+/// A test that draws without a display, in the profile that OSG is built for. Whatever OSG says at NOTICE or
+/// above (OpenGL errors, shader logs, failed frame buffer objects, warnings of ours) fails it, unless the
+/// test takes the message and judges it.
 class GlTest : public ::testing::Test {
 protected:
     GlTest();

@@ -29,7 +29,7 @@ osg::ref_ptr<osg::Geometry> redShape(std::initializer_list<osg::Vec3> corners) {
     osg::ref_ptr<osg::Vec4Array> red = new osg::Vec4Array(osg::Array::BIND_OVERALL);
     red->push_back(osg::Vec4(1, 0, 0, 1));
     shape->setColorArray(red);
-    shape->addPrimitiveSet(new osg::DrawArrays(GL_POLYGON, 0, corners.size()));
+    shape->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, corners.size()));
     shape->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     return shape;
 }
@@ -107,6 +107,8 @@ TEST_F(FrameImageGlTest, NearShapesHideFarOnes) {
 }
 
 TEST_F(FrameImageGlTest, TheSameSceneGivesTheSameBytes) {
+    if (!hasFixedFunction)
+        GTEST_SKIP() << "OSG does not light shapes without a program in a core profile";
     osg::ref_ptr<osg::Node> cone = new osg::ShapeDrawable(new osg::Cone(osg::Vec3(), 1, 2));
     const osg::ref_ptr<osg::Image> first = render(cone, 64, 48, 3);
     const osg::ref_ptr<osg::Image> second = render(cone, 64, 48, 3);

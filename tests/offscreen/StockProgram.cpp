@@ -18,6 +18,7 @@ int main() {
     viewer.setUpViewInWindow(10, 10, 320, 200);
     viewer.getCamera()->setClearColor(osg::Vec4(1, 0, 1, 1));
     viewer.getCamera()->setFinalDrawCallback(new ReadPixel(pixel));
+    viewer.setLightingMode(osg::View::NO_LIGHT); // OSG cannot apply lights in a core profile, and says so
     viewer.setSceneData(new osg::Group);
     viewer.realize();
     for (int i = 0; i < 3; ++i)

@@ -2,7 +2,6 @@
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
-#include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
 
 namespace osgTreeWind {
@@ -26,7 +25,6 @@ void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
     if (!_geometry)
         return;
     const DrawTimer time(renderInfo, "Forest draw");
-    applySceneUniforms(renderInfo);
     _geometry->draw(renderInfo);
 }
 

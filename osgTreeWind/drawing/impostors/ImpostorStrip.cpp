@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
@@ -16,10 +17,8 @@ osg::ref_ptr<osg::Geometry> strip(int segments) {
     for (int i = 0; i <= segments; ++i)
         for (const float s : {-1.0f, 1.0f})
             corners->push_back({s, static_cast<float>(i) / static_cast<float>(segments), 0.0f});
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    osg::ref_ptr<osg::Geometry> geometry = new SceneGeometry;
     geometry->setName("impostor");
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
     geometry->setVertexArray(corners);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<int>(corners->size())));
     makeArraysDistinct(*geometry);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/Laws.h>
@@ -17,10 +18,8 @@ namespace {
 constexpr float farthestReach = 4.0f; // metres, as in shaders/instance.glsl
 
 osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    osg::ref_ptr<osg::Geometry> geometry = new SceneGeometry;
     geometry->setName(name);
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
     return geometry;
 }
 

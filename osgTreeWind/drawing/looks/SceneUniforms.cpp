@@ -15,6 +15,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -67,8 +68,7 @@ struct LightNames {
     unsigned ambient = nameId(prefix + "ambient"), diffuse = nameId(prefix + "diffuse"),
              position = nameId(prefix + "position"), spotDirection = nameId(prefix + "spotDirection"),
              spotExponent = nameId(prefix + "spotExponent"), spotCutoff = nameId(prefix + "spotCutoff"),
-             constant = nameId(prefix + "constantAttenuation"),
-             linear = nameId(prefix + "linearAttenuation"),
+             constant = nameId(prefix + "constantAttenuation"), linear = nameId(prefix + "linearAttenuation"),
              quadratic = nameId(prefix + "quadraticAttenuation");
 };
 
@@ -106,11 +106,24 @@ osg::Matrixf eyePlanes(const osg::TexGen& planes, const osg::Matrix& toEye) {
     return result;
 }
 
+/// Light 0 before a host sets it.
+const osg::Light* openGLsLight() {
+    static const osg::ref_ptr<osg::Light> light = [] {
+        osg::ref_ptr<osg::Light> made = new osg::Light;
+        made->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
+        made->setDiffuse(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
+        return made;
+    }();
+    return light;
+}
+
 /// The positional state of a render stage: lights, clip planes and shadow planes, in eye space.
 class PositionalUniforms {
 public:
     PositionalUniforms(const osg::State& state, const ProgramUniforms& uniforms)
-        : _state(state), _uniforms(uniforms) {}
+        : _state(state), _uniforms(uniforms) {
+        addLight(*openGLsLight(), osg::Matrix());
+    }
 
     void add(const osg::View& view) {
         if (view.getLight() && view.getLightingMode() != osg::View::NO_LIGHT)
@@ -131,28 +144,32 @@ public:
             for (const auto& [attribute, matrix] : attributes)
                 if (const auto* planes = dynamic_cast<const osg::TexGen*>(attribute.get());
                     planes && unit < textureUnits)
-                    _eyePlanes[unit] =
-                        eyePlanes(*planes, matrix ? *matrix * postMultiplied : postMultiplied);
+                    _eyePlanes[unit] = eyePlanes(*planes, matrix ? *matrix * postMultiplied : postMultiplied);
     }
     void apply() const {
+        for (const auto& [light, toEye] : _lights)
+            if (light)
+                setLight(_uniforms, *light, toEye);
         static const unsigned clipPlanes = nameId("sceneClipPlanes"), planes = nameId("sceneEyePlanes");
         _uniforms.set(clipPlanes, _clipPlanes);
         _uniforms.set(planes, _eyePlanes);
     }
 
 private:
-    void addLight(const osg::Light& light, const osg::Matrix& toEye) const {
-        if (static_cast<unsigned>(light.getLightNum()) < lightCount && !isOfHost(light.getLightNum()))
-            setLight(_uniforms, light, toEye);
+    void addLight(const osg::Light& light, const osg::Matrix& toEye) {
+        const auto number = static_cast<unsigned>(light.getLightNum());
+        if (number < lightCount && !isOfHost(number))
+            _lights[number] = {&light, toEye};
     }
-    bool isOfHost(int number) const {
+    bool isOfHost(unsigned number) const {
         const auto& uniforms = _state.getUniformMap();
-        const auto found = uniforms.find(lightNames(static_cast<unsigned>(number)).hostPosition);
+        const auto found = uniforms.find(lightNames(number).hostPosition);
         return found != uniforms.end() && !found->second.uniformVec.empty();
     }
 
     const osg::State& _state;
     const ProgramUniforms& _uniforms;
+    std::array<std::pair<const osg::Light*, osg::Matrix>, lightCount> _lights{};
     std::array<osg::Vec4, clipPlaneCount> _clipPlanes{};
     std::array<osg::Matrixf, textureUnits> _eyePlanes{};
 };

@@ -23,11 +23,12 @@ using namespace osgTreeWind;
 
 namespace {
 
+const char* const whiteFragments = "out vec4 color;\nvoid main() { color = vec4(1.0); }";
+
 /// Draws white, independent of lights.
 osg::ref_ptr<osg::StateSet> silhouette(const char* vertexShader) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(makeProgram("white", shaderText(vertexShader),
-                                            "out vec4 color;\nvoid main() { color = vec4(1.0); }"));
+    state->setAttributeAndModes(makeProgram("white", shaderText(vertexShader), whiteFragments));
     return state;
 }
 
@@ -44,7 +45,9 @@ osg::ref_ptr<osg::Geometry> whiteTriangles(osg::Vec3Array* corners) {
     geometry->setUseDisplayList(false);
     geometry->setVertexArray(corners);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    geometry->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    geometry->getOrCreateStateSet()->setAttributeAndModes(makeProgram(
+        "white", "void main() { gl_Position = osg_ProjectionMatrix * (osg_ModelViewMatrix * osg_Vertex); }",
+        whiteFragments));
     return geometry;
 }
 
