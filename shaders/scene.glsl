@@ -2,9 +2,11 @@
 // Effects of the scene on a fragment: shadows, encoding of the colour, and fog, which is blended after the encoding as
 // in OpenGL (osgTreeWind/drawing/looks/SceneShading.h).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: number of maps of ViewDependentShadowMap.
+// SHADOW_SLICES: number of slices of osgEarth's ShadowCaster.
 // TIERS_COLORED: draws each tree in the `tierColor` of its level of detail, with its brightness.
 // SHADOW_CLEARANCE: distance toward the light without shadow casters, metres: light.glsl shades within a crown.
-#pragma import_defines(SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1, TIERS_COLORED)
+#pragma import_defines(SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+#pragma import_defines(SHADOW_SLICES, TIERS_COLORED)
 #ifndef SHADOW_CLEARANCE
 #define SHADOW_CLEARANCE 1.5
 #endif
@@ -33,6 +35,11 @@ uniform sampler2DShadow shadowTexture1;
 #endif
 #endif
 
+#ifdef SHADOW_SLICES
+uniform sampler2DArray oe_shadow_map; // depths, without comparison
+uniform mat4 oe_shadow_matrix[SHADOW_SLICES]; // from eye space to a slice
+#endif
+
 #ifdef SHADOWED
 /// Share of the sun's light outside shadows.
 float sunLeft(vec3 eyePosition) {
@@ -50,6 +57,14 @@ float sunLeft(vec3 eyePosition) {
     if (any(greaterThan(abs(2.0 * place0.xyz - place0.w), vec3(place0.w)))) // outside the first map
         left = textureProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye));
 #endif
+#endif
+#ifdef SHADOW_SLICES
+    for (int i = 0; i < SHADOW_SLICES; ++i) {
+        vec3 slice = (oe_shadow_matrix[i] * eye).xyz;
+        float depth = texture(oe_shadow_map, vec3(slice.xy, float(i))).r;
+        if (all(lessThan(abs(slice - 0.5), vec3(0.5))) && depth < slice.z)
+            left = 0.0;
+    }
 #endif
     return left;
 }

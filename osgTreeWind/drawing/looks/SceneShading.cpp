@@ -130,6 +130,8 @@ void setSceneDefines(osg::StateSet& state, const osg::StateSet* stage, const osg
         if (!second.empty())
             define("SHADOW_MAP_UNIT1", second);
     }
+    if (const osg::Uniform* slices = inherited.uniform("oe_shadow_matrix"))
+        define("SHADOW_SLICES", std::to_string(slices->getNumElements()));
     state.setDefineList(defines);
 }
 

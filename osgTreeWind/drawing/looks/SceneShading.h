@@ -9,10 +9,11 @@
 
 namespace osgTreeWind {
 
-/// Passes the lighting state of the scene to shaders as defines: the lights that are on, fog, clip planes, the shadow maps
-/// of osgShadow::ShadowMap and ViewDependentShadowMap, and whether OpenGL encodes colours as sRGB
-/// (GL_FRAMEBUFFER_SRGB) instead of the shaders. A scene that encodes colours itself sets LINEAR_COLORS.
-/// Call it after the cull traversal, at whose end ViewDependentShadowMap fills in its state.
+/// Passes the lighting state of the scene to shaders as defines: the lights that are on, fog, clip planes,
+/// the shadow maps of osgShadow::ShadowMap, ViewDependentShadowMap and osgEarth's ShadowCaster, and whether
+/// OpenGL encodes colours as sRGB (GL_FRAMEBUFFER_SRGB) instead of the shaders. A scene that encodes colours
+/// itself sets LINEAR_COLORS. Call it after the cull traversal, at whose end ViewDependentShadowMap fills in
+/// its state.
 /// @param state receives the defines of shaders/light.glsl and shaders/scene.glsl in place of all others.
 /// @param stage state set of the render stage, may be null.
 /// @param stateGraph where the inherited state is read from.
