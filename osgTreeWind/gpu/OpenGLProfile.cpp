@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/OpenGLProfile.h>
 
-// They define the modes that the OpenGL headers of a core profile lack.
-#include <osg/AlphaFunc>
-#include <osg/Fog>
-#include <osg/Light>
-#include <osg/LineStipple>
-#include <osg/Material>
-#include <osg/PolygonStipple>
-#include <osg/Transform>
-
 #include <osg/VertexArrayState>
 
 namespace osgTreeWind {
@@ -29,11 +20,7 @@ bool prepareProfile(osg::State& state) {
     if (!isCoreProfile(state))
         return false;
     if (state.getModeValidity(GL_LIGHTING)) { // not prepared yet
-        for (const GLenum mode : {GL_LIGHTING, GL_FOG, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_ALPHA_TEST,
-                                  GL_COLOR_MATERIAL, GL_LINE_STIPPLE, GL_POLYGON_STIPPLE})
-            state.setModeValidity(mode, false);
-        for (unsigned light = 0; light < 8; ++light)
-            state.setModeValidity(GL_LIGHT0 + light, false);
+        ignoreFixedFunction(state);
         useCoreExtensions(*state.get<osg::GLExtensions>());
         state.setUseVertexAttributeAliasing(true);
         state.setUseModelViewAndProjectionUniforms(true);

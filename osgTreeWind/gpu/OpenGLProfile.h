@@ -3,6 +3,14 @@
 
 #include <osg/GLExtensions>
 #include <osg/State>
+// They define the modes that the OpenGL headers of a core profile lack.
+#include <osg/AlphaFunc>
+#include <osg/Fog>
+#include <osg/Light>
+#include <osg/LineStipple>
+#include <osg/Material>
+#include <osg/PolygonStipple>
+#include <osg/Transform>
 
 namespace osgTreeWind {
 
@@ -15,6 +23,15 @@ bool isCoreProfile(const osg::State& state);
 inline void useCoreExtensions(osg::GLExtensions& extensions) {
     extensions.isShadowSupported = true;
     extensions.preferGenerateMipmapSGISForPowerOfTwo = false;
+}
+
+/// Keeps OSG from enabling modes of the fixed function, which core profiles lack.
+inline void ignoreFixedFunction(osg::State& state) {
+    for (const GLenum mode : {GL_LIGHTING, GL_FOG, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_ALPHA_TEST,
+                              GL_COLOR_MATERIAL, GL_LINE_STIPPLE, GL_POLYGON_STIPPLE})
+        state.setModeValidity(mode, false);
+    for (unsigned light = 0; light < 8; ++light)
+        state.setModeValidity(GL_LIGHT0 + light, false);
 }
 
 /// Makes OSG's state fit for a core profile if the current context has one: generic vertex attributes,

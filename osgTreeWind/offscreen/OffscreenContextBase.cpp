@@ -43,6 +43,7 @@ OffscreenContextBase::OffscreenContextBase(int width, int height, ContextProfile
         new osg::DisplaySettings(*osg::DisplaySettings::instance());
     settings->setVertexBufferHint(osg::DisplaySettings::VERTEX_ARRAY_OBJECT);
     getState()->setDisplaySettings(settings);
+    ignoreFixedFunction(*getState());
     getState()->setUseVertexAttributeAliasing(true);
     getState()->setUseModelViewAndProjectionUniforms(true);
 }
