@@ -158,7 +158,8 @@ private:
     osg::State& _state;
     const osg::GLExtensions& _gl;
     const osg::Program::PerContextProgram* _program;
-    GLint _readFrameBuffer = 0, _drawFrameBuffer = 0, _programHandle = 0, _vertexArray = 0, _activeTexture = 0;
+    GLint _readFrameBuffer = 0, _drawFrameBuffer = 0, _programHandle = 0, _vertexArray = 0,
+          _activeTexture = 0;
     GLint _viewport[4] = {}, _polygonMode[2] = {}, _textures[units] = {};
     GLboolean _blends[targets] = {}, _colorMasks[targets][4] = {};
     std::vector<GLenum> _disabled;

@@ -32,12 +32,12 @@ inline void clipByAllPlanes(osg::StateSet& state) {
 
 /// Returns a program of the shaders `vertex`.vert and `fragment`.frag. Calls share one program while their
 /// texts are equal and it is referenced. If a file in OSG_FILE_PATH does not compile or link, OSG prints the
-/// driver's log, and the embedded shaders replace it after one OSG_WARN. Contexts of both profiles may share the
-/// program: each gets shaders of `#version 330` for its own profile (shaders/core.glsl). Any thread.
+/// driver's log, and the embedded shaders replace it after one OSG_WARN. Contexts of both profiles may share
+/// the program: each gets shaders of `#version 330` for its own profile (shaders/core.glsl). Any thread.
 osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::string& fragment);
 
-/// Returns a program of two texts that have no `#version` and use the names of shaders/core.glsl, for contexts
-/// of both profiles. Any thread.
+/// Returns a program of two texts that have no `#version` and use the names of shaders/core.glsl, for
+/// contexts of both profiles. Any thread.
 osg::ref_ptr<osg::Program> makeProgram(const std::string& name, const std::string& vertexText,
                                        const std::string& fragmentText);
 

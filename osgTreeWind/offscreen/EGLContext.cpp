@@ -16,7 +16,8 @@ class EGLGraphicsContext : public OffscreenContextBase {
 public:
     EGLGraphicsContext(int width, int height, ContextProfile profile, EGLDisplay display, EGLContext context,
                        EGLSurface surface)
-        : OffscreenContextBase(width, height, profile), _display(display), _context(context), _surface(surface) {}
+        : OffscreenContextBase(width, height, profile), _display(display), _context(context),
+          _surface(surface) {}
 
     const char* className() const override { return "EGLGraphicsContext"; }
     bool valid() const override { return _context != EGL_NO_CONTEXT; }
@@ -123,7 +124,7 @@ const char* offscreenBackendName() {
 }
 
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
-                                                                ContextProfile profile) {
+                                                                  ContextProfile profile) {
     if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
         return *sizeError;
 
@@ -151,7 +152,8 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
                                  EGL_NONE};
     const EGLContext context = eglCreateContext(chosen.display, chosen.config, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) {
-        Diagnostic missing = problem(std::string("EGL made no context with the OpenGL ") + profileName(profile) + " profile");
+        Diagnostic missing =
+            problem(std::string("EGL made no context with the OpenGL ") + profileName(profile) + " profile");
         eglDestroySurface(chosen.display, surface);
         return missing;
     }

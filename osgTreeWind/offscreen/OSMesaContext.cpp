@@ -61,7 +61,7 @@ const char* offscreenBackendName() {
 }
 
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
-                                                                ContextProfile profile) {
+                                                                  ContextProfile profile) {
     if (const auto sizeError = OffscreenContextBase::sizeProblem(width, height))
         return *sizeError;
 
@@ -92,7 +92,8 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
                               0};
     const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context)
-        return fileProblem({}, std::string("libOSMesa made no context; expected an OpenGL ") + profileName(profile) + " profile");
+        return fileProblem({}, std::string("libOSMesa made no context; expected an OpenGL ") +
+                                   profileName(profile) + " profile");
 
     return osg::ref_ptr<osg::GraphicsContext>(
         new OSMesaGraphicsContext(width, height, profile, context, std::move(pixels)));

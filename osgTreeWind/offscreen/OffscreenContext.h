@@ -32,12 +32,12 @@ constexpr ContextProfile osgProfile = ContextProfile::Core;
 /// software renderer) and osgTreeWind::EGL (a GPU if there is one, else Mesa's software renderer). It may
 /// also open windows.
 /// @param width, height in pixels, 1 to maxOffscreenSize.
-/// @param profile of the context. In a core profile, only drawables whose state has a program are drawn. An OSG
-/// that is not built for it gets generic vertex attributes and vertex array objects there.
+/// @param profile of the context. In a core profile, only drawables whose state has a program are drawn. An
+/// OSG that is not built for it gets generic vertex attributes and vertex array objects there.
 /// @return a context that is valid() and not yet realized, or one problem. Any thread; leaves no context
 /// current.
 Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height,
-                                                                ContextProfile profile = osgProfile);
+                                                                  ContextProfile profile = osgProfile);
 
 /// The backend of this program: "osmesa" or "egl".
 const char* offscreenBackendName();

@@ -39,8 +39,7 @@ OffscreenContextBase::OffscreenContextBase(int width, int height, ContextProfile
         return;
     _traits->glContextVersion = "3.3";
     _traits->glContextProfileMask = 1;
-    osg::ref_ptr<osg::DisplaySettings> settings =
-        new osg::DisplaySettings(*osg::DisplaySettings::instance());
+    osg::ref_ptr<osg::DisplaySettings> settings = new osg::DisplaySettings(*osg::DisplaySettings::instance());
     settings->setVertexBufferHint(osg::DisplaySettings::VERTEX_ARRAY_OBJECT);
     getState()->setDisplaySettings(settings);
     ignoreFixedFunction(*getState());

@@ -65,14 +65,14 @@ osg::ref_ptr<osg::Group> scene(Forest* forest, const std::string& vertexEnd, con
     osg::ref_ptr<osg::Group> walls = new osg::Group;
     walls->addChild(wall(-2, 2, -5));
     walls->addChild(wall(4, 12, 6));
-    walls->getOrCreateStateSet()->setAttributeAndModes(
-        makeProgram("walls",
-                    "out float far;\nvoid main() { gl_Position = osg_ProjectionMatrix * osg_ModelViewMatrix * "
-                    "osg_Vertex; " +
-                        vertexEnd + " }",
-                    "uniform float farthest;\nin float far;\nout vec4 color;\nvoid main() { "
-                    "color = vec4(0.2, 0.2, 0.9, 1.0); " +
-                        fragmentEnd + " }"));
+    walls->getOrCreateStateSet()->setAttributeAndModes(makeProgram(
+        "walls",
+        "out float far;\nvoid main() { gl_Position = osg_ProjectionMatrix * osg_ModelViewMatrix * "
+        "osg_Vertex; " +
+            vertexEnd + " }",
+        "uniform float farthest;\nin float far;\nout vec4 color;\nvoid main() { "
+        "color = vec4(0.2, 0.2, 0.9, 1.0); " +
+            fragmentEnd + " }"));
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(walls);
     root->addChild(forest);

@@ -38,8 +38,7 @@ void main() {
         osg::createTexturedQuadGeometry(osg::Vec3(-1, -1, 0), osg::Vec3(2, 0, 0), osg::Vec3(0, 2, 0));
     quad->setCullingActive(false);
     osg::StateSet* state = quad->getOrCreateStateSet();
-    state->setAttributeAndModes(
-        makeProgram("bytes", "void main() { gl_Position = osg_Vertex; }", fragment));
+    state->setAttributeAndModes(makeProgram("bytes", "void main() { gl_Position = osg_Vertex; }", fragment));
     state->setTextureAttribute(0, data.texture());
     state->addUniform(new osg::Uniform("data", 0));
     state->setMode(GL_DEPTH_TEST, osg::StateAttribute::OFF);

@@ -56,8 +56,8 @@ ForestDescription forestUnder(MotionLaw law) {
     return description;
 }
 
-/// A test that draws in both profiles. OSG itself complains about what it applies in the profile that it is not
-/// built for, so its messages are not checked; ours are.
+/// A test that draws in both profiles. OSG itself complains about what it applies in the profile that it is
+/// not built for, so its messages are not checked; ours are.
 class CoreProfileGlTest : public GlTest, public ::testing::WithParamInterface<MotionLaw> {
 protected:
     void SetUp() override { open(8, 8); }
@@ -88,7 +88,8 @@ TEST_P(CoreProfileGlTest, OneForestInBothProfilesAtOnceInEitherOrder) {
         ProfileView first(coreFirst ? ContextProfile::Core : ContextProfile::Compatibility, forest),
             second(coreFirst ? ContextProfile::Compatibility : ContextProfile::Core, forest);
         for (int i = 0; i < 3; ++i)
-            EXPECT_LT(differenceOnTrees(first.frame(i / 25.0), second.frame(i / 25.0)), 2.0) << coreFirst << i;
+            EXPECT_LT(differenceOnTrees(first.frame(i / 25.0), second.frame(i / 25.0)), 2.0)
+                << coreFirst << i;
     }
 }
 
@@ -106,7 +107,8 @@ TEST_P(CoreProfileGlTest, LampsFogAndClipPlanesAreThoseOfTheScene) {
         osg::StateSet* state = root->getOrCreateStateSet();
         for (int i = 0; i < 2; ++i) {
             osg::ref_ptr<osg::Light> light = new osg::Light(i);
-            light->setPosition(i == 0 ? osg::Vec4(0.5f, -0.5f, 1.0f, 0.0f) : osg::Vec4(2.0f, -3.0f, 4.0f, 1.0f));
+            light->setPosition(i == 0 ? osg::Vec4(0.5f, -0.5f, 1.0f, 0.0f)
+                                      : osg::Vec4(2.0f, -3.0f, 4.0f, 1.0f));
             light->setDiffuse(i == 0 ? osg::Vec4(0.9f, 0.8f, 0.5f, 1.0f) : osg::Vec4(0.2f, 0.3f, 2.0f, 1.0f));
             light->setDirection(osg::Vec3(0.0f, 1.0f, -0.2f));
             light->setSpotCutoff(i == 0 ? 180.0f : 40.0f);
@@ -144,7 +146,8 @@ TEST_P(CoreProfileGlTest, ShadowsFallOnTrees) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, CoreProfileGlTest, ::testing::Values(MotionLaw::Modal, MotionLaw::ThesisSmooth),
+INSTANTIATE_TEST_SUITE_P(Laws, CoreProfileGlTest,
+                         ::testing::Values(MotionLaw::Modal, MotionLaw::ThesisSmooth),
                          [](const auto& law) { return law.param == MotionLaw::Modal ? "Modal" : "Thesis"; });
 
 TEST_F(GlTest, HostsSetTheLightsOfACoreProfile) {

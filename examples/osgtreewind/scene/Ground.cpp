@@ -86,11 +86,11 @@ struct Rim {
 osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     using osgTreeWind::sceneShader, osgTreeWind::shaderText;
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(osgTreeWind::makeProgram(
-        "ground",
-        define + shaderText("shadowed.glsl") + shaderText("fog.glsl") + sceneShader("glow.glsl") +
-            sceneShader("ground.vert"),
-        define + shaderText("scene.glsl") + sceneShader("ground.frag")));
+    state->setAttributeAndModes(
+        osgTreeWind::makeProgram("ground",
+                                 define + shaderText("shadowed.glsl") + shaderText("fog.glsl") +
+                                     sceneShader("glow.glsl") + sceneShader("ground.vert"),
+                                 define + shaderText("scene.glsl") + sceneShader("ground.frag")));
     state->setTextureAttribute(0, groundTexture());
     state->addUniform(new osg::Uniform("groundTexture", 0));
     state->addUniform(

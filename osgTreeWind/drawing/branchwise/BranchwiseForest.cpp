@@ -43,8 +43,7 @@ public:
             return;
         osg::State& state = *renderInfo.getState();
         const auto* gl = state.get<osg::GLExtensions>();
-        const bool supported = gl && gl->isFrameBufferObjectSupported &&
-                               gl->glslLanguageVersion >= 3.3f;
+        const bool supported = gl && gl->isFrameBufferObjectSupported && gl->glslLanguageVersion >= 3.3f;
         _answer = supported ? SUPPORTED : MISSING;
     }
 

@@ -43,7 +43,8 @@ public:
 
     /// Empties the lists for a new cull.
     /// @param models number of models in the forest.
-    /// @param stage in which the trees are drawn. @param stateGraph of the forest, from which the lighting of the scene is read.
+    /// @param stage in which the trees are drawn. @param stateGraph of the forest, from which the lighting of
+    /// the scene is read.
     void begin(unsigned frame, std::size_t models, osgUtil::RenderStage* stage,
                osgUtil::StateGraph* stateGraph, osg::Camera* camera);
     unsigned frame() const { return _frame; }
