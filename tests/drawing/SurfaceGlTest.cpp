@@ -3,6 +3,7 @@
 #include <tests/Folders.h>
 #include <tests/gl/GlTest.h>
 #include <tests/gpu/FilePath.h>
+#include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
@@ -132,6 +133,27 @@ TEST_P(SurfaceGlTest, GBufferHasUnlitAlbedoAndNormals) {
         }
     EXPECT_GT(found, 300);
     EXPECT_GT(towardEye, 0.55 * found);
+}
+
+TEST_P(SurfaceGlTest, AFileOfAnEarlierReleaseWorksInACompatibilityProfile) {
+    if (!hasFixedFunction)
+        GTEST_SKIP() << "OSG draws in core profiles only";
+    const osg::ref_ptr<osg::Image> expected = picture(forest());
+    const TemporaryFolder folder;
+    folder.write("surface.glsl",
+                 "#ifdef VERTEX_SHADER\n"
+                 "void placeSurface(vec4 eye, vec3 normal, float tree) {\n"
+                 "    gl_ClipVertex = eye;\n"
+                 "    gl_Position = gl_ProjectionMatrix * eye;\n"
+                 "}\n"
+                 "#else\n"
+                 "void paintSurface(vec3 color, vec3 albedo) { gl_FragColor = vec4(color.gbr, 1.0); }\n"
+                 "#endif\n");
+    const FilePath path(folder.path());
+    const osg::ref_ptr<osg::Image> found = picture(forest());
+    for (int i = 0; i < width * height; ++i)
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(found->data()[4 * i + c], expected->data()[4 * i + (c + 1) % 3], 1) << i;
 }
 
 TEST_P(SurfaceGlTest, EachTreeHasAnObjectId) {

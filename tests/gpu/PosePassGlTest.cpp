@@ -9,6 +9,7 @@
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
+#include <osg/ClipPlane>
 #include <osg/GLExtensions>
 
 #include <glm/geometric.hpp>
@@ -208,6 +209,88 @@ TEST_F(PosePassGlTest, PosesAreOfTheCurrentFrame) {
         frame(i / 25.0);
         expectPosesOfTheCpu(i == 0 ? -1.0f : 1e-3f);
     }
+}
+
+namespace {
+
+/// Sets OpenGL state that a host may have, and checks that a drawable keeps it.
+struct HostState : osg::Drawable::DrawCallback {
+    /// Values by name.
+    static std::map<std::string, std::vector<GLint>> values(const osg::GLExtensions& gl) {
+        std::map<std::string, std::vector<GLint>> result;
+        const auto add = [&](const char* name, GLenum value, std::size_t count = 1) {
+            std::vector<GLint>& numbers = result[name];
+            numbers.resize(std::max<std::size_t>(count, 2));
+            glGetIntegerv(value, numbers.data());
+            numbers.resize(count);
+        };
+        add("viewport", GL_VIEWPORT, 4);
+        add("polygon mode", GL_POLYGON_MODE);
+        add("program", GL_CURRENT_PROGRAM);
+        add("vertex array", GL_VERTEX_ARRAY_BINDING);
+        add("frame buffer", GL_DRAW_FRAMEBUFFER_BINDING_EXT);
+        for (const GLenum mode :
+             {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CLIP_PLANE0})
+            result["mode " + std::to_string(mode)] = {glIsEnabled(mode)};
+        for (GLuint i = 0; i < 3; ++i) {
+            const std::string buffer = std::to_string(i);
+            GLboolean mask[4] = {};
+            GLboolean (*isEnabled)(GLenum, GLuint) = nullptr;
+            void (*getBooleans)(GLenum, GLuint, GLboolean*) = nullptr;
+            osg::setGLExtensionFuncPtr(isEnabled, "glIsEnabledi");
+            osg::setGLExtensionFuncPtr(getBooleans, "glGetBooleani_v");
+            getBooleans(GL_COLOR_WRITEMASK, i, mask);
+            result["colour mask " + buffer].assign(mask, mask + 4);
+            result["blend " + buffer] = {isEnabled(GL_BLEND, i)};
+        }
+        for (GLuint unit = 0; unit < 4; ++unit) {
+            gl.glActiveTexture(GL_TEXTURE0 + unit);
+            add(("texture " + std::to_string(unit)).c_str(), GL_TEXTURE_BINDING_2D);
+        }
+        return result;
+    }
+
+    void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
+        const osg::GLExtensions& gl = *info.getState()->get<osg::GLExtensions>();
+        GLuint textures[4] = {}, array = 0;
+        glGenTextures(4, textures);
+        for (GLuint unit = 0; unit < 4; ++unit) {
+            gl.glActiveTexture(GL_TEXTURE0 + unit);
+            glBindTexture(GL_TEXTURE_2D, textures[unit]);
+        }
+        gl.glGenVertexArrays(1, &array);
+        gl.glBindVertexArray(array);
+        for (const GLenum mode : {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CLIP_PLANE0})
+            glEnable(mode);
+        gl.glEnablei(GL_BLEND, 1);
+        gl.glColorMaski(2, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+        glViewport(1, 2, 3, 4);
+        before = values(gl);
+        info.getState()->setActiveTextureUnit(7);
+        drawable->drawImplementation(info);
+        after = values(gl);
+        for (const GLenum mode : {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CLIP_PLANE0, GL_BLEND})
+            glDisable(mode);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        gl.glBindVertexArray(0);
+    }
+    mutable std::map<std::string, std::vector<GLint>> before, after;
+};
+
+} // namespace
+
+TEST_F(PosePassGlTest, ThePassKeepsTheStateOfTheHost) {
+    startSimulation(smallForest(3));
+    advanceSteps(10);
+    requestAllPoses(0);
+    const osg::ref_ptr<HostState> state = new HostState;
+    reader->setDrawCallback(state);
+    frame(0.0);
+    expectPosesOfTheCpu(1e-3f); // in spite of that state
+    EXPECT_EQ(state->before.at("blend 1"), std::vector<GLint>{1});
+    EXPECT_EQ(state->before, state->after);
 }
 
 TEST_F(PosePassGlTest, ATreeHasOneRowPerFrame) {
