@@ -51,7 +51,7 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
 void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    prepareProfile(state);
+    const bool isCore = prepareProfile(state);
     state.setCurrentToGlobalVertexArrayState(); // the bound one belongs to the geometry of the previous draw
     state.bindVertexArrayObject(state.getCurrentVertexArrayState());
     if (_trees->page) {
@@ -59,7 +59,8 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
         _trees->passes->apply(state, *_trees->page);
     }
     const DrawTimer time(renderInfo, "Forest draw");
-    applySceneUniforms(renderInfo);
+    if (isCore)
+        applySceneUniforms(renderInfo);
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);

@@ -15,7 +15,9 @@ SceneGeometry::SceneGeometry(osg::Program* program) : _program(program) {
 
 void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
-    const bool usesOwn = _program && !state.getLastAppliedProgramObject() && isCoreProfile(state);
+    if (!isCoreProfile(state))
+        return osg::Geometry::drawImplementation(renderInfo);
+    const bool usesOwn = _program && !state.getLastAppliedProgramObject();
     if (usesOwn) {
         _program->apply(state);
         state.applyModelViewAndProjectionUniformsIfRequired();

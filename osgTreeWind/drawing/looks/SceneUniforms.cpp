@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SceneUniforms.h>
 
-#include <osgTreeWind/gpu/OpenGLProfile.h>
-
 #include <osg/ClipPlane>
 #include <osg/Fog>
 #include <osg/GLExtensions>
@@ -187,7 +185,7 @@ void setFog(const ProgramUniforms& uniforms, const osg::Fog& fog) {
 
 void applySceneUniforms(osg::RenderInfo& renderInfo) {
     const osg::State& state = *renderInfo.getState();
-    if (!state.getLastAppliedProgramObject() || !isCoreProfile(state))
+    if (!state.getLastAppliedProgramObject())
         return;
     const ProgramUniforms uniforms(state);
     PositionalUniforms positional(state, uniforms);

@@ -6,7 +6,7 @@
 namespace osgTreeWind {
 
 /// Passes the lights, fog, clip planes and shadow planes of the scene to the program in use, as uniforms of
-/// shaders/core.glsl. Only in a core profile: elsewhere, OpenGL passes them. Lights are those of the host's
+/// shaders/core.glsl. For core profiles only: elsewhere, OpenGL passes them. Lights are those of the host's
 /// uniforms `osg_LightSource[i].position` and its like, else those that the cull traversal found, else the
 /// light of the osg::View. Call it in a draw, after its state is applied.
 void applySceneUniforms(osg::RenderInfo& renderInfo);

@@ -5,6 +5,7 @@
 
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/looks/SceneUniforms.h>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/MovingForest.h>
@@ -29,7 +30,8 @@ struct Instance : osg::Drawable::DrawCallback {
         gl->glVertexAttrib4fv(treeSizeLocation, scale.ptr());
         gl->glVertexAttrib4fv(treeStateLocation, state.ptr());
         gl->glVertexAttrib4f(treeLightLocation, 1.0f, 1.0f, 0.0f, 0.0f);
-        applySceneUniforms(info);
+        if (isCoreProfile(*info.getState()))
+            applySceneUniforms(info);
         drawable->drawImplementation(info);
     }
 };
