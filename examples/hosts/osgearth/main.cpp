@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A forest as a layer of an osgEarth map. Usage: forest-on-globe HEIGHTS IMAGE FILE.treewind [OPTION...]
-//   --hours H    time of day, UTC (7.5)
+//   --hours H    time of day, UTC (9)
 //   --shadows    osgEarth's ShadowCaster
 //   --no-log     linear depth
 #include <osgTreeWind/forest/StandOnGround.h>
@@ -24,6 +24,7 @@
 #include <osgViewer/ViewerEventHandlers>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <numeric>
@@ -35,7 +36,8 @@ constexpr double longitude = 8.0, latitude = 48.0; // of the forest's origin, de
 /// The ground of a map in metres east, north and up of a place.
 static std::shared_ptr<osgTreeWind::Ground> groundOf(Map& map, const osg::Matrixd& toGlobe) {
     ElevationPool* elevations = map.getElevationPool();
-    const auto heightAt = [elevations, toGlobe, toPlace = osg::Matrixd::inverse(toGlobe)](double x, double y) {
+    const auto heightAt = [elevations, toGlobe, toPlace = osg::Matrixd::inverse(toGlobe)](double x,
+                                                                                          double y) {
         const SpatialReference* degrees = SpatialReference::get("wgs84");
         GeoPoint point;
         point.fromWorld(degrees, osg::Vec3d(x, y, 0.0) * toGlobe);
@@ -66,8 +68,8 @@ static osg::ref_ptr<osgTreeWind::Forest> readTrees(const std::string& file,
     return new osgTreeWind::Forest(trees);
 }
 
-/// Lights trees as osgEarth's sky lights the terrain: less in a low sun, and not at all at night. Call it again if the time
-/// of the sky changes. @param up of the place on the globe.
+/// Lights trees as osgEarth's sky lights the terrain: less in a low sun, and not at all at night. Call it
+/// again if the time of the sky changes. @param up of the place on the globe.
 static void lightTrees(osg::StateSet& trees, const osg::Light& sun, const osg::Vec3f& up) {
     osg::Vec3f toSun(sun.getPosition().x(), sun.getPosition().y(), sun.getPosition().z());
     toSun.normalize();
@@ -83,7 +85,9 @@ static void lightTrees(osg::StateSet& trees, const osg::Light& sun, const osg::V
 static osg::ref_ptr<osg::Group> shadowsOn(MapNode& map, osg::Light* sun) {
     osg::ref_ptr<Util::ShadowCaster> shadows = new Util::ShadowCaster;
     int unit = 0;
-    map.getTerrainEngine()->getResources()->reserveTextureImageUnit(unit, "shadows");
+    while (unit < 7) // trees use the units 0 and 4 to 6
+        if (!map.getTerrainEngine()->getResources()->reserveTextureImageUnit(unit, "shadows"))
+            return new osg::Group;
     shadows->setTextureImageUnit(unit);
     shadows->setLight(sun);
     shadows->setRanges({0.0f, 200.0f, 1000.0f}); // metres from the eye
@@ -94,7 +98,7 @@ static osg::ref_ptr<osg::Group> shadowsOn(MapNode& map, osg::Light* sun) {
 int main(int argc, char** argv) {
     osg::ArgumentParser arguments(&argc, argv);
     osgEarth::initialize(arguments);
-    double hours = 7.5;
+    double hours = 9.0;
     arguments.read("--hours", hours);
     const bool withShadows = arguments.read("--shadows"), isLinear = arguments.read("--no-log");
     if (argc < 4)
@@ -108,12 +112,16 @@ int main(int argc, char** argv) {
     map->addLayer(heights);
     map->addLayer(image);
     osg::ref_ptr<MapNode> mapNode = new MapNode(map);
+    if (!mapNode->open())
+        return 1;
 
     osgViewer::Viewer viewer(arguments);
     viewer.setUpViewInWindow(0, 0, 960, 540);
     viewer.setRealizeOperation(new GL3RealizeOperation);
     GLUtils::setGlobalDefaults(viewer.getCamera()->getOrCreateStateSet());
-    if (!isLinear) {
+    if (isLinear) {
+        viewer.getCamera()->setNearFarRatio(1e-5);
+    } else {
         Util::LogarithmicDepthBuffer().install(viewer.getCamera());
         osgDB::getDataFilePathList().push_front(SURFACE_FOLDER); // trees write the same depth
     }
@@ -134,8 +142,8 @@ int main(int argc, char** argv) {
     osg::ref_ptr<SkyNode> sky = SkyNode::create(light);
     sky->setDateTime(DateTime(2024, 6, 21, hours));
     sky->attach(&viewer);
-    osg::Matrixd axes = place->getMatrix();
-    lightTrees(*trees->getOrCreateStateSet(), *sky->getSunLight(), osg::Matrixd::transform3x3(osg::Vec3f(osg::Z_AXIS), axes));
+    lightTrees(*trees->getOrCreateStateSet(), *sky->getSunLight(),
+               osg::Matrixd::transform3x3(osg::Vec3f(osg::Z_AXIS), place->getMatrix()));
     osg::ref_ptr<osg::Group> scene = sky;
     if (withShadows) {
         scene = shadowsOn(*mapNode, sky->getSunLight());
@@ -145,8 +153,8 @@ int main(int argc, char** argv) {
 
     const osg::Vec3d centre = forest->getBound().center();
     osg::ref_ptr<Util::EarthManipulator> mouse = new Util::EarthManipulator;
-    mouse->setHomeViewpoint(Viewpoint("forest", longitude, latitude, centre.z(), -15.0, -8.0, 160.0));
+    mouse->setHomeViewpoint(Viewpoint("forest", longitude, latitude, centre.z(), -15.0, -7.0, 125.0));
     viewer.setCameraManipulator(mouse);
     viewer.setSceneData(sky);
-    return viewer.run();
+    std::quick_exit(viewer.run()); // at exit(), OSG 3.6.5 crashes with the plugins of osgEarth
 }

@@ -28,5 +28,13 @@ if [[ ! -e $build/image.tif ]]; then
     printf '%s\n' "-2 56 78 34" "0 66 86 38" "1 82 94 46" "3 106 108 64" >"$build/greens.txt"
     gdaldem color-relief -q -co COMPRESS=DEFLATE -co TILED=YES "$build/image.asc" "$build/greens.txt" "$build/plain.tif"
     gdal_translate -q -a_srs EPSG:4326 -co COMPRESS=DEFLATE -co TILED=YES "$build/plain.tif" "$build/image.tif"
+    rm "$build"/{heights,image}.asc "$build/plain.tif"
 fi
-[[ -z ${NORUN:-} ]] && "$build/forest-on-globe" "$build/heights.tif" "$build/image.tif" forest.treewind "$@"
+IFS=: read -ra prefixes <<<"${CMAKE_PREFIX_PATH:-}"
+for prefix in "${prefixes[@]}"; do # the plugins of OSG, osgEarth and osgTreeWind
+    while read -r folder; do
+        OSG_LIBRARY_PATH=${OSG_LIBRARY_PATH:+$OSG_LIBRARY_PATH:}$folder
+    done < <(find "$prefix" -name 'osgPlugins-*' -printf '%h\n' 2>/dev/null)
+done
+export OSG_LIBRARY_PATH=${OSG_LIBRARY_PATH:-}
+"$build/forest-on-globe" "$build/heights.tif" "$build/image.tif" forest.treewind "$@"
