@@ -21,13 +21,16 @@
 
 #include <osgDB/FileUtils>
 #include <osgViewer/Viewer>
-#include <osgViewer/ViewerEventHandlers>
 
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace osgEarth;
 
@@ -81,7 +84,7 @@ static void lightTrees(osg::StateSet& trees, const osg::Light& sun, const osg::V
     trees.setDefine("FILM", "2.2"); // exposure
 }
 
-/// Adds shadows of the layers of a map to its parent.
+/// A parent for a map, on which the layers of the map cast shadows.
 static osg::ref_ptr<osg::Group> shadowsOn(MapNode& map, osg::Light* sun) {
     osg::ref_ptr<Util::ShadowCaster> shadows = new Util::ShadowCaster;
     int unit = 0;
@@ -140,6 +143,8 @@ int main(int argc, char** argv) {
     SkyOptions light;
     light.ambient() = 0.033f; // white if it is not set
     osg::ref_ptr<SkyNode> sky = SkyNode::create(light);
+    if (!sky)
+        return 1; // no plugin; osgEarth has said so
     sky->setDateTime(DateTime(2024, 6, 21, hours));
     sky->attach(&viewer);
     lightTrees(*trees->getOrCreateStateSet(), *sky->getSunLight(),
