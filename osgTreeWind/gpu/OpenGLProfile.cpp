@@ -16,6 +16,26 @@ bool isCoreProfile([[maybe_unused]] const osg::State& state) {
 #endif
 }
 
+namespace {
+
+/// Makes arrays use the attribute locations of the state. OSG 3.6.5 keeps their former ones after
+/// State::resetVertexAttributeAlias(), which osgEarth calls.
+void followAliases(osg::State& state, osg::VertexArrayState& arrays) {
+    const unsigned normals = state.getNormalAlias()._location;
+    if (normals < arrays._vertexAttribArrays.size() &&
+        arrays._normalArray == arrays._vertexAttribArrays[normals])
+        return;
+    state.bindVertexArrayObject(&arrays);
+    arrays.lazyDisablingOfVertexAttributes();
+    arrays.applyDisablingOfVertexAttributes(state);
+    arrays._vertexArray = arrays._normalArray = arrays._colorArray = nullptr;
+    arrays._secondaryColorArray = arrays._fogCoordArray = nullptr;
+    arrays._texCoordArrays.clear();
+    arrays.assignAllDispatchers();
+}
+
+} // namespace
+
 bool prepareProfile(osg::State& state) {
     if (!isCoreProfile(state))
         return false;
@@ -31,6 +51,7 @@ bool prepareProfile(osg::State& state) {
     state.setCurrentToGlobalVertexArrayState();
     if (state.getCurrentVertexArrayState()->getVertexArrayObject() == 0)
         state.getCurrentVertexArrayState()->generateVertexArrayObject();
+    followAliases(state, *state.getCurrentVertexArrayState());
     state.setCurrentVertexArrayState(current);
     return true;
 }

@@ -42,7 +42,7 @@ public:
                      const Reconfiguration& foliage, PoseRequest& request);
 
     /// Texture units that apply() binds.
-    static constexpr unsigned rotationsUnit = 4, translationsUnit = 5, pullsUnit = 6;
+    static constexpr unsigned rotationsUnit = 12, translationsUnit = 13, pullsUnit = 14;
     /// Computes the poses of a page that this context does not have yet. In a draw, with the context current.
     void prepare(osg::State& state, const PosePage& page) const { preparePage(state, page); }
     /// As prepare(), and binds the textures of the poses.

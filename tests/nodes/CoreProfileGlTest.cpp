@@ -97,6 +97,20 @@ TEST_P(CoreProfileGlTest, TheLightOfTheViewLightsTrees) {
     expectSamePicture([](Forest& forest) { return &forest; });
 }
 
+TEST_P(CoreProfileGlTest, AttributesMayMoveToOtherLocations) { // as osgEarth's GL3RealizeOperation does
+    const osg::ref_ptr<Forest> forest = new Forest(forestUnder(GetParam())), other = new Forest(*forest);
+    ProfileView plain(ContextProfile::Core, forest), moved(ContextProfile::Core, other);
+    moved.viewer().realize();
+    osg::GraphicsContext& context = *moved.viewer().getCamera()->getGraphicsContext();
+    ASSERT_TRUE(context.makeCurrent());
+    context.getState()->initializeExtensionProcs();
+    context.getState()->resetVertexAttributeAlias(false);
+    context.getState()->setUseVertexAttributeAliasing(true);
+    context.releaseContext();
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(difference(plain.frame(i / 25.0), moved.frame(i / 25.0)).mean, 0.0);
+}
+
 TEST_P(CoreProfileGlTest, SamplesAreCoveredAlike) {
     expectSamePicture([](Forest& forest) { return &forest; }, 4);
 }

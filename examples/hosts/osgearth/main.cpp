@@ -88,9 +88,8 @@ static void lightTrees(osg::StateSet& trees, const osg::Light& sun, const osg::V
 static osg::ref_ptr<osg::Group> shadowsOn(MapNode& map, osg::Light* sun) {
     osg::ref_ptr<Util::ShadowCaster> shadows = new Util::ShadowCaster;
     int unit = 0;
-    while (unit < 7) // trees use the units 0 and 4 to 6
-        if (!map.getTerrainEngine()->getResources()->reserveTextureImageUnit(unit, "shadows"))
-            return new osg::Group;
+    if (!map.getTerrainEngine()->getResources()->reserveTextureImageUnit(unit, "shadows"))
+        return new osg::Group;
     shadows->setTextureImageUnit(unit);
     shadows->setLight(sun);
     shadows->setRanges({0.0f, 200.0f, 1000.0f}); // metres from the eye

@@ -22,7 +22,7 @@ public:
     void releaseGLObjects(osg::State* state) const override;
 
 private:
-    static constexpr int firstUnit = 1; ///< Texture unit; a forest uses 0, 4 and above.
+    static constexpr int firstUnit = 1; ///< Texture unit; a forest uses 0, 12 and above.
 
     /// Shadow map for a part of the view.
     struct Map {

@@ -13,9 +13,9 @@
 namespace osgTreeWind {
 namespace {
 
-// Unit 0 holds the texture of bark or leaves; units 1 to 3 are free for shadow techniques.
-constexpr unsigned unitPosesTextureUnit = 4;
-constexpr unsigned leafAnglesTextureUnit = 5;
+// Unit 0 holds the texture of bark or leaves; units 1 to 11 are those of the host.
+constexpr unsigned unitPosesTextureUnit = 12;
+constexpr unsigned leafAnglesTextureUnit = 13;
 
 } // namespace
 
