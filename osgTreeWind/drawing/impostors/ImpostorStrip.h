@@ -14,7 +14,8 @@ namespace osgTreeWind {
 /// places by the attributes treePlace, treeSize and treeState. The state lacks the uniform leanPower.
 class ImpostorStrip : public osg::Referenced {
 public:
-    static constexpr int colorUnit = 0, normalUnit = 12; ///< Texture units; those of the host are between them.
+    static constexpr int colorUnit = 0,
+                         normalUnit = 12; ///< Texture units; those of the host are between them.
 
     /// @param program sharedProgram("impostor", "impostor"), shared by all models.
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program);
