@@ -24,7 +24,14 @@ constexpr unsigned lightCount = 8, clipPlaneCount = 8, textureUnits = 16; // as 
 class ProgramUniforms {
 public:
     explicit ProgramUniforms(const osg::State& state)
-        : _gl(*state.get<osg::GLExtensions>()), _program(*state.getLastAppliedProgramObject()) {}
+        : _gl(*state.get<osg::GLExtensions>()), _program(*state.getLastAppliedProgramObject()),
+          _ofHost(state.getUniformMap()) {}
+
+    /// Whether the host sets a uniform. OSG would not notice that it has another value.
+    bool isOfHost(const std::string& name) const {
+        const auto found = _ofHost.find(name);
+        return found != _ofHost.end() && !found->second.uniformVec.empty();
+    }
 
     void set(unsigned name, float value) const {
         if (const GLint at = _program.getUniformLocation(name); at >= 0)
@@ -52,6 +59,7 @@ public:
 private:
     const osg::GLExtensions& _gl;
     const osg::Program::PerContextProgram& _program;
+    const osg::State::UniformMap& _ofHost;
 };
 
 unsigned nameId(const std::string& name) {
@@ -62,7 +70,8 @@ unsigned nameId(const std::string& name) {
 struct LightNames {
     explicit LightNames(unsigned number) : prefix("osg_LightSource[" + std::to_string(number) + "].") {}
     std::string prefix;
-    std::string hostPosition = prefix + "position";
+    std::string hostAmbient = prefix + "ambient", hostDiffuse = prefix + "diffuse",
+                hostPosition = prefix + "position";
     unsigned ambient = nameId(prefix + "ambient"), diffuse = nameId(prefix + "diffuse"),
              position = nameId(prefix + "position"), spotDirection = nameId(prefix + "spotDirection"),
              spotExponent = nameId(prefix + "spotExponent"), spotCutoff = nameId(prefix + "spotCutoff"),
@@ -77,10 +86,15 @@ const LightNames& lightNames(unsigned number) {
     return names[number];
 }
 
+/// Sets what the host does not set.
 void setLight(const ProgramUniforms& uniforms, const osg::Light& light, const osg::Matrix& toEye) {
     const LightNames& names = lightNames(static_cast<unsigned>(light.getLightNum()));
-    uniforms.set(names.ambient, light.getAmbient());
-    uniforms.set(names.diffuse, light.getDiffuse());
+    if (uniforms.isOfHost(names.hostPosition))
+        return;
+    if (!uniforms.isOfHost(names.hostAmbient))
+        uniforms.set(names.ambient, light.getAmbient());
+    if (!uniforms.isOfHost(names.hostDiffuse))
+        uniforms.set(names.diffuse, light.getDiffuse());
     uniforms.set(names.position, osg::Vec4(light.getPosition() * toEye));
     uniforms.set(names.spotDirection, osg::Matrix::transform3x3(light.getDirection(), toEye));
     uniforms.set(names.spotExponent, light.getSpotExponent());
@@ -118,8 +132,7 @@ const osg::Light* openGLsLight() {
 /// The positional state of a render stage: lights, clip planes and shadow planes, in eye space.
 class PositionalUniforms {
 public:
-    PositionalUniforms(const osg::State& state, const ProgramUniforms& uniforms)
-        : _state(state), _uniforms(uniforms) {
+    explicit PositionalUniforms(const ProgramUniforms& uniforms) : _uniforms(uniforms) {
         addLight(*openGLsLight(), osg::Matrix());
     }
 
@@ -155,17 +168,10 @@ public:
 
 private:
     void addLight(const osg::Light& light, const osg::Matrix& toEye) {
-        const auto number = static_cast<unsigned>(light.getLightNum());
-        if (number < lightCount && !isOfHost(number))
+        if (const auto number = static_cast<unsigned>(light.getLightNum()); number < lightCount)
             _lights[number] = {&light, toEye};
     }
-    bool isOfHost(unsigned number) const {
-        const auto& uniforms = _state.getUniformMap();
-        const auto found = uniforms.find(lightNames(number).hostPosition);
-        return found != uniforms.end() && !found->second.uniformVec.empty();
-    }
 
-    const osg::State& _state;
     const ProgramUniforms& _uniforms;
     std::array<std::pair<const osg::Light*, osg::Matrix>, lightCount> _lights{};
     std::array<osg::Vec4, clipPlaneCount> _clipPlanes{};
@@ -188,7 +194,7 @@ void applySceneUniforms(osg::RenderInfo& renderInfo) {
     if (!state.getLastAppliedProgramObject())
         return;
     const ProgramUniforms uniforms(state);
-    PositionalUniforms positional(state, uniforms);
+    PositionalUniforms positional(uniforms);
     if (renderInfo.getView())
         positional.add(*renderInfo.getView());
     if (!renderInfo.getRenderBinStack().empty()) {
