@@ -2,6 +2,7 @@
 #include <examples/osgtreewind/bench/BenchRig.h>
 
 #include <examples/osgtreewind/bench/BenchStage.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
