@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/ForestSimulation.h>
-
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <array>
 #include <random>

@@ -40,10 +40,8 @@ bool prepareProfile(osg::State& state) {
     if (!isCoreProfile(state))
         return false;
     if (state.getModeValidity(GL_LIGHTING)) { // not prepared yet
-        ignoreFixedFunction(state);
         useCoreExtensions(*state.get<osg::GLExtensions>());
-        state.setUseVertexAttributeAliasing(true);
-        state.setUseModelViewAndProjectionUniforms(true);
+        useCoreState(state);
         state.applyProjectionMatrix(new osg::RefMatrix(state.getProjectionMatrix()));
         state.applyModelViewMatrix(new osg::RefMatrix(state.getModelViewMatrix()));
     }

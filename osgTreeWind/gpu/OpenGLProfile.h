@@ -25,18 +25,20 @@ inline void useCoreExtensions(osg::GLExtensions& extensions) {
     extensions.preferGenerateMipmapSGISForPowerOfTwo = false;
 }
 
-/// Keeps OSG from enabling modes of the fixed function, which core profiles lack.
-inline void ignoreFixedFunction(osg::State& state) {
+/// Makes OSG use generic vertex attributes and matrices as uniforms, and no modes of the fixed function.
+inline void useCoreState(osg::State& state) {
     for (const GLenum mode : {GL_LIGHTING, GL_FOG, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_ALPHA_TEST,
                               GL_COLOR_MATERIAL, GL_LINE_STIPPLE, GL_POLYGON_STIPPLE})
         state.setModeValidity(mode, false);
     for (unsigned light = 0; light < 8; ++light)
         state.setModeValidity(GL_LIGHT0 + light, false);
+    state.setUseVertexAttributeAliasing(true);
+    state.setUseModelViewAndProjectionUniforms(true);
 }
 
-/// Makes OSG's state fit for a core profile if the current context has one: generic vertex attributes,
-/// matrices as uniforms, a vertex array object for drawables without one, and no modes of the fixed function.
-/// An OSG that is built for core profiles (OPENGL_PROFILE=GLCORE) has done most of this; Debian's has not.
+/// Makes OSG's state fit for a core profile if the current context has one: useCoreExtensions(),
+/// useCoreState(), and a vertex array object for drawables without one. An OSG that is built for core
+/// profiles (OPENGL_PROFILE=GLCORE) has done most of this; Debian's has not.
 /// @return isCoreProfile().
 bool prepareProfile(osg::State& state);
 

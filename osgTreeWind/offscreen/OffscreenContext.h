@@ -20,8 +20,8 @@ constexpr ContextProfile osgProfile = ContextProfile::Compatibility;
 constexpr ContextProfile osgProfile = ContextProfile::Core;
 #endif
 
-/// Creates an OpenGL context that needs no display: RGBA8 colour, 24 bit depth, 8 bit
-/// stencil, single buffered, with its own osg::State and context id.
+/// Creates an OpenGL context that needs no display: RGBA8 colour, 24 bit depth, 8 bit stencil, single
+/// buffered, with its own osg::State and context id.
 ///
 /// Assign it to a camera with setGraphicsContext(), and set the viewport, or use attachFrameImage().
 /// osgViewer::Viewer and CompositeViewer accept it like any other context, in every threading model. The last

@@ -42,9 +42,7 @@ OffscreenContextBase::OffscreenContextBase(int width, int height, ContextProfile
     osg::ref_ptr<osg::DisplaySettings> settings = new osg::DisplaySettings(*osg::DisplaySettings::instance());
     settings->setVertexBufferHint(osg::DisplaySettings::VERTEX_ARRAY_OBJECT);
     getState()->setDisplaySettings(settings);
-    ignoreFixedFunction(*getState());
-    getState()->setUseVertexAttributeAliasing(true);
-    getState()->setUseModelViewAndProjectionUniforms(true);
+    useCoreState(*getState());
 }
 
 std::unique_lock<std::recursive_mutex> OffscreenContextBase::lockSoftwareRenderer() const {

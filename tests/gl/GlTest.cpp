@@ -2,7 +2,6 @@
 #include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/offscreen/FrameImage.h>
-#include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/Version>
 
@@ -39,13 +38,13 @@ GlTest::GlTest()
 
 std::string GlTest::takeMessages() {
     std::string messages = _collector->take();
-#ifndef OSG_GL_FIXED_FUNCTION_AVAILABLE // there, OSG complains about lights, fog and the like of a scene
+    if (hasFixedFunction)
+        return messages;
+    // OSG complains about lights, fog and the like of a scene.
     static const std::regex unsupported("Warning: [A-Za-z]+::apply\\(State&\\) - (is )?not supported\\.\n"
                                         "|Warning: detected OpenGL error 'invalid enumerant' after applying "
                                         "GLMode 0x(c6[0-3]|de1|b50|400[0-7])\n");
-    messages = std::regex_replace(messages, unsupported, "");
-#endif
-    return messages;
+    return std::regex_replace(messages, unsupported, "");
 }
 
 GlTest::~GlTest() {

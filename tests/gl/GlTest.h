@@ -3,7 +3,8 @@
 
 #include <tests/MessageCollector.h>
 
-#include <osg/GL>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
 #include <osg/Image>
 #include <osg/Vec4ub>
 #include <osgViewer/Viewer>
@@ -24,11 +25,7 @@ constexpr std::size_t keptMemory = std::size_t(8) << 20;
 
 /// Whether OSG has OpenGL's fixed function. Without it, OSG draws shapes that have no program in one colour,
 /// and the shaders of osgShadow::ShadowMap do not compile.
-#ifdef OSG_GL_FIXED_FUNCTION_AVAILABLE
-constexpr bool hasFixedFunction = true;
-#else
-constexpr bool hasFixedFunction = false;
-#endif
+constexpr bool hasFixedFunction = osgTreeWind::osgProfile == osgTreeWind::ContextProfile::Compatibility;
 
 /// A test that draws without a display, in the profile that OSG is built for. Whatever OSG says at NOTICE or
 /// above (OpenGL errors, shader logs, failed frame buffer objects, warnings of ours) fails it, unless the
