@@ -35,22 +35,26 @@ void drawPiece(const View& view, const glm::vec3& corner, const glm::vec3& acros
         silhouette.draw(foot, right, up, mask);
 }
 
-/// Draws the wood. @param pixels pixels per metre at a point.
+/// Draws the wood: units and shoots. @param pixels pixels per metre at a point.
 template <typename View, typename Pixels>
 void drawWood(const Skeleton& skeleton, const View& view, const Pixels& pixels, Silhouette& silhouette) {
     const Silhouette::Mask solid{1, {1}};
+    const auto draw = [&](const glm::vec3& from, const glm::vec3& to, float diameter) {
+        const glm::vec2 start = view(from), along = view(to) - start;
+        const float length = glm::length(along);
+        if (length < 1e-6f)
+            return;
+        const glm::vec2 side = pixels(from) * diameter * glm::vec2(along.y, -along.x) / length;
+        silhouette.draw(start - 0.5f * side, side, along, solid);
+    };
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
-        for (int ring = 0; ring + 1 < skeleton.ringsPerBranch; ++ring) {
-            const glm::vec3 from = skeleton.point(unit, ring);
-            const glm::vec2 start = view(from), along = view(skeleton.point(unit, ring + 1)) - start;
-            const float length = glm::length(along);
-            if (length < 1e-6f)
-                continue;
-            const glm::vec2 side = pixels(from) *
-                                   (skeleton.radius(unit, ring) + skeleton.radius(unit, ring + 1)) *
-                                   glm::vec2(along.y, -along.x) / length;
-            silhouette.draw(start - 0.5f * side, side, along, solid);
-        }
+        for (int ring = 0; ring + 1 < skeleton.ringsPerBranch; ++ring)
+            draw(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
+                 skeleton.radius(unit, ring) + skeleton.radius(unit, ring + 1));
+    for (const Shoot& shoot : skeleton.shoots)
+        for (std::size_t i = 0; i + 1 < shoot.count; ++i)
+            draw(skeleton.shootPoint(shoot, i), skeleton.shootPoint(shoot, i + 1),
+                 shoot.baseRadius + shoot.tipRadius);
 }
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace osgTreeWind {
@@ -73,6 +74,25 @@ Silhouette Silhouette::outline(int side) const {
         visit(p.x, p.y + 1);
     }
     return within;
+}
+
+int Silhouette::cutStem() {
+    std::vector<int> widths;
+    int top = 0;
+    for (int y = 0; y < _size; ++y) {
+        const auto first = _black.begin() + y * _size, end = first + _size;
+        const auto left = std::find(first, end, std::uint8_t{1});
+        const auto right =
+            std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(left), std::uint8_t{1});
+        widths.push_back(static_cast<int>(right.base() - left));
+        top = widths.back() > 0 ? y : top;
+    }
+    const int widest = *std::max_element(widths.begin(), widths.end());
+    const auto foot =
+        std::find_if(widths.begin(), widths.end(), [&](int width) { return 10 * width > 3 * widest; });
+    const auto rows = foot - widths.begin();
+    std::fill_n(_black.begin(), rows * _size, std::uint8_t{0});
+    return top + 1 - static_cast<int>(rows);
 }
 
 Silhouette Silhouette::shrunk(int pixels) const {

@@ -30,6 +30,10 @@ public:
     /// The visual outline: morphological closing by a square of `side` pixels, with holes filled.
     Silhouette outline(int side) const;
 
+    /// Whitens the stem: all rows below the lowest one whose width is over 0.3 of the largest width.
+    /// @return number of rows of the rest, the crown.
+    int cutStem();
+
     int size() const { return _size; }
     /// Shrinks by a factor: a pixel is black if at least half of its `pixels` x `pixels` pixels are.
     Silhouette shrunk(int pixels) const;

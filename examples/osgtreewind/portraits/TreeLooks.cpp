@@ -20,62 +20,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace osgTreeWind {
 namespace {
 
-constexpr int shapes = 3, azimuths = 3, viewPixels = 600;
-constexpr float fromBelow = 25.0f; ///< Viewing angle from below, degrees.
-constexpr int closingPart = 12;    ///< The outline is closed by this part of the crown's width.
+constexpr int shapes = 3, azimuths = 3, viewPixels = 600, viewSamples = 3;
+/// The outline is closed by squares as large as discs with these radii, over the height of the crown.
+constexpr float closingRadii[] = {0.04f, 0.08f};
+constexpr float squareSide = 1.77f; ///< Over the radius of a disc of the same area.
 
-/// A crown seen from one side.
+/// A tree seen from one side, at the height of its crown.
 class CrownView {
 public:
-    CrownView(const TreeModel& model, float azimuth)
-        : _model(model), _view(azimuth, -glm::radians(fromBelow)) {
-        _low = glm::vec2(1e9f);
-        glm::vec2 high(-1e9f);
+    CrownView(const TreeModel& model, float azimuth) : _model(model), _view(azimuth, 0.0f) {
+        glm::vec2 low(1e9f), high(-1e9f);
         forEachLeafQuad(model, [&](std::size_t, std::size_t, const glm::vec3& corner, const glm::vec3& across,
                                    const glm::vec3& along) {
             for (const glm::vec3& p : {corner, corner + across, corner + along, corner + across + along}) {
-                _low = glm::min(_low, glm::vec2(_view(p)));
+                low = glm::min(low, glm::vec2(_view(p)));
                 high = glm::max(high, glm::vec2(_view(p)));
             }
         });
-        const glm::vec2 size = high - _low;
-        const float margin = 1.1f * size.x / closingPart; // room for closing
-        _low -= margin;
-        _scale = static_cast<float>(viewPixels) / (glm::max(size.x, size.y) + 2.0f * margin);
-        _closing = static_cast<int>(_scale * size.x / closingPart);
+        const glm::vec2 size = high - low;
+        const float margin = 0.1f * glm::max(size.x, size.y); // room for closing
+        _low = low - margin;
+        _scale = viewSamples * viewPixels / (glm::max(size.x, size.y) + 2.0f * margin);
     }
 
     glm::vec2 operator()(const glm::vec3& p) const { return _scale * (glm::vec2(_view(p)) - _low); }
 
-    /// @param mask member of LeafMasks to use.
-    Silhouette leaves(const LeafMasks& masks, const Silhouette::Mask& (LeafMasks::*mask)(int) const) const {
-        Silhouette silhouette(viewPixels);
+    /// Share of sky within the outline of the crown. @param leaves masks of the cards.
+    float sky(const LeafMasks& masks, const Silhouette::Mask& (LeafMasks::*leaves)(int) const) const {
+        Silhouette samples(viewSamples * viewPixels);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                     const glm::vec3& across, const glm::vec3& along) {
             const LeafAtlas::Choice choice = LeafAtlas::choose(cluster, quad);
-            drawPiece(*this, corner, across, along, (masks.*mask)(choice.variant), silhouette,
+            drawPiece(*this, corner, across, along, (masks.*leaves)(choice.variant), samples,
                       choice.mirrored);
         });
-        return silhouette;
-    }
-
-    void addWood(Silhouette& silhouette) const {
         drawWood(
-            _model.skeleton, *this, [&](const glm::vec3&) { return _scale; }, silhouette);
+            _model.skeleton, *this, [&](const glm::vec3&) { return _scale; }, samples);
+        Silhouette tree = samples.shrunk(viewSamples);
+        const int height = tree.cutStem();
+        float sum = 0.0f;
+        for (const float radius : closingRadii) {
+            const Silhouette outline =
+                tree.outline(static_cast<int>(squareSide * radius * static_cast<float>(height)));
+            sum += 1.0f - static_cast<float>(outline.common(tree)) / static_cast<float>(outline.count());
+        }
+        return sum / static_cast<float>(std::size(closingRadii));
     }
-
-    int closing() const { return _closing; }
 
 private:
     const TreeModel& _model;
     TreeView _view;
     glm::vec2 _low;
     float _scale;
-    int _closing;
 };
 
 /// Shares of sky in summer and winter, mean over all sides of a model.
@@ -83,14 +84,7 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     glm::vec2 sum(0.0f);
     for (int i = 0; i < azimuths; ++i) {
         const CrownView view(model, glm::two_pi<float>() * (static_cast<float>(i) + 0.25f) / azimuths);
-        Silhouette summer = view.leaves(masks, &LeafMasks::leaves),
-                   winter = view.leaves(masks, &LeafMasks::twigs);
-        const Silhouette inLeaf = summer.outline(view.closing()), bare = winter.outline(view.closing());
-        view.addWood(summer);
-        view.addWood(winter);
-        sum +=
-            1.0f - glm::vec2(static_cast<float>(inLeaf.common(summer)) / static_cast<float>(inLeaf.count()),
-                             static_cast<float>(bare.common(winter)) / static_cast<float>(bare.count()));
+        sum += glm::vec2(view.sky(masks, &LeafMasks::leaves), view.sky(masks, &LeafMasks::twigs));
     }
     return sum / static_cast<float>(azimuths);
 }
