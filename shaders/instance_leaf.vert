@@ -14,6 +14,7 @@
 #include "law/flutter.glsl"
 #include "law/shoot.glsl"
 #include "law/tint.glsl"
+#include "facing.glsl"
 #include "instance.glsl"
 #include "law/reconfiguration.glsl"
 #include "light.glsl"
@@ -31,6 +32,7 @@ out vec3 leafLight;
 out vec3 scenePosition;
 flat out int leafCard;
 flat out float leafBorne; // 1: leaves, 0: bare twigs
+out vec2 leafFacing; // facing.glsl
 
 void main() {
 #ifdef FADING
@@ -62,7 +64,9 @@ void main() {
                         leftByNeighbours(rest.z));
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, osg_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
-    bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
+    float away = dot(eyeDirection(pose, blade), normalize(eyePosition.xyz));
+    leafFacing = facingOf(abs(away));
+    bool fromBelow = away > 0.0;
     float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : over);
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides

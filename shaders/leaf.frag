@@ -2,7 +2,6 @@
 
 #pragma import_defines(COVERAGE, FADING)
 
-#include "dither.glsl"
 #include "leaf_texture.glsl"
 #include "scene.glsl"
 #include "surface.glsl"

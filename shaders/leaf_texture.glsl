@@ -5,9 +5,11 @@
 #pragma import_defines(COVERAGE)
 
 #include "coverage.glsl"
+#include "dither.glsl"
 #include "law/tint.glsl"
 
 flat in int leafCard; // index of the card in the draw
+in vec2 leafFacing;   // facing.glsl
 uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of leaves and twigs
 uniform vec3 leafColor;
 uniform vec3 twigColor;
@@ -17,38 +19,32 @@ vec3 leafAlbedo(vec2 texel, float borne) {
     return mix(twigColor, texelTint(texel.x, texel.y) * leafColor, borne);
 }
 float leafAlpha(vec4 texel, float borne) {
-    return mix(texel.b, texel.a, borne);
+    return leafFacing.x * mix(texel.b, texel.a, borne);
 }
 
-/// Noise per card and block of 2 x 2 samples, independent of the motion of the card.
-uint leafNoise(uvec2 block) {
-    uint noise = block.x * 374761393u + block.y * 668265263u + uint(leafCard) * 2246822519u;
-    noise = (noise ^ noise >> 13) * 1274126177u;
-    return noise ^ noise >> 16;
-}
-
-/// Alpha threshold of a sample in a block. On average, a share of `alpha` of the samples is at or below alpha.
-/// @param part column and row of the sample in the block, 0 or 1.
-float leafThreshold(uint noise, ivec2 part) {
-    ivec2 p = (part ^ ivec2(noise, noise >> 1)) & 1;
-    return 0.25 * (float((p.x ^ p.y) << 1 | p.y) + float(noise >> 8) / 16777216.0);
+/// Alpha threshold of a sample of the pixel: four samples have one in each quarter of [0, 1), so that a share of
+/// `alpha` of the samples is at or below alpha, and that share is as even as possible over neighbouring pixels.
+/// @param chance of the pixel and card, [0, 1). @param part column and row of the sample, 0 or 1.
+float leafThreshold(float chance, ivec2 part) {
+    int turn = int(16.0 * chance);
+    ivec2 p = (part ^ ivec2(turn, turn >> 1)) & 1;
+    return 0.25 * (float((p.x ^ p.y) << 1 | p.y) + chance);
 }
 
 /// Brightness and hue of a leaf or twig; discards uncovered pixels. @param borne as in leafAlbedo().
 vec2 leafTexel(vec2 coord, float borne) {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float chance = fract(evenNoise() + 0.618034 * float(leafCard & 1023)); // differs between cards, so that layers add up
     vec2 texels = fwidth(coord) * vec2(textureSize(leafTexture, 0));
     float sharper = 1.0 / clamp(max(texels.x, texels.y), 0.01, 1.0); // sharp edges if texels are larger than pixels
 #ifdef COVERAGE
-    uint noise = leafNoise(uvec2(pixel));
     vec2 across = 0.25 * dFdx(coord), along = 0.25 * dFdy(coord);
     vec3 sum = vec3(0.0);
     int covered = 0;
     for (int i = 0; i < 4; ++i) {
         ivec2 part = ivec2(i & 1, i >> 1);
         vec2 off = 2.0 * vec2(part) - 1.0;
-        vec4 texel = texture(leafTexture, coord + off.x * across + off.y * along, -1.0);
-        if (leafThreshold(noise, part) <= sharper * (leafAlpha(texel, borne) - 0.5) + 0.5) {
+        vec4 texel = texture(leafTexture, coord + off.x * across + off.y * along, leafFacing.y - 1.0);
+        if (leafThreshold(chance, part) <= sharper * (leafAlpha(texel, borne) - 0.5) + 0.5) {
             sum += vec3(texel.rg, 1.0);
             covered |= 1 << i;
         }
@@ -56,8 +52,8 @@ vec2 leafTexel(vec2 coord, float borne) {
     drawSamples(covered);
     return sum.rg / sum.b;
 #else
-    vec4 texel = texture(leafTexture, coord);
-    if (leafThreshold(leafNoise(uvec2(pixel >> 1)), pixel & 1) > sharper * (leafAlpha(texel, borne) - 0.5) + 0.5)
+    vec4 texel = texture(leafTexture, coord, leafFacing.y);
+    if (chance >= sharper * (leafAlpha(texel, borne) - 0.5) + 0.5)
         discard;
     return texel.rg;
 #endif

@@ -20,16 +20,17 @@ namespace {
 constexpr float goldenAngle = 2.3999632f;
 /// Clusters per metre on a trunk's leafy end, over those on other shoots: a leader is clad all around.
 constexpr float leaderWeight = 3.0f;
-/// The inclination of leaf faces has three parts: of their cluster, of the quads within the cluster, and of
-/// the leaves on the quads. Shares of the variance; the third part is the remainder.
-constexpr float clusterShare = 0.8f, quadShare = 0.7f;
+/// Mean inclination of clusters / that of leaf faces; the leaves on a cluster add the rest.
+constexpr float clusterShare = 0.9f;
+/// Angle between half of a leaf and its face, radians, which the quads at the sides of a spray have: 5
+/// degrees in the shade to 45 degrees at the top of beeches (Fleck et al. 2003, Tree Physiology 23:577).
+constexpr float leafFold = 0.52f;
 constexpr float leanSpread = 0.7f; ///< Faces lean outward, within this share of half a turn.
 /// Inclination of hanging shoots and of the row on top, over the mean inclination, which they have together.
 constexpr float hangingShare = 1.2f, lyingShare = 0.3f;
-constexpr float hangingWidth = 0.75f; ///< Width of a hanging shoot over that of a spray of the same area.
+constexpr float hangingWidth = 0.85f; ///< Width of a hanging shoot over that of a spray of the same area.
 constexpr float onward = 0.7f;        ///< Forward lean of a hanging shoot along its twig, radians.
 constexpr float rowAngle = 1.22f;     ///< Angle between the rows of a frond and the upright, radians.
-constexpr float minRoll = 0.25f;      ///< Radians; makes flat crowns visible from the side.
 
 /// The leaf frame whose petiole (+Z) points along `petiole`, turned by `roll` about it.
 glm::quat leafFrame(const glm::vec3& petiole, float roll) {
@@ -284,10 +285,8 @@ QuadPlace fanQuad(int quad) {
 
 /// A quad of a flat spray: the first continues the petiole from further out, the others point to both sides,
 /// a little out of the plane; each is rotated about its length.
-QuadPlace sprayQuad(int quad, float inclination) {
-    const float roll = glm::max(quadShare * inclination, minRoll) * (quad == 0   ? 0.5f
-                                                                     : quad == 1 ? 1.0f
-                                                                                 : -1.0f);
+QuadPlace sprayQuad(int quad) {
+    const float roll = leafFold * (quad == 0 ? 0.5f : quad == 1 ? 1.0f : -1.0f);
     if (quad == 0)
         return {0.4f, {cosine(roll), sine(roll), 0}, {0, 0, 1}};
     const float turn = quad == 1 ? 1.05f : -1.05f;
@@ -381,8 +380,7 @@ std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters
             addHangingQuad(parameters, quad, &mesh[static_cast<std::size_t>(4 * quad)]);
             continue;
         }
-        const auto [start, side, along] =
-            parameters.inclination > 0.0f ? sprayQuad(quad, parameters.inclination) : fanQuad(quad);
+        const auto [start, side, along] = parameters.inclination > 0.0f ? sprayQuad(quad) : fanQuad(quad);
         const glm::vec3 normal = glm::cross(side, along);
         for (int corner = 0; corner < 4; ++corner) {
             const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};

@@ -7,6 +7,7 @@
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/PalmTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/SideShoots.h>
 #include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/model/TreeSize.h>
 
@@ -39,6 +40,14 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     RecursiveTreeParameters wood = parameters.wood;
     wood.seed += variant;
     return makeRecursiveTree(wood);
+}
+
+/// @return whether there are any.
+bool addSideShoots(Skeleton& skeleton, const TreeParameters& parameters, const LeafParameters& leaves) {
+    if (!parameters.growth || !(leaves.sideShoots > 0.0f))
+        return false;
+    addSideShoots(skeleton, leaves.sideShoots, leaves.seed);
+    return true;
 }
 
 /// Scales the mesh, so that the quads of all clusters have a total area of `area`, m^2.
@@ -102,7 +111,6 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     leaves.seed += variant;
     TreeModel model;
     model.skeleton = makeSkeleton(parameters, variant);
-    model.skin = makeBranchSkin(model.skeleton);
     model.shootWood = shootWoodOf(model.skeleton);
     model.leaves = makeLeafClusters(model.skeleton, leaves);
     const auto setMesh = [&] {
@@ -117,6 +125,9 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
         leaves.hanging = true;
         setMesh();
     }
+    if (addSideShoots(model.skeleton, parameters, leaves))
+        model.leaves = makeLeafClusters(model.skeleton, leaves);
+    model.skin = makeBranchSkin(model.skeleton);
     return model;
 }
 
@@ -162,7 +173,8 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
     std::uint64_t clusters = 0;
     SkinSize skin;
     if (parameters.scans || parameters.growth || parameters.palm) {
-        const Skeleton skeleton = makeSkeleton(parameters, variant);
+        Skeleton skeleton = makeSkeleton(parameters, variant);
+        addSideShoots(skeleton, parameters, leaves);
         counts.units = skeleton.units.size();
         counts.skeletonPoints = skeleton.points.size();
         skin = sizeOfBranchSkin(skeleton);

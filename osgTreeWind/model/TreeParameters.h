@@ -44,12 +44,13 @@ struct LeafParameters {
     int clusters = 0;  ///< On the whole tree, evenly spaced along its branches; 0: clustersPerBranch applies.
     float bare = 0.0f; ///< With `clusters`: leafless share of a branch at firstLevel, from its base; falls to
                        ///< 0 at the outermost level.
-    float thinWood = 1.0f;  ///< With `clusters`: share of the wood's length, thinnest first, with leaves.
-    int firstLevel = 1;     ///< Lowest branch level that bears leaves (the trunk is 0).
-    float length = 0.5f;    ///< Cluster length along its petiole at the outermost level, metres.
-    float width = 0.45f;    ///< Cluster width, metres.
-    float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level.
-    float droop = 0.3f;     ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
+    float sideShoots = 0.0f; ///< Of grown trees: length of fine shoots with leaves (SideShoots.h), metres.
+    float thinWood = 1.0f;   ///< With `clusters`: share of the wood's length, thinnest first, with leaves.
+    int firstLevel = 1;      ///< Lowest branch level that bears leaves (the trunk is 0).
+    float length = 0.5f;     ///< Cluster length along its petiole at the outermost level, metres.
+    float width = 0.45f;     ///< Cluster width, metres.
+    float innerSize = 0.5f;  ///< Size at `firstLevel` over size at the outermost level.
+    float droop = 0.3f;      ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
     /// With `clusters`: mean angle of leaf faces from the horizontal, radians; each cluster is a flat spray
     /// with its own angle. 0: clusters are fans with faces in all directions.
     float inclination = 0.0f;

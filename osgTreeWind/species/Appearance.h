@@ -20,16 +20,17 @@ enum class LeafForm {
     Round,    ///< Aspen, poplar.
     Fingered, ///< Horse chestnut: palmate leaflets.
     Fan,      ///< Ginkgo.
-    Needles,  ///< Spruce, fir: combs of needles.
-    Bundles,  ///< Pine.
-    Tufts,    ///< Larch.
+    Needles,  ///< Spruce, Douglas fir: needles on all sides of the shoots.
+    Bundles,  ///< Pine: long needles at the ends of the shoots.
+    Tufts,    ///< Larch: rosettes of needles.
     Frond,    ///< Palm.
     Pointed,  ///< Red oak: pointed lobes.
+    Combed,   ///< Fir, hemlock: needles on two sides of the shoots.
 };
-constexpr int leafFormCount = 15;
+constexpr int leafFormCount = 16;
 
 constexpr bool isNeedles(LeafForm form) {
-    return form >= LeafForm::Needles && form <= LeafForm::Tufts;
+    return (form >= LeafForm::Needles && form <= LeafForm::Tufts) || form == LeafForm::Combed;
 }
 
 /// Surface of bark.

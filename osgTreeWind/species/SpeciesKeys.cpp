@@ -141,7 +141,7 @@ const Keys& keysOf<Appearance>() {
          "Shape of the leaves",
          "",
          numberedFromZero({"blade", "lobed", "ovate", "rhombic", "palmate", "pinnate", "heart", "round",
-                           "fingered", "fan", "needles", "bundles", "tufts", "frond", "pointed"})},
+                           "fingered", "fan", "needles", "bundles", "tufts", "frond", "pointed", "combed"})},
         {"bark_form",
          at<&P::barkForm>,
          {},

@@ -6,6 +6,7 @@
 
 #include "branchwise/tree.glsl"
 #include "law/tint.glsl"
+#include "facing.glsl"
 #include "light.glsl"
 #include "surface.glsl"
 
@@ -19,6 +20,7 @@ out vec3 leafLight;
 out vec3 scenePosition;
 flat out int leafCard;
 flat out float leafBorne; // 1: leaves, 0: bare twigs
+out vec2 leafFacing; // facing.glsl
 
 void main() {
     UnitPose pose = unitPose(int(osg_MultiTexCoord0.z));
@@ -40,10 +42,12 @@ void main() {
     leafBorne = fract(0.618034 * osg_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     vec3 own = mix(vec3(1.0), treeTint(treeOwn) * clusterTint(treeOwn, osg_MultiTexCoord0.w), leafBorne);
     leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
+    vec3 eyeBlade = normalize(osg_NormalMatrix * turnVector(pose.rotation, blade));
+    leafFacing = facingOf(abs(dot(eyeBlade, normalize(eyePosition.xyz))));
     float glint = bladeGlint(
         osg_MultiTexCoord0.w,
         normalize(osg_NormalMatrix * turnVector(pose.rotation, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz))),
-        normalize(osg_NormalMatrix * turnVector(pose.rotation, blade)));
+        eyeBlade);
     leafLight = own * (leafLight + (glint - 1.0) * sunLight);
     sunLight *= glint * own;
 

@@ -95,14 +95,15 @@ int Silhouette::cutStem() {
     return top + 1 - static_cast<int>(rows);
 }
 
-Silhouette Silhouette::shrunk(int pixels) const {
+Silhouette Silhouette::shrunk(int pixels, float share) const {
+    const int least = static_cast<int>(std::ceil(share * static_cast<float>(pixels * pixels)));
     Silhouette small(_size / pixels);
     for (int y = 0; y < small._size; ++y)
         for (int x = 0; x < small._size; ++x) {
             int count = 0;
             for (int i = 0; i < pixels * pixels; ++i)
                 count += black(pixels * x + i % pixels, pixels * y + i / pixels);
-            small._black[static_cast<std::size_t>(y * small._size + x)] = 2 * count >= pixels * pixels;
+            small._black[static_cast<std::size_t>(y * small._size + x)] = count >= least;
         }
     return small;
 }

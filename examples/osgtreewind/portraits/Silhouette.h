@@ -35,8 +35,8 @@ public:
     int cutStem();
 
     int size() const { return _size; }
-    /// Shrinks by a factor: a pixel is black if at least half of its `pixels` x `pixels` pixels are.
-    Silhouette shrunk(int pixels) const;
+    /// Shrinks by a factor: a pixel is black if at least `share` of its `pixels` x `pixels` pixels are.
+    Silhouette shrunk(int pixels, float share = 0.5f) const;
 
     bool black(int x, int y) const { return _black[static_cast<std::size_t>(y * _size + x)] != 0; }
     /// Number of black pixels.

@@ -25,9 +25,12 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr int shapes = 3, azimuths = 3, viewPixels = 600, viewSamples = 3;
+constexpr int shapes = 3, azimuths = 3, viewPixels = 600, viewSamples = 6;
 /// The outline is closed by squares as large as discs with these radii, over the height of the crown.
 constexpr float closingRadii[] = {0.04f, 0.08f};
+/// Covered share of a pixel that makes it dark in a photograph: at 128 of 255, sRGB shows 0.216 of the sky's
+/// light.
+constexpr float darkShare = 0.6f;
 constexpr float squareSide = 1.77f; ///< Over the radius of a disc of the same area.
 
 /// A tree seen from one side, at the height of its crown.
@@ -61,7 +64,7 @@ public:
         });
         drawWood(
             _model.skeleton, *this, [&](const glm::vec3&) { return _scale; }, samples);
-        Silhouette tree = samples.shrunk(viewSamples);
+        Silhouette tree = samples.shrunk(viewSamples, darkShare);
         const int height = tree.cutStem();
         float sum = 0.0f;
         for (const float radius : closingRadii) {
@@ -106,14 +109,18 @@ float inclinationOf(float card, const LeafSpray& spray) {
     return area > 0.0 ? static_cast<float>(sum / area) : card;
 }
 
-/// Area of all quads, and that area times the mean inclination of their leaves in degrees.
-glm::vec2 quadsOf(const TreeModel& model, const LeafSpray& spray) {
+/// Area of all quads, and that area times the mean inclination of their leaves in degrees. The quads of a
+/// flat spray are halves of leaves; its face is that of whole leaves.
+glm::vec2 quadsOf(const TreeModel& model, const LeafParameters& leaves, const LeafSpray& spray) {
     constexpr int steps = 18;
     float areas[steps + 1] = {};
-    forEachLeafQuad(model, [&](std::size_t, std::size_t, const glm::vec3&, const glm::vec3& across,
+    const bool isFlat = leaves.inclination > 0.0f && !leaves.hanging && !leaves.frond;
+    forEachLeafQuad(model, [&](std::size_t cluster, std::size_t, const glm::vec3&, const glm::vec3& across,
                                const glm::vec3& along) {
-        const glm::vec3 normal = glm::cross(across, along);
+        glm::vec3 normal = glm::cross(across, along);
         const float area = glm::length(normal);
+        if (isFlat)
+            normal = area * (model.leaves[cluster].orientation * glm::vec3(0, 1, 0));
         if (area > 0.0f)
             areas[static_cast<std::size_t>(glm::round(
                 steps * glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f)) / glm::half_pi<float>()))] +=
@@ -200,7 +207,7 @@ TreeLooks measureLooks(const Species& species) {
         looks.leafAreaMechanics += leafArea(model, {}, species) / shapes;
         if (model.leaves.empty())
             continue;
-        quads += quadsOf(model, spray);
+        quads += quadsOf(model, species.tree.leaves, spray);
         sky += skyThrough(model, masks) / static_cast<float>(shapes);
         colors.add(model, species.appearance);
     }

@@ -90,6 +90,7 @@ LeafOutline leafOutline(LeafForm form) {
     case LeafForm::Fan:
         return rounded(outline(fan));
     case LeafForm::Needles:
+    case LeafForm::Combed:
         return outline(needles);
     case LeafForm::Tufts:
         return outline(tufts);

@@ -18,15 +18,15 @@ namespace {
 
 /// How twigs branch and bear leaves. Lengths in widths of the card, angles in radians.
 struct Habit {
-    int sides = 7, twigs = 3; ///< Number of side shoots of the stem; number of twigs of each side shoot.
-    float lean = 0.9f;        ///< Angle between a shoot and its parent.
-    bool opposite = false;    ///< Whether shoots and leaves grow in pairs instead of alternating.
-    float bare = 0.1f;        ///< Share of a shoot without leaves, from its foot.
-    float spacing = 0.05f;    ///< Distance of leaves along a shoot.
-    float leafLean = 0.9f;    ///< Angle between a leaf and its shoot.
-    float length = 0.15f;     ///< Length of a blade.
-    float petiole = 0.02f;    ///< Length of a petiole.
-    float tilt = 0.8f;        ///< Largest angle between a leaf and the card.
+    int sides = 7, twigs = 3, ends = 1; ///< Side shoots of the stem, of each of those, and so on.
+    float lean = 0.9f;                  ///< Angle between a shoot and its parent.
+    bool opposite = false;              ///< Whether shoots and leaves grow in pairs instead of alternating.
+    float bare = 0.1f;                  ///< Share of a shoot without leaves, from its foot.
+    float spacing = 0.05f;              ///< Distance of leaves along a shoot.
+    float leafLean = 0.9f;              ///< Angle between a leaf and its shoot.
+    float length = 0.15f;               ///< Length of a blade.
+    float petiole = 0.02f;              ///< Length of a petiole.
+    float tilt = 0.8f;                  ///< Largest angle between a leaf and the card; not of needles.
 };
 
 /// @param lean clockwise from upright, radians.
@@ -44,21 +44,22 @@ struct Shoot {
 
 /// By form. Fronds use the tilt only.
 constexpr Habit habits[] = {
-    {10, 5, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.18f, 0.02f, 0.7f},   // blade
-    {10, 5, 1.0f, false, 0.2f, 0.04f, 0.9f, 0.25f, 0.01f, 0.6f},   // lobed
-    {10, 5, 0.8f, false, 0.1f, 0.05f, 0.85f, 0.16f, 0.02f, 0.3f},  // ovate: flat, in two rows
-    {10, 5, 0.7f, false, 0.05f, 0.03f, 0.9f, 0.11f, 0.035f, 1.2f}, // rhombic
-    {8, 4, 0.9f, true, 0.2f, 0.1f, 0.9f, 0.28f, 0.1f, 0.5f},       // palmate
-    {8, 4, 0.9f, true, 0.2f, 0.09f, 0.7f, 0.12f, 0.3f, 0.55f},     // pinnate
-    {10, 4, 0.9f, false, 0.1f, 0.06f, 0.9f, 0.21f, 0.06f, 0.55f},  // heart
-    {10, 4, 0.8f, false, 0.1f, 0.04f, 0.9f, 0.12f, 0.08f, 0.7f},   // round
-    {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.3f, 0.15f, 0.45f},      // fingered
-    {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.15f, 0.08f, 0.9f},    // fan: bunches on spurs
-    {11, 4, 0.75f, false, 0.0f, 0.007f, 0.9f, 0.05f, 0.0f, 0.5f},  // needles
-    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
-    {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
-    {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
-    {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.28f, 0.03f, 0.55f}, // pointed
+    {7, 3, 1, 0.9f, false, 0.1f, 0.03f, 0.9f, 0.16f, 0.02f, 0.7f},     // blade
+    {7, 3, 1, 1.0f, false, 0.2f, 0.03f, 0.9f, 0.22f, 0.01f, 0.6f},     // lobed
+    {8, 3, 1, 0.8f, false, 0.1f, 0.04f, 0.85f, 0.14f, 0.02f, 0.3f},    // ovate: flat, in two rows
+    {9, 4, 1, 0.7f, false, 0.05f, 0.03f, 0.9f, 0.095f, 0.03f, 1.2f},   // rhombic
+    {6, 3, 1, 0.9f, true, 0.2f, 0.07f, 0.9f, 0.25f, 0.09f, 0.5f},      // palmate
+    {6, 2, 1, 0.8f, true, 0.2f, 0.05f, 0.7f, 0.11f, 0.27f, 0.55f},     // pinnate: stout and few
+    {8, 3, 1, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.175f, 0.05f, 0.55f},   // heart
+    {8, 3, 1, 0.8f, false, 0.1f, 0.03f, 0.9f, 0.105f, 0.07f, 0.7f},    // round
+    {6, 2, 0, 0.8f, true, 0.1f, 0.1f, 1.2f, 0.26f, 0.13f, 0.45f},      // fingered: stout and few
+    {8, 2, 0, 1.0f, false, 0.1f, 0.05f, 0.9f, 0.13f, 0.07f, 0.9f},     // fan: bunches on spurs
+    {12, 1, 0, 0.85f, true, 0.0f, 0.006f, 0.9f, 0.05f, 0.0f, 0.0f},    // needles: brushes
+    {6, 2, 0, 0.7f, true, 0.35f, 0.008f, 0.6f, 0.16f, 0.0f, 0.0f},     // bundles: at the ends of shoots
+    {8, 3, 0, 0.9f, false, 0.05f, 0.06f, 1.2f, 0.06f, 0.0f, 0.0f},     // tufts: rosettes on spurs
+    {0, 0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},        // frond
+    {7, 3, 1, 1.0f, false, 0.2f, 0.035f, 0.9f, 0.245f, 0.025f, 0.55f}, // pointed
+    {10, 1, 0, 0.9f, true, 0.0f, 0.006f, 1.25f, 0.06f, 0.0f, 0.0f},    // combed: needles to both sides
 };
 
 /// Whether a point is inside a rounded square, which hides the shape of the card.
@@ -96,10 +97,9 @@ public:
                   [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
         SprayCoverage cover;
         spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
-        // Leaves grow toward the light: first those with the most free space. The additional coverage makes
-        // up for twigs that are thinner in leaf than bare (PaintSpray.cpp).
-        const float wanted = _share * (leafCoverage(_form) + 0.15f * twigCoverage(_form));
-        for (const float room : {0.75f, 0.4f, 0.0f})
+        // Leaves grow toward the light: first those with the most free space.
+        const float wanted = _share * leafCoverage(_form);
+        for (const float room : isNeedles(_form) ? std::vector{0.0f} : std::vector{0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
                 if (cover.leafShare() < wanted && hasRoom(cover, leaf, room))
                     for (; leaf.first < leaf.end; ++leaf.first) {
@@ -121,19 +121,22 @@ private:
     }
 
     void grow() {
-        const Shoot stem{{0.5f, 0.0f}, 0.1f * _random.symmetric(), 0.15f * _random.symmetric(), 0.8f, 2.4f};
+        const Shoot stem{{0.5f, 0.0f}, 0.1f * _random.symmetric(), 0.15f * _random.symmetric(), 0.8f, 1.6f};
         _shoots.push_back(stem);
-        const std::vector<Shoot> sides = sideShoots(stem, _habit.sides, 0.04f, 0.85f, 0.6f, 1.5f);
+        const std::vector<Shoot> sides = sideShoots(stem, _habit.sides, 0.04f, 0.85f, 0.6f, 1.2f);
         for (const Shoot& side : sides) {
             _shoots.push_back(side);
             for (const Shoot& twig : sideShoots(side, _habit.twigs, 0.2f, 0.9f, 0.22f, 1.0f)) {
                 _shoots.push_back(twig);
-                for (const Shoot& end : sideShoots(twig, 2, 0.3f, 0.8f, 0.09f, 0.7f))
+                for (const Shoot& end : sideShoots(twig, _habit.ends, 0.3f, 0.8f, 0.12f, 0.9f))
                     _bareShoots.push_back(end);
             }
         }
         for (const Shoot& shoot : _shoots)
-            addLeaves(shoot, &shoot == &_shoots.front() ? 0.5f : _habit.bare);
+            if (isNeedles(_form))
+                addNeedles(shoot);
+            else
+                addLeaves(shoot, &shoot == &_shoots.front() ? 0.5f : _habit.bare);
         _shoots.insert(_shoots.end(), _bareShoots.begin(), _bareShoots.end());
     }
 
@@ -160,33 +163,59 @@ private:
 
     /// Sprays of conifers are pointed.
     float tapering(float t) const {
-        return _form == LeafForm::Needles || _form == LeafForm::Tufts ? 1.1f - 0.75f * t : 1.0f;
+        return isNeedles(_form) && _form != LeafForm::Bundles ? 1.1f - 0.75f * t : 1.0f;
     }
 
     void addLeaves(const Shoot& shoot, float bare) {
-        _rank = _random.uniform();
         const float start = bare * shoot.length;
         float hand = _random.uniform() < 0.5f ? -1.0f : 1.0f;
         for (float at = start; at < shoot.length; at += _habit.spacing, hand = -hand) {
             const float t = at / shoot.length;
             const float lean = _habit.leafLean * (1.0f - 0.35f * t);
             addLeaf(shoot.at(t), shoot.leanAt(t), hand * lean);
-            if (_habit.opposite || isNeedles(_form))
+            if (_habit.opposite)
                 addLeaf(shoot.at(t), shoot.leanAt(t), -hand * lean);
         }
         addLeaf(shoot.at(1.0f), shoot.leanAt(1.0f), 0.0f);
     }
 
+    /// Adds needles on all sides of a shoot; those in front are brighter.
+    void addNeedles(const Shoot& shoot) {
+        const bool rosettes = _form == LeafForm::Tufts;
+        for (float at = _habit.bare * shoot.length; at < shoot.length; at += _habit.spacing)
+            for (int i = 0; i < (rosettes ? 26 : 2); ++i) {
+                const float t = at / shoot.length;
+                const bool end = at + _habit.spacing >= shoot.length;
+                addNeedle(shoot.at(t), shoot.leanAt(t),
+                          end ? _random.uniform() * _habit.leafLean : _habit.leafLean);
+            }
+    }
+
+    /// @param shoot lean of the shoot. @param lean of the needle relative to it.
+    void addNeedle(const glm::vec2& foot, float shoot, float lean) {
+        float around = glm::pi<float>() * _random.symmetric();
+        if (_form == LeafForm::Combed)
+            around = 0.35f * around + (_random.uniform() < 0.5f ? glm::pi<float>() : 0.0f);
+        lean *= 1.0f + 0.25f * _random.symmetric();
+        const float aside = glm::sin(lean) * glm::cos(around), front = glm::sin(lean) * glm::sin(around);
+        const float own = shoot + std::atan2(aside, glm::cos(lean));
+        const float length = _habit.length * (0.8f + 0.35f * _random.uniform());
+        if (!fits(foot, own, length))
+            return;
+        _hue = 0.5f + 0.3f * _random.symmetric();
+        _brightness = 0.62f + 0.24f * front + 0.1f * _random.symmetric();
+        _tilt = glm::asin(glm::clamp(glm::abs(front), 0.0f, 0.98f));
+        _toward = own;
+        _leaves.push_back({_blades.size(), _blades.size() + 1, _random.uniform()});
+        addBlade(foot, own, length);
+    }
+
     /// @param shoot lean of the shoot. @param lean of the leaf relative to it.
     void addLeaf(const glm::vec2& foot, float shoot, float lean) {
         const float size = 0.8f + 0.35f * _random.uniform();
-        glm::vec2 off(0.0f);
-        if (!isNeedles(_form)) {
-            off.y = 0.04f * _random.symmetric();
-            off.x = 0.04f * _random.symmetric();
-        }
+        const glm::vec2 off = 0.04f * glm::vec2(_random.symmetric(), _random.symmetric());
         for (int attempt = 0; attempt < 3; ++attempt) {
-            const float own = shoot + lean + (isNeedles(_form) ? 0.25f : 0.6f) * _random.symmetric();
+            const float own = shoot + lean + 0.6f * _random.symmetric();
             const glm::vec2 place = foot + off + size * _habit.petiole * direction(own);
             if (!fits(place, own, size * _habit.length))
                 continue;
@@ -194,9 +223,7 @@ private:
             _hue = 0.5f + 0.4f * _random.symmetric();
             const std::size_t first = _blades.size();
             addBlades(foot + off, place, own, size * _habit.length);
-            _leaves.push_back(
-                {first, _blades.size(),
-                 isNeedles(_form) ? 0.7f * _rank + 0.3f * _random.uniform() : _random.uniform()});
+            _leaves.push_back({first, _blades.size(), _random.uniform()});
             return;
         }
     }
@@ -228,11 +255,6 @@ private:
             addBlade(foot + 0.6f * way, lean + 0.9f, length);
             addBlade(foot + 0.8f * way, lean - 0.7f, length);
             break;
-        case LeafForm::Tufts:
-            for (int i = -6; i <= 6; ++i)
-                addBlade(place, lean + 0.25f * static_cast<float>(i),
-                         length * (0.8f + 0.3f * _random.uniform()));
-            return;
         default:
             break;
         }
@@ -275,7 +297,6 @@ private:
     std::vector<LeafBlade> _blades;
     std::vector<Leaf> _leaves;
     float _brightness = 0.8f, _hue = 0.5f, _tilt = 0.0f, _toward = 0.0f; ///< Of the next leaf.
-    float _rank = 0.0f;                                                  ///< Of its shoot.
 };
 
 } // namespace

@@ -10,14 +10,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
 namespace {
 
 constexpr float twigBrightness = 0.4f, twigHue = 0.75f; // dark and brownish between the leaves
-constexpr float widthInLeaf = 0.4f; // relative to bare twigs, which also represent finer ones
 
 /// A canvas for painting sprays. Later pieces cover earlier ones.
 class SprayCanvas {
@@ -26,22 +24,19 @@ public:
         : _brightness(SprayRaster::size * SprayRaster::size), _hue(_brightness.size()),
           _parts(_brightness.size()) {}
 
-    /// Paints twigs at full width on the bare spray, and thinner on the spray in leaf.
     void addTwigs(const std::vector<TwigPiece>& twigs) {
-        const std::uint8_t brightness = byteOf(twigBrightness), hue = byteOf(twigHue);
         for (const TwigPiece& piece : twigs)
-            for (const auto& [widths, part] : {std::pair(1.0f, bareTwig), {widthInLeaf, leafyTwig}})
-                for (const SprayRaster::Span& span : _raster.spans(piece.polygon(widths))) {
-                    const int count = span.end - span.first;
-                    std::uint8_t* parts = SprayRaster::at(_parts, span);
-                    for (int i = 0; i < count; ++i)
-                        parts[i] = static_cast<std::uint8_t>(parts[i] | part);
-                    std::fill_n(SprayRaster::at(_brightness, span), count, brightness);
-                    std::fill_n(SprayRaster::at(_hue, span), count, hue);
-                }
+            for (const SprayRaster::Span& span : _raster.spans(piece.polygon())) {
+                const int count = span.end - span.first;
+                std::fill_n(SprayRaster::at(_parts, span), count, twig);
+                std::fill_n(SprayRaster::at(_brightness, span), count, byteOf(twigBrightness));
+                std::fill_n(SprayRaster::at(_hue, span), count, byteOf(twigHue));
+            }
     }
 
-    void addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
+    /// @param needle whether it is a needle, whose tip is brighter: its foot is in the shade of others.
+    void addLeaf(const LeafOutline& outline, const LeafBlade& blade, bool needle) {
+        const glm::vec2 shade = needle ? glm::vec2(0.55f, 0.65f) : glm::vec2(0.84f, 0.24f);
         const glm::vec2 along{glm::sin(blade.lean), glm::cos(blade.lean)}, side{along.y, -along.x};
         const glm::vec2 toward{glm::sin(blade.toward), glm::cos(blade.toward)};
         const float unfolded = 1.0f / glm::cos(blade.tilt) - 1.0f;
@@ -56,7 +51,7 @@ public:
                 // The two halves of a blade face the light differently, and the rib is lighter.
                 const float half = v < 0.0f ? 1.06f : 0.94f;
                 const float rib = glm::abs(v) < 0.02f && blade.length > 0.06f ? 1.15f : 1.0f;
-                const float lit = blade.brightness * half * rib * (0.84f + 0.24f * u);
+                const float lit = blade.brightness * half * rib * (shade.x + shade.y * u);
                 brightness[i] = byteOf(lit);
             }
             std::uint8_t* parts = SprayRaster::at(_parts, span);
@@ -76,8 +71,8 @@ public:
                 for (int i = 0; i < samples * samples; ++i) {
                     const auto at = static_cast<std::size_t>((y * samples + i / samples) * size +
                                                              x * samples + i % samples);
-                    twigs += _parts[at] & bareTwig ? 1.0f : 0.0f;
-                    if (!(_parts[at] & (leaf | leafyTwig)))
+                    twigs += _parts[at] & twig ? 1.0f : 0.0f;
+                    if (_parts[at] == 0)
                         continue;
                     any += 1.0f;
                     brightness += static_cast<float>(_brightness[at]) / 255.0f;
@@ -92,7 +87,7 @@ public:
     }
 
 private:
-    static constexpr std::uint8_t leaf = 1, bareTwig = 2, leafyTwig = 4;
+    static constexpr std::uint8_t leaf = 1, twig = 2;
 
     SprayRaster _raster;
     std::vector<std::uint8_t> _brightness, _hue, _parts;
@@ -105,7 +100,7 @@ LeafTexels paintSpray(LeafForm form, const LeafSpray& spray) {
     canvas.addTwigs(spray.twigs);
     const LeafOutline outline = leafOutline(form);
     for (const LeafBlade& blade : spray.blades)
-        canvas.addLeaf(outline, blade);
+        canvas.addLeaf(outline, blade, isNeedles(form));
     return canvas.texels();
 }
 

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 /// Rasterizes polygons to the samples of a card from (0, 0) to (1, 1). Rows run from the bottom up.
 class SprayRaster {
 public:
-    static constexpr int pixels = 256, samples = 3; ///< Per side of the card; per side of a pixel.
+    static constexpr int pixels = 512, samples = 2; ///< Per side of the card; per side of a pixel.
     static constexpr int size = pixels * samples;
 
     /// The samples [first, end) of a row.

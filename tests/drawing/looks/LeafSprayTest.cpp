@@ -135,7 +135,7 @@ TEST_P(LeafSprayFormTest, BoughsHaveTheCoverageOfASpray) {
 INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayFormTest, testing::Range(0, leafFormCount),
                          NamesInOrder({"Blade", "Lobed", "Ovate", "Rhombic", "Palmate", "Pinnate", "Heart",
                                        "Round", "Fingered", "Fan", "Needles", "Bundles", "Tufts", "Frond",
-                                       "Pointed"}));
+                                       "Pointed", "Combed"}));
 
 TEST(LeafSpray, EveryFormLooksDifferent) {
     for (int a = 0; a < leafFormCount; ++a)
