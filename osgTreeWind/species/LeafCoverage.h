@@ -22,7 +22,7 @@ constexpr CardCoverage cardCoverages[] = {
     {0.23f, 0.14f}, // palmate
     {0.23f, 0.13f}, // pinnate
     {0.28f, 0.12f}, // heart
-    {0.21f, 0.085f}, // round
+    {0.21f, 0.075f}, // round
     {0.28f, 0.145f}, // fingered
     {0.27f, 0.12f}, // fan
     {0.31f, 0.07f}, // needles

@@ -56,7 +56,7 @@ constexpr Habit habits[] = {
     {8, 2, 0, 1.0f, false, 0.1f, 0.05f, 0.9f, 0.13f, 0.07f, 0.9f},     // fan: bunches on spurs
     {12, 1, 0, 0.85f, true, 0.0f, 0.006f, 0.9f, 0.05f, 0.0f, 0.0f},    // needles: brushes
     {6, 2, 0, 0.7f, true, 0.35f, 0.008f, 0.6f, 0.16f, 0.0f, 0.0f},     // bundles: at the ends of shoots
-    {8, 3, 0, 0.9f, false, 0.05f, 0.06f, 1.2f, 0.06f, 0.0f, 0.0f},     // tufts: rosettes on spurs
+    {9, 3, 0, 0.9f, false, 0.05f, 0.045f, 1.2f, 0.065f, 0.0f, 0.0f},   // tufts: rosettes on spurs
     {0, 0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},        // frond
     {7, 3, 1, 1.0f, false, 0.2f, 0.035f, 0.9f, 0.245f, 0.025f, 0.55f}, // pointed
     {10, 1, 0, 0.9f, true, 0.0f, 0.006f, 1.25f, 0.06f, 0.0f, 0.0f},    // combed: needles to both sides
@@ -183,7 +183,7 @@ private:
     void addNeedles(const Shoot& shoot) {
         const bool rosettes = _form == LeafForm::Tufts;
         for (float at = _habit.bare * shoot.length; at < shoot.length; at += _habit.spacing)
-            for (int i = 0; i < (rosettes ? 26 : 2); ++i) {
+            for (int i = 0; i < (rosettes ? 40 : 5); ++i) {
                 const float t = at / shoot.length;
                 const bool end = at + _habit.spacing >= shoot.length;
                 addNeedle(shoot.at(t), shoot.leanAt(t),

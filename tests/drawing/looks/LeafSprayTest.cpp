@@ -18,19 +18,19 @@ namespace {
 
 constexpr int twigs = 2, all = 3;
 
-/// Share of texels with leaves that pass the alpha test, without leaves in front of twigs.
+/// Share of a card that leaves cover, without leaves in front of twigs.
 float leavesOn(const LeafTexels& card) {
-    std::size_t kept = 0;
+    float sum = 0.0f;
     for (const glm::vec4& texel : card.texels)
-        kept += texel.a >= 0.5f && texel.b < 0.5f;
-    return static_cast<float>(kept) / static_cast<float>(card.texels.size());
+        sum += texel.a - texel.b;
+    return sum / static_cast<float>(card.texels.size());
 }
 
-float solidTexels(const LeafTexels& card, int channel) {
-    std::size_t kept = 0;
+float twigsOn(const LeafTexels& card) {
+    float sum = 0.0f;
     for (const glm::vec4& texel : card.texels)
-        kept += texel[channel] >= 0.5f;
-    return static_cast<float>(kept) / static_cast<float>(card.texels.size());
+        sum += texel.b;
+    return sum / static_cast<float>(card.texels.size());
 }
 
 LeafTexels painted(LeafForm form, int variant) {
@@ -48,7 +48,7 @@ TEST_P(LeafSprayFormTest, HasTheCoverageOfTheMechanics) {
     float leaves = 0.0f, bare = 0.0f;
     for (int variant = 0; variant < LeafAtlas::sprays; ++variant) {
         leaves += leavesOn(painted(form(), variant)) / LeafAtlas::sprays;
-        bare += solidTexels(painted(form(), variant), twigs) / LeafAtlas::sprays;
+        bare += twigsOn(painted(form(), variant)) / LeafAtlas::sprays;
     }
     EXPECT_NEAR(bare, twigCoverage(form()), 0.01f);
     EXPECT_NEAR(leaves, leafCoverage(form()), 0.035f) << "half of a large leaf";
@@ -61,7 +61,7 @@ TEST_P(LeafSprayFormTest, GrowsFromTheLowerEdge) {
         (std::abs(x - spray.size / 2) < spray.size / 16 ? foot : elsewhere) += spray.at(x, 1).b;
     EXPECT_GT(foot, 0.5f);
     if (form() == LeafForm::Frond) {
-        EXPECT_GT(elsewhere, 0.8f * static_cast<float>(spray.size)); // its rib
+        EXPECT_GT(elsewhere, 0.75f * static_cast<float>(spray.size)); // its rib
     } else {
         EXPECT_EQ(elsewhere, 0.0f);
     }
@@ -92,7 +92,7 @@ TEST_P(LeafSprayFormTest, VariantsDiffer) {
 
 TEST_P(LeafSprayFormTest, MipmapLevelsHaveEqualCoverage) {
     const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
-    ASSERT_EQ(levels.size(), 9u);
+    ASSERT_EQ(levels.size(), 10u);
     const auto mean = [](const LeafTexels& level, int channel) {
         float sum = 0.0f;
         for (const glm::vec4& texel : level.texels)

@@ -152,6 +152,7 @@ LeafEdges EdgePicture::singleLeaves() const {
     for (int i = 0; i < LeafAtlas::sprays; ++i)
         sprays.push_back(growSpray(_appearance.leafForm, i));
     const BladeMask blade(leafOutline(_appearance.leafForm));
+    const LeafMasks cards(*leafImage(_appearance));
     Silhouette sampled(samples * width);
     forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                 const glm::vec3& across, const glm::vec3& along) {
@@ -167,6 +168,7 @@ LeafEdges EdgePicture::singleLeaves() const {
                             up = at(leaf.point({blade.low.x, blade.high.y})) - foot;
             drawPiece(*this, foot, right, up, blade.mask, sampled);
         }
+        drawPiece(*this, corner, across, along, cards.twigs(choice.variant), sampled, choice.mirrored);
     });
     return measured(sampled);
 }
