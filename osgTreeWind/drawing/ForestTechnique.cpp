@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/ForestTechnique.h>
 
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <utility>
@@ -22,6 +23,10 @@ ForestTechnique::~ForestTechnique() = default;
 void ForestTechnique::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
     removeChildren(0, getNumChildren());
     _simulation = std::move(simulation);
+    osg::StateSet& state = *getOrCreateStateSet();
+    state.removeDefine("EXPOSURE");
+    if (_simulation && _simulation->description().drawing.exposure > 0.0f)
+        state.setDefine("EXPOSURE", numberText(_simulation->description().drawing.exposure));
 }
 
 bool ForestTechnique::stepsItself() const {

@@ -25,6 +25,8 @@ const Keys& keysOf<DrawingOptions>() {
          "Target duration of a frame; 0: none. If frames take longer, trees get the detail of smaller ones, "
          "down to a quarter of their height",
          "ms"},
+        {"exposure", at<&P::exposure>, within(0, 1000),
+         "Factor on colours; 0: that of the define `EXPOSURE`, 3 without it. Has no effect under `FILM`"},
     };
     return keys;
 }

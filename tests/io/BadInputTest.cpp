@@ -140,6 +140,8 @@ const BadInput badInputs[] = {
     {"ReducedBelowImpostor", head + tree + "[drawing]\nreduced = @20\n", "drawing.reduced",
      "expected impostor below reduced, found 80 and 20"},
     {"BlendTooWide", head + tree + "[drawing]\nblend = @1\n", "drawing.blend", "in [0, 0.9], found 1"},
+    {"ExposureNegative", head + tree + "[drawing]\nexposure = @-1\n", "drawing.exposure",
+     "in [0, 1000], found -1"},
     {"BudgetNegative", head + tree + "[drawing]\nbudget = @-1\n", "drawing.budget",
      "in [0, 10000], found -1"},
 

@@ -229,15 +229,15 @@ TEST(ForestFile, SpeciesMayHaveAllFieldsOfBuiltInOnes) {
 }
 
 TEST(ForestFile, DrawingKeepsDefaultsOfMissingKeys) {
-    const DrawingOptions drawing =
-        forestOf(
-            "[[tree]]\nposition = [0, 0]\n[drawing]\ntiers = false\nfull = 500\nimpostor = 0\nblend = 0.5\n")
-            .drawing;
+    const DrawingOptions drawing = forestOf("[[tree]]\nposition = [0, 0]\n[drawing]\ntiers = false\nfull = "
+                                            "500\nimpostor = 0\nblend = 0.5\nexposure = 2.5\n")
+                                       .drawing;
     EXPECT_FALSE(drawing.tiers);
     EXPECT_EQ(drawing.full, 500.0f);
     EXPECT_EQ(drawing.reduced, DrawingOptions().reduced);
     EXPECT_EQ(drawing.impostor, 0.0f);
     EXPECT_EQ(drawing.blend, 0.5f);
+    EXPECT_EQ(drawing.exposure, 2.5f);
 }
 
 TEST(ForestFile, FindsPicturesOfASpecies) {

@@ -116,7 +116,7 @@ void setSceneDefines(osg::StateSet& state, const osg::StateSet* stage, const osg
         if (isOn(inherited.mode(GL_CLIP_PLANE0 + i)))
             define("CLIP_PLANES", std::to_string(i + 1));
     if (isOn(inherited.mode(GL_FRAMEBUFFER_SRGB)))
-        define("LINEAR_COLORS", "1");
+        define("ENCODED_BY_OPENGL", "1");
     const auto multisample = inherited.mode(GL_MULTISAMPLE_ARB);
     if (sampleMask && (multisample == osg::StateAttribute::INHERIT || isOn(multisample)))
         define("COVERAGE", "1");

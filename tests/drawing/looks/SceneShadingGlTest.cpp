@@ -16,7 +16,9 @@
 #include <osgShadow/ShadowedScene>
 #include <osgShadow/ViewDependentShadowMap>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace osgTreeWind;
 
@@ -108,6 +110,7 @@ TEST_F(SceneShadingGlTest, ColoursAreEncodedAsSrgb) {
     light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
     osg::ref_ptr<osg::Image> linear = picture();
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    scene->getStateSet()->setDefine("EXPOSURE", "1.0");
     osg::ref_ptr<osg::Image> encoded = picture();
     int pixels = 0;
     for (int i = 0; i < 4 * pictureSize * pictureSize; ++i) {
@@ -121,6 +124,37 @@ TEST_F(SceneShadingGlTest, ColoursAreEncodedAsSrgb) {
     EXPECT_GT(pixels, 1000);
     scene->getStateSet()->setMode(GL_FRAMEBUFFER_SRGB, osg::StateAttribute::ON);
     EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes colours in an sRGB buffer only";
+}
+
+TEST_F(SceneShadingGlTest, SunlitLeavesAreAsBrightAsInAPhotographWithoutFilm) {
+    light(lightSource(0, osg::Vec4(0.0f, -1.0f, 0.5f, 0.0f), osg::Vec4(0.8f, 0.8f, 0.8f, 1.0f)));
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    for (const char* name : {"oak", "European beech", "Scots pine"}) {
+        scene->replaceChild(forest, new Forest(oneTree(*findSpecies(name), 0.0f)));
+        forest = static_cast<Forest*>(scene->getChild(scene->getNumChildren() - 1));
+        std::vector<double> bright;
+        const osg::ref_ptr<osg::Image> drawn = picture(40.0, 2 * pictureSize, 0, 12.0);
+        for (int i = 0; i < drawn->s() * drawn->t(); ++i)
+            if (const unsigned char* p = drawn->data() + 4 * i; p[0] || p[1] || p[2])
+                bright.push_back(luminance({p[0], p[1], p[2]}));
+        std::sort(bright.begin(), bright.end());
+        ASSERT_GT(bright.size(), 1000u);
+        const double lit = bright[3 * bright.size() / 4]; // the median of the lit half
+        EXPECT_GT(lit, 90.0) << name;
+        EXPECT_LT(lit, 120.0) << name;
+    }
+}
+
+TEST_F(SceneShadingGlTest, ExposureOfTheFileReplacesThatOfTheHost) {
+    light(lightSource(0, sun, white));
+    const osg::ref_ptr<osg::Image> plain = picture();
+    scene->getStateSet()->setDefine("EXPOSURE", "2");
+    const osg::Vec3d host = meanColour(*picture());
+    EXPECT_NEAR(host.y(), 2.0 * meanColour(*plain).y(), 1.0);
+    ForestDescription description = oneTree(smallSpecies(), 0.0f);
+    description.drawing.exposure = 1.0f;
+    scene->replaceChild(forest, new Forest(description));
+    EXPECT_EQ(difference(*plain, *picture()).mean, 0.0);
 }
 
 TEST_F(SceneShadingGlTest, FilmCurveCompressesBrightColours) {
