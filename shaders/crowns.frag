@@ -14,7 +14,7 @@ flat in vec3 crownToEye;
 flat in vec3 crownAcross;
 flat in vec3 crownUp;
 #ifdef SHADOWED
-flat in vec3 crownSunThrough;
+flat in vec3 crownSunScattering;
 flat in vec3 crownSunWay;
 #endif
 in vec2 crownPlace;
@@ -51,10 +51,11 @@ void main() {
     float own = float(hash >> 16) / 65536.0;
     vec2 bulge = off / radius * (1.0 - smoothstep(0.5, 1.2, pixel));
     vec3 normal = bulge.x * crownAcross + bulge.y * crownUp + sqrt(max(1.0 - dot(bulge, bulge), 0.1)) * crownToEye;
+    normal *= 0.5; // leaves are lit from both sides
     vec3 light = within * (crownLight + lightByNormal * normal);
     vec3 sun = sunLight;
 #ifdef SHADOWED
-    sun *= within * (0.5 + crownSunThrough + 0.5 * dot(crownSunWay, normal));
+    sun *= within * (0.25 + crownSunScattering + 0.5 * dot(crownSunWay, normal));
 #endif
     vec3 albedo = crownColor.rgb * treeTint(own);
     paintSurface(sceneColor(albedo * max(shadowed(light, sun, crownEye), 0.0), crownEye), albedo);

@@ -18,7 +18,7 @@ flat out vec3 crownToEye; // in eye space, as the axes of the picture
 flat out vec3 crownAcross;
 flat out vec3 crownUp;
 #ifdef SHADOWED
-flat out vec3 crownSunThrough;
+flat out vec3 crownSunScattering;
 flat out vec3 crownSunWay;
 #endif
 out vec2 crownPlace; // metres on the picture
@@ -44,14 +44,14 @@ void main() {
 
     vec4 eyePosition = osg_ModelViewMatrix * vec4(treePlace.xyz + crownPlace.x * across + crownPlace.y * up, 1.0);
     crownEye = eyePosition.xyz;
-    vec3 leafMore, sunThrough, sunWay;
-    linearLight((osg_ModelViewMatrix * vec4(middle, 1.0)).xyz, crownLight, leafMore, lightByNormal, sunThrough, sunWay);
+    vec3 leafMore, sunScattering, sunWay;
+    linearLight((osg_ModelViewMatrix * vec4(middle, 1.0)).xyz, crownLight, leafMore, lightByNormal, sunScattering, sunWay);
     crownLight += leafMore;
     crownToEye = normalize(osg_NormalMatrix * toEye);
     crownAcross = normalize(osg_NormalMatrix * across);
     crownUp = normalize(osg_NormalMatrix * up);
 #ifdef SHADOWED
-    crownSunThrough = sunThrough;
+    crownSunScattering = sunScattering;
     crownSunWay = sunWay;
 #endif
     placeSurface(eyePosition, crownToEye, own);

@@ -21,8 +21,11 @@ flat in vec3 barkLight;
 flat in vec3 leafLightMore;
 flat in mat3 lightByNormal;
 #ifdef SHADOWED
-flat in vec3 pictureSunThrough;
+flat in vec3 pictureSunScattering;
 flat in vec3 pictureSunWay;
+in vec3 pictureFront;
+#else
+#define pictureFront pictureEye
 #endif
 in vec2 pictureCoord;
 in float pictureLeft;
@@ -59,12 +62,13 @@ void main() {
     vec3 light = barkLight + lobe.a * leafLightMore + lightByNormal * way;
     vec3 sun = sunLight;
 #ifdef SHADOWED
-    sun *= 0.25 + lobe.a * (0.25 + pictureSunThrough) + 0.5 * dot(pictureSunWay, way);
+    sun *= 0.25 + lobe.a * pictureSunScattering + 0.5 * dot(pictureSunWay, way);
     light = pictureLeft * (light - sun) + sun;
+    sun *= 1.0 - 2.0 * softShare(0.5 * pictureLeft); // with half of the light left by its own crown
 #else
     light *= pictureLeft;
 #endif
     vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
     vec3 albedo = tint * color.rgb / color.a;
-    paintSurface(sceneColor(albedo * max(shadowed(light, sun, pictureEye), 0.0), pictureEye), albedo);
+    paintSurface(sceneColor(albedo * max(shadowed(light, sun, mix(pictureEye, pictureFront, lobe.a)), 0.0), pictureEye), albedo);
 }

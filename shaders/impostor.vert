@@ -21,8 +21,9 @@ flat out vec3 barkLight;    // linearLight(), for normals in the tree's frame
 flat out vec3 leafLightMore;
 flat out mat3 lightByNormal;
 #ifdef SHADOWED
-flat out vec3 pictureSunThrough;
+flat out vec3 pictureSunScattering;
 flat out vec3 pictureSunWay;
+out vec3 pictureFront; // of the crown, where it takes shadows
 #endif
 out vec2 pictureCoord;
 out float pictureLeft; // share of the light that neighbours leave
@@ -84,8 +85,8 @@ void main() {
     pictureEye = eyePosition.xyz;
     pictureLeft = mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, clamp(rise / height, 0.0, 1.0) + toEye.z * toEye.z));
     vec4 middle = osg_ModelViewMatrix * vec4(treePlace.xyz + 0.5 * height * down[2], 1.0);
-    vec3 sunThrough, sunWay;
-    linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunThrough, sunWay);
+    vec3 sunScattering, sunWay;
+    linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunScattering, sunWay);
     vec2 turn = vec2(cos(treePlace.w), sin(treePlace.w));
     mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
     mat3 fromTree = mat3(normalize(osg_NormalMatrix[0]), normalize(osg_NormalMatrix[1]), normalize(osg_NormalMatrix[2])) * down;
@@ -97,8 +98,10 @@ void main() {
         lightByNormal[i] *= tint;
     sunLight *= tint;
 #ifdef SHADOWED
-    pictureSunThrough = sunThrough;
+    pictureSunScattering = sunScattering;
     pictureSunWay = sunWay * (fromTree * heading);
+    float depth = 0.5 * mix(impostorSize.x * scale.x, height, toEye.z * toEye.z);
+    pictureFront = pictureEye + depth * normalize(osg_NormalMatrix * (down * toEye));
 #endif
     placeSurface(eyePosition, normalize(osg_NormalMatrix * (down * toEye)), treeState.w);
 }

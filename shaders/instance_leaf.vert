@@ -64,14 +64,15 @@ void main() {
                         leftByNeighbours(rest.z));
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, osg_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
-    float away = dot(eyeDirection(pose, blade), normalize(eyePosition.xyz));
+    vec3 eyeBlade = eyeDirection(pose, blade);
+    float away = dot(eyeBlade, normalize(eyePosition.xyz));
     leafFacing = facingOf(abs(away));
     bool fromBelow = away > 0.0;
     float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : over);
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides
     own *= leafBrightness;
-    leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
+    leafLight = leafShade(eyePosition.xyz, eyeNormal, eyeBlade, shade);
     float glint = bladeGlint(osg_MultiTexCoord0.w,
                              eyeDirection(pose, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz)),
                              eyeDirection(pose, blade + tremble * trembling));

@@ -134,18 +134,18 @@ CrownShade::Light CrownShade::at(const glm::vec3& point) const {
         for (std::size_t d = 0; d < directions; ++d)
             depths[d] += weight * _depths[node][d];
     });
-    float sky = 0.0f, all = 0.0f;
+    static const float attenuation = projection * clumping * glm::sqrt(1.0f - scattering);
+    light.sky = light.ground = 0.0f;
     for (std::size_t d = 0; d < directions; ++d) {
-        const float left = glm::exp(-projection * depths[d]);
+        const float left = glm::exp(-attenuation * depths[d]);
         if (d < 6)
             (d % 2 ? light.below : light.above)[static_cast<int>(d / 2)] = left;
-        // Quadrature of the sphere with 14 points (Lebedev 1976), times the brightness of the sky.
+        // Quadrature of the sphere with 14 points (Lebedev 1976).
         const int up = direction(d).z;
-        const float weight = (d < 6 ? 1.0f / 15.0f : 3.0f / 40.0f) * (up > 0 ? 1.0f : up == 0 ? 0.6f : 0.2f);
-        sky += weight * left;
-        all += weight;
+        const float weight = (d < 6 ? 2.0f / 15.0f : 3.0f / 20.0f) * left;
+        light.sky += 0.5f * static_cast<float>(1 + up) * weight;
+        light.ground += 0.5f * static_cast<float>(1 - up) * weight;
     }
-    light.sky = sky / all;
     return light;
 }
 

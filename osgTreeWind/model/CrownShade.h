@@ -9,11 +9,14 @@
 namespace osgTreeWind {
 
 /// Self-shading of a crown. The leaf area of the clusters on a grid over the tree gives the transmission
-/// toward the sky and the sun, T = exp(-G L), where L is the leaf area per area perpendicular to the
-/// direction (Monsi and Saeki 1953).
+/// toward the sky and the sun, T = exp(-k L), where L is the leaf area per area perpendicular to the
+/// direction (Monsi and Saeki 1953). k = G c sqrt(1 - s): leaves are clumped (c, Chen and Cihlar 1995), and
+/// scatter a share s of the light onward (Goudriaan 1977).
 class CrownShade {
 public:
     static constexpr float projection = 0.5f; ///< G of randomly oriented leaves.
+    static constexpr float clumping = 0.75f;  ///< c of broadleaved and of coniferous crowns.
+    static constexpr float scattering = 0.2f; ///< s of green leaves in visible light.
 
     /// Upper limit of the crown's leaf area index, m^2/m^2; leaf cards of the thesis' trees would exceed it.
     static constexpr float maxLeafArea = 5.0f;
@@ -22,7 +25,8 @@ public:
     struct Light {
         glm::vec3 above{1.0f}; ///< From +x, +y and +z.
         glm::vec3 below{1.0f}; ///< From -x, -y and -z.
-        float sky = 1.0f;      ///< From a sky that is bright above and dim below.
+        float sky = 1.0f;      ///< From the sky.
+        float ground = 1.0f;   ///< From the ground.
     };
 
     /// A crown without leaves, which casts no shade.

@@ -41,9 +41,9 @@ void main() {
     Shade shade = Shade(unpackedShares(osg_MultiTexCoord2.w), unpackedShares(osg_MultiTexCoord3.w), vec2(1.0, 0.0), 1.0);
     leafBorne = fract(0.618034 * osg_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     vec3 own = mix(vec3(1.0), treeTint(treeOwn) * clusterTint(treeOwn, osg_MultiTexCoord0.w), leafBorne);
-    leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
     vec3 eyeBlade = normalize(osg_NormalMatrix * turnVector(pose.rotation, blade));
     leafFacing = facingOf(abs(dot(eyeBlade, normalize(eyePosition.xyz))));
+    leafLight = leafShade(eyePosition.xyz, eyeNormal, eyeBlade, shade);
     float glint = bladeGlint(
         osg_MultiTexCoord0.w,
         normalize(osg_NormalMatrix * turnVector(pose.rotation, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz))),

@@ -13,7 +13,7 @@ float packedShares(vec4 shares) {
 }
 
 /// Share of the light from a direction, interpolated between the axes. @param above shares from +x, +y, +z; w: of the
-/// sky. @param below shares from -x, -y, -z.
+/// sky. @param below shares from -x, -y, -z; w: of the light from the ground.
 float shareFrom(vec3 direction, vec4 above, vec4 below) {
     vec3 weight = direction * direction;
     float sum = weight.x * (direction.x > 0.0f ? above.x : below.x) + weight.y * (direction.y > 0.0f ? above.y : below.y) +

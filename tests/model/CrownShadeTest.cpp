@@ -40,7 +40,8 @@ CrownShade box() {
 }
 
 double left(double path) {
-    return std::exp(-static_cast<double>(CrownShade::projection) * density * path);
+    return std::exp(-static_cast<double>(CrownShade::projection * CrownShade::clumping) *
+                    std::sqrt(1.0 - static_cast<double>(CrownShade::scattering)) * density * path);
 }
 
 } // namespace
@@ -56,13 +57,14 @@ TEST(CrownShade, TransmissionOfAUniformBoxFollowsThePathLength) {
     }
 }
 
-TEST(CrownShade, DiagonalsOfAUniformBoxAreAsLongAsTheyAre) { // sky: 14 directions, up 1, level 0.6, down 0.2
+TEST(CrownShade, DiagonalsOfAUniformBoxAreAsLongAsTheyAre) { // sky: 14 directions, up 2, level 1, down 0
     const CrownShade::Light light = box().at({0, 0, 4});
     const double diagonal = left(0.5 * static_cast<double>(glm::length(high - low)));
     const double axis = 1.0 / 15.0, corner = 3.0 / 40.0;
-    const double level = 2.0 * axis * 0.6 * (left(2.0) + left(3.0)), upright = axis * 1.2 * left(4.0);
-    const double expected = (level + upright + corner * 4.8 * diagonal) / (axis * 3.6 + corner * 4.8);
+    const double level = 2.0 * axis * (left(2.0) + left(3.0)), upright = 2.0 * axis * left(4.0);
+    const double expected = level + upright + corner * 8.0 * diagonal;
     EXPECT_NEAR(static_cast<double>(light.sky), expected, 0.005);
+    EXPECT_NEAR(static_cast<double>(light.ground), expected, 0.005);
 }
 
 TEST(CrownShade, APlaceOutsideIsShadedFromTheSideOfTheCrownOnly) {
@@ -77,6 +79,7 @@ TEST(CrownShade, WithoutLeavesThereIsNoShade) {
         EXPECT_EQ(light.above, glm::vec3(1));
         EXPECT_EQ(light.below, glm::vec3(1));
         EXPECT_EQ(light.sky, 1.0f);
+        EXPECT_EQ(light.ground, 1.0f);
     }
 }
 

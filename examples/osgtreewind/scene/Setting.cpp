@@ -6,6 +6,7 @@
 #include <examples/osgtreewind/scene/SunShadows.h>
 #include <examples/osgtreewind/scene/Tufts.h>
 
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/OpenGLProfile.h>
 
@@ -15,7 +16,7 @@
 
 namespace {
 
-using osgTreeWind::CompatibilityOnly, osgTreeWind::Forest;
+using osgTreeWind::CompatibilityOnly, osgTreeWind::Forest, osgTreeWind::numberText;
 
 osg::ref_ptr<osg::LightSource> createSun(const Daylight& day) {
     osg::ref_ptr<osg::LightSource> sun = new osg::LightSource;
@@ -32,7 +33,12 @@ void lightBySky(osg::StateSet& state, const Daylight& day) {
     state.setAttribute(model);
     setGlow(state, day);
     setGroundLight(state, day);
-    state.setDefine("FILM", "1.0");
+}
+
+/// Exposure of the film: as in daylight, but up to three times as long under closed crowns.
+double exposureAt(const osg::Vec3d& eye, const Forest& forest, const GroundCover& cover) {
+    const bool isUnderCrowns = eye.z() < forest.getBound().center().z();
+    return isUnderCrowns ? 1.0 + 2.0 * static_cast<double>(cover.crownsOver({eye.x(), eye.y()})) : 1.0;
 }
 
 } // namespace
@@ -43,6 +49,8 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     osg::ref_ptr<osg::Group> setting = shadows ? new SunShadows(&forest, day.toSun) : new osg::Group;
     osg::StateSet* state = setting->getOrCreateStateSet();
     lightBySky(*state, day);
+    const GroundCover cover(forest);
+    state->setDefine("FILM", numberText(options.eye ? exposureAt(*options.eye, forest, cover) : 1.0));
     osg::ref_ptr<osg::Fog> haze = new CompatibilityOnly<osg::Fog>;
     haze->setMode(osg::Fog::EXP2);
     haze->setColor(osg::Vec4(day.haze, 1.0f));
@@ -55,7 +63,6 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
         SunShadows::setDefines(*around->getStateSet());
         around->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
     }
-    const GroundCover cover(forest);
     lawn->getOrCreateStateSet()->setRenderBinDetails(-1, "RenderBin");
     lawn->addChild(createGround(forest, cover));
     if (options.eye)

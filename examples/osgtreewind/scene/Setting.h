@@ -13,7 +13,7 @@ struct SettingOptions {
     /// Whether trees cast shadows on the ground and on trees (SunShadows.h); by default not in worlds.
     std::optional<bool> shadows;
     Daylight day = Daylight();
-    std::optional<osg::Vec3d> eye; ///< Grass is drawn around this point; if unset, there is no grass.
+    std::optional<osg::Vec3d> eye; ///< Place for grass and for the exposure; if unset, there is no grass.
 };
 
 /// Surrounds a forest with sky, sun, haze and grassland.

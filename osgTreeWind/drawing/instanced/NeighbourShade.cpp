@@ -14,7 +14,7 @@ constexpr float cellSide = 12.0f;   // metres
 constexpr int reach = 2;            // cells in each direction in which crowns count
 constexpr float middleShare = 0.7f; // height of the widest part of the crown over the tree's height
 constexpr float topShare = 0.9f;    // height of Light::atTop over the tree's height
-constexpr float crownDepth = 0.8f;  // optical depth of a crown of density 1
+constexpr float crownDepth = 0.45f; // optical depth of a crown of density 1
 
 } // namespace
 

@@ -25,7 +25,7 @@ osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
 
 /// Packed for shaders/law/shade.glsl.
 glm::vec2 packed(const CrownShade::Light& light) {
-    return {Laws().packedShares({light.above, light.sky}), Laws().packedShares({light.below, 1.0f})};
+    return {Laws().packedShares({light.above, light.sky}), Laws().packedShares({light.below, light.ground})};
 }
 
 /// Measures the distance along thin wood between points of a tree and thick wood (shaders/law/shoot.glsl).

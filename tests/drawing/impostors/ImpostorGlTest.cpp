@@ -78,6 +78,7 @@ class ImpostorGlTest : public GlTest {
 protected:
     osg::ref_ptr<osg::Image> picture(osg::Node* node, const Sight& sight, float height) {
         reopen(size, size);
+        node->getOrCreateStateSet()->setDefine("EXPOSURE", "1.0"); // that of the bounds below
         viewer().setSceneData(node);
         viewer().setLightingMode(osg::View::SKY_LIGHT);
         viewer().getLight()->setPosition(osg::Vec4(0.5f, -0.7f, 0.8f, 0.0f));

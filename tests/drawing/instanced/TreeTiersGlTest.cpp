@@ -86,6 +86,7 @@ class TreeTiersGlTest : public GlTest {
 protected:
     void show(const ForestDescription& description, int zoom = 1) {
         _forest = new Forest(description);
+        _forest->getOrCreateStateSet()->setDefine("EXPOSURE", "1.0"); // that of the bounds below
         open(zoom * width, zoom * height);
         viewer().setSceneData(_forest);
         viewer().getCamera()->setClearColor(osg::Vec4(0, 0, 0, 1));
