@@ -8,7 +8,7 @@
 #include "surface.glsl"
 
 in vec3 barkCoord;
-in float barkRadius;
+in vec2 barkGirth;
 in vec3 barkLight;
 in vec3 scenePosition;
 flat in float treeFade;
@@ -19,6 +19,6 @@ void main() {
         discard;
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    vec3 albedo = inside * barkAlbedo(coordOnBark(barkCoord), barkRadius);
+    vec3 albedo = inside * barkAlbedo(coordOnBark(barkCoord), barkGirth);
     paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo);
 }

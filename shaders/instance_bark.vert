@@ -17,7 +17,7 @@ uniform vec3 flutterPhases;
 uniform float limberness; // species.leaf.shoot_sway
 
 out vec3 barkCoord; // bark_texture.glsl
-out float barkRadius; // metres
+out vec2 barkGirth; // radius of the wood and its height above the ground, m
 out vec3 barkLight;
 out vec3 scenePosition;
 
@@ -40,7 +40,7 @@ void main() {
     vec3 eyeNormal = eyeDirection(pose, osg_Normal);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
-    barkRadius = treeSize.z * osg_Vertex.w;
+    barkGirth = vec2(treeSize.z * osg_Vertex.w, treeSize.y * osg_Vertex.z);
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

@@ -79,7 +79,10 @@ private:
                                   : other;
         }
         void operator()(bool* member) const { *member = any.oneIn(2); }
-        void operator()(std::optional<bool>* member) const { *member = any.oneIn(2); }
+        template <typename T>
+        void operator()(std::optional<T>* member) const {
+            (*this)(&member->emplace());
+        }
         void operator()(int* member) const {
             const bool isOpen = key.range.max > INT_MAX || any.oneIn(3);
             *member = isOpen ? any.integer() : static_cast<int>(any.oneIn(2) ? key.range.min : key.range.max);

@@ -79,6 +79,10 @@ struct Check {
         for (int i = 0; i < 3; ++i)
             number(static_cast<double>((*value)[i]), "finite");
     }
+    void operator()(const std::optional<glm::vec3>* value) const {
+        if (*value)
+            (*this)(&**value);
+    }
     void operator()(const std::vector<glm::vec3>* values) const {
         std::for_each(values->begin(), values->end(), [&](const glm::vec3& value) { (*this)(&value); });
     }
@@ -144,8 +148,11 @@ struct Append {
         static_assert(std::is_trivially_copyable_v<T>);
         bytes.append(reinterpret_cast<const char*>(value), sizeof(T));
     }
-    void operator()(const std::optional<bool>* value) const {
-        bytes += *value ? static_cast<char>(**value) : '\2';
+    template <typename T>
+    void operator()(const std::optional<T>* value) const {
+        bytes += value->has_value() ? '\1' : '\0';
+        if (*value)
+            (*this)(&**value);
     }
     void operator()(const std::string* text) const { bytes.append(*text) += '\0'; }
     template <typename T>

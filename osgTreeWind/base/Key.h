@@ -37,9 +37,9 @@ struct NestedMember {
     const Keys* keys;
 };
 using Member = std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*,
-                            glm::dvec3*, glm::ivec3*, std::string*, std::vector<std::string>*,
-                            std::vector<double>*, std::vector<float>*, std::vector<glm::vec3>*,
-                            std::array<float, 4>*, EnumMember, NestedMember>;
+                            std::optional<glm::vec3>*, glm::dvec3*, glm::ivec3*, std::string*,
+                            std::vector<std::string>*, std::vector<double>*, std::vector<float>*,
+                            std::vector<glm::vec3>*, std::array<float, 4>*, EnumMember, NestedMember>;
 
 /// Describes one member of a struct.
 struct Key {

@@ -28,8 +28,11 @@ struct ReadMember {
             for (std::size_t i = 0; i < member->size(); ++i)
                 (*member)[i] = static_cast<float>(key.degrees() ? glm::radians(numbers[i]) : numbers[i]);
     }
-    void operator()(std::optional<bool>* member) const {
-        if (bool value = false; table.read(key.name, value))
+    template <typename T>
+    void operator()(std::optional<T>* member) const {
+        T value{};
+        (*this)(&value);
+        if (table.has(key.name))
             *member = value;
     }
     void operator()(const EnumMember& word) const {

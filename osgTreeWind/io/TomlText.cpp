@@ -32,7 +32,8 @@ struct ValueText {
     const Key& key;
 
     std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
-    std::string operator()(const std::optional<bool>* value) const {
+    template <typename T>
+    std::string operator()(const std::optional<T>* value) const {
         return value->has_value() ? (*this)(&**value) : "";
     }
     std::string operator()(const float* value) const {

@@ -28,6 +28,11 @@ float ringWidening(int sides) {
     return perimeter(BranchSkin::verticesPerRing) / perimeter(sides);
 }
 
+/// Length along a branch over which its bark coordinate v rises by 1, metres.
+float barkLength(float radius) {
+    return glm::two_pi<float>() * glm::clamp(radius, 1e-6f, BranchSkin::thickRadius);
+}
+
 /// Bark coordinate v at the base of a unit, continued from its parent. @param skin of all previous units.
 float barkStart(const BranchUnit& unit, const BranchSkin& skin) {
     if (unit.parent < 0)
@@ -65,7 +70,7 @@ constexpr float minCollarRadius =
 int fullSides(const Skeleton& skeleton, float radius) {
     if (!skeleton.joined)
         return BranchSkin::verticesPerRing;
-    return radius >= 0.12f ? 20 : radius >= 0.05f ? 10 : radius >= 0.02f ? 8 : 6;
+    return radius >= 0.2f ? 24 : radius >= 0.12f ? 20 : radius >= 0.05f ? 10 : radius >= 0.02f ? 8 : 6;
 }
 
 /// The smallest number of sides whose midpoints are within a tolerance of the circle.
@@ -147,7 +152,7 @@ std::vector<SkinPlan> planSkin(const Skeleton& skeleton, float tolerance) {
 void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, float start,
               std::vector<SkinVertex>& vertices) {
     glm::vec3 e1 = perpendicular(skeleton.tangent(unit, 0));
-    const float circumference = glm::two_pi<float>() * glm::max(skeleton.units[unit].baseRadius, 1e-6f);
+    const float repeat = barkLength(skeleton.units[unit].baseRadius);
     const float widening = ringWidening(sides);
     float along = 0.0f;
     for (int i = 0, before = 0; i < rings; ++i) {
@@ -165,7 +170,7 @@ void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, 
             vertex.radius = skeleton.radius(unit, ring) * widening;
             vertex.outward = cosine(angle) * e1 + sine(angle) * e2;
             vertex.unit = static_cast<float>(unit);
-            vertex.uv = {2.0f * part, start + along / circumference};
+            vertex.uv = {2.0f * part, start + along / repeat};
             vertices.push_back(vertex);
         }
     }
@@ -315,12 +320,8 @@ private:
             const bool hasFoot = sectionAt(_skeleton, _unit, places[1]).centre.z < _foot.height();
             for (const float place : places) {
                 addRing(frame, place, plan.sides);
-                for (int side = 0; hasFoot && side < plan.sides; ++side) {
-                    SkinVertex& vertex =
-                        _skin.vertices[_skin.vertices.size() - static_cast<std::size_t>(plan.sides - side)];
-                    vertex.radius *=
-                        _foot.widening(vertex.centre.z, glm::two_pi<float>() * partOf(side, plan.sides));
-                }
+                if (hasFoot)
+                    widenFoot(frame, plan.sides);
             }
         } else {
             addSideBranch(frame, plan, parent);
@@ -329,6 +330,25 @@ private:
             addTip(frame);
         _ends.push_back(frame);
         finishUnit(_skin, plan.rings, plan.sides, plan.closed);
+    }
+
+    /// Widens the last ring at the foot of the stem.
+    void widenFoot(const Frame& frame, int sides) {
+        for (int side = 0; side < sides; ++side) {
+            SkinVertex& vertex =
+                _skin.vertices[_skin.vertices.size() - static_cast<std::size_t>(sides - side)];
+            const float z = vertex.centre.z, angle = glm::two_pi<float>() * partOf(side, sides);
+            if (z >= _foot.height())
+                return;
+            const glm::vec3 normal = _foot.normal(z, angle, vertex.radius);
+            vertex.radius *= _foot.widening(z, angle);
+            glm::vec3 position = vertex.position();
+            if (z <= 0.0f)
+                position.z -= _foot.depth();
+            vertex.outward = normal.x * vertex.outward +
+                             normal.y * glm::cross(frame.tangent, vertex.outward) + normal.z * frame.tangent;
+            vertex.centre = position - vertex.radius * vertex.outward;
+        }
     }
 
     void addSideBranch(Frame& frame, const SkinPlan& plan, std::size_t parent) {
@@ -412,8 +432,7 @@ private:
     }
 
     float barkAt(float place) const {
-        return _bark +
-               lengthTo(place) / (glm::two_pi<float>() * glm::max(_skeleton.units[_unit].baseRadius, 1e-6f));
+        return _bark + lengthTo(place) / barkLength(_skeleton.units[_unit].baseRadius);
     }
 
     /// @param wider than the skeleton by so much, metres.
@@ -481,7 +500,7 @@ void addPrism(const Shoot& shoot, const std::vector<glm::vec3>& course, BranchSk
     for (std::size_t i = 1; i < course.size(); ++i)
         length += glm::distance(course[i - 1], course[i]);
     const float widening = ringWidening(shootSides);
-    const float circumference = glm::two_pi<float>() * glm::max(shoot.baseRadius, 1e-6f);
+    const float repeat = barkLength(shoot.baseRadius);
     glm::vec3 tangent = directionOr(course[1] - course[0], up), across = perpendicular(tangent);
     float along = 0.0f;
     SkinVertex vertex;
@@ -496,7 +515,7 @@ void addPrism(const Shoot& shoot, const std::vector<glm::vec3>& course, BranchSk
         for (int side = 0; side < shootSides; ++side) {
             const float part = partOf(side, shootSides), angle = glm::two_pi<float>() * part;
             vertex.outward = cosine(angle) * across + sine(angle) * beside;
-            vertex.uv = {2.0f * part, along / circumference};
+            vertex.uv = {2.0f * part, along / repeat};
             skin.vertices.push_back(vertex);
         }
         along += glm::distance(course[i], course[i + 1]);
@@ -504,7 +523,7 @@ void addPrism(const Shoot& shoot, const std::vector<glm::vec3>& course, BranchSk
     vertex.centre = course.back();
     vertex.radius = shoot.tipRadius;
     vertex.outward = tangent;
-    vertex.uv = {1.0f, along / circumference};
+    vertex.uv = {1.0f, along / repeat};
     skin.vertices.push_back(vertex);
     addRingTriangles(skin, first, static_cast<int>(course.size()) - 1, shootSides, true);
 }

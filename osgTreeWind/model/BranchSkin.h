@@ -13,12 +13,12 @@ namespace osgTreeWind {
 /// A vertex of the bark, at centre + radius * outward at rest. Centre and radius are separate, so that one
 /// skin serves trees of different trunk diameter.
 struct SkinVertex {
-    glm::vec3 centre{0.0f};  ///< Point on a centre line.
+    glm::vec3 centre{0.0f};  ///< Point on a centre line, or beside it at the foot of a stem.
     float radius = 0.0f;     ///< Metres.
     glm::vec3 outward{0.0f}; ///< Unit normal, perpendicular to the branch; along it at a closed tip.
     float unit = 0.0f;       ///< Branch unit it moves with (rigid skinning; exact as a float below 2^24).
     /// u: from 0 to 2 and back to 0 around the branch (shaders/bark_texture.glsl). v: length along the branch
-    /// over its circumference, continued from the parent.
+    /// over its circumference, or that of `thickRadius` if that is less, continued from the parent.
     glm::vec2 uv{0.0f};
 
     glm::vec3 position() const { return centre + radius * outward; }
@@ -26,7 +26,8 @@ struct SkinVertex {
 
 /// The surface of a tree's wood: rings around its skeleton points (thesis §2.3).
 struct BranchSkin {
-    static constexpr int verticesPerRing = 8; ///< At full detail, of a skeleton that is not joined.
+    static constexpr int verticesPerRing = 8;    ///< At full detail, of a skeleton that is not joined.
+    static constexpr float thickRadius = 0.175f; ///< From here on, bark has one size along the stem, metres.
 
     std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: a ring per skeleton point.
     std::vector<std::uint32_t> indices; ///< Triangles, counter-clockwise seen from outside, unit after unit.

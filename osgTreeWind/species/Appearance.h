@@ -47,6 +47,7 @@ enum class BarkForm {
 /// Appearance of a species. Colours are linear RGB, each component in [0, 1].
 struct Appearance {
     glm::vec3 bark{0.18f, 0.15f, 0.12f};         ///< Bark of the stem.
+    std::optional<glm::vec3> oldBark;            ///< Thick bark at the foot of old stems; see oldBarkColor().
     glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< Leaves in summer.
     glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< Unfolding leaves.
     glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< Leaves before they fall.
@@ -57,10 +58,12 @@ struct Appearance {
     std::string leafImage; ///< Image file instead of painted leaves; see drawing/looks/TreePicture.h.
     std::string barkImage; ///< The same for bark.
 
-    /// Colour of twigs: darker than the bark of the stem, and never white.
-    glm::vec3 twigColor() const {
-        return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
+    /// `oldBark`, or by default `bark`, and nearly black if that is banded.
+    glm::vec3 oldBarkColor() const {
+        return oldBark.value_or(barkForm == BarkForm::Banded ? glm::vec3(0.075f, 0.06f, 0.05f) : bark);
     }
+    /// Colour of twigs: darker than old bark, and never white.
+    glm::vec3 twigColor() const { return 0.6f * oldBarkColor(); }
     /// Whether the leaves are needles rather than blades or fronds.
     bool hasNeedles() const { return isNeedles(leafForm); }
     /// Whether it keeps its leaves in winter: `evergreen`, or by default whether it has fronds, or needles

@@ -126,6 +126,9 @@ const Keys& keysOf<Appearance>() {
     using P = Appearance;
     static const Keys keys = {
         {"bark", at<&P::bark>, within(0, 1), "Bark colour"},
+        {"old_bark", at<&P::oldBark>, within(0, 1),
+         "Colour of the thick bark at the foot of old stems; by default `bark`, and nearly black for "
+         "`banded`"},
         {"leaves", at<&P::leaves>, within(0, 1), "Leaf colour in summer"},
         {"spring_leaves", at<&P::springLeaves>, within(0, 1), "Colour of unfolding leaves"},
         {"autumn_leaves", at<&P::autumnLeaves>, within(0, 1), "Leaf colour before the leaves fall"},

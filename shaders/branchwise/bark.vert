@@ -10,7 +10,7 @@
 uniform float treeOwn; // number of the tree, [0, 1)
 
 out vec3 barkCoord; // bark_texture.glsl
-out float barkRadius; // metres
+out vec2 barkGirth; // radius of the wood and its height above the ground, m
 out vec3 barkLight;
 out vec3 scenePosition;
 
@@ -23,7 +23,7 @@ void main() {
     Shade shade = Shade(unpackedShares(osg_MultiTexCoord1.x), unpackedShares(osg_MultiTexCoord1.y), vec2(1.0, 0.0), 1.0);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
-    barkRadius = treeSizes.x * osg_Vertex.w;
+    barkGirth = vec2(treeSizes.x * osg_Vertex.w, treeAxes.z * osg_Vertex.z);
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

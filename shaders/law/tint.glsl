@@ -27,5 +27,16 @@ vec3 texelTint(float brightness, float hue) {
     return brightness * (1.0f + (hue - 0.5f) * vec3(0.5f, 0.1f, -0.4f));
 }
 
+/// Share of old bark on wood; the rest is young and smooth. @param radius m. @param height above the ground, m.
+/// @param ageing radii at which bark at the ground begins to crack and is old throughout, m, and by how much thicker
+/// wood must be per metre of height.
+float barkAge(float radius, float height, vec3 ageing) {
+    return smoothstep(ageing.x, ageing.y, radius - ageing.z * height);
+}
+
+/// Share of old bark at a place on it: cracks open while the ridges between them are still smooth.
+/// @param height of the relief there, [0, 1].
+float oldShare(float age, float height) { return clamp(2.0f * age - height, 0.0f, 1.0f); }
+
 /// Share of the colour of stems in wood; the rest is the colour of twigs. @param radius m.
 float stemShare(float radius) { return smoothstep(0.005f, 0.025f, radius); }

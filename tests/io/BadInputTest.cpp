@@ -188,6 +188,8 @@ const BadInput badInputs[] = {
     {"LeafFactor", species("[species.leaf]\nfactor = @1.5\n"), "species.leaf.factor", "in [0, 1], found 1.5"},
     {"ColourOfTwo", species("[species.appearance]\nbark = @[0.1, 0.2]\n"), "species.appearance.bark",
      "array of 3 numbers, found 2"},
+    {"OldBarkTooBright", species("[species.appearance]\nold_bark = [0.1, 0.2, @2]\n"),
+     "species.appearance.old_bark", "in [0, 1], found 2"},
     {"ColourTooBright", species("[species.appearance]\nbark = [0.1, 0.2, @255]\n"), "species.appearance.bark",
      "in [0, 1], found 255"},
     {"LeafFormNotKnown", species("[species.appearance]\nleaf_form = @\"needle\"\n"),

@@ -103,7 +103,12 @@ struct ManualCells {
         return numberText(std::stod(text));
     }
     void operator()(const bool* member) { type = "true or false", value = *member ? "true" : "false"; }
-    void operator()(const std::optional<bool>*) { type = "true or false"; }
+    template <typename T>
+    void operator()(const std::optional<T>*) {
+        const T none{};
+        (*this)(&none);
+        value.clear();
+    }
     void operator()(const int* member) { type = "whole number", value = std::to_string(*member); }
     void operator()(const std::uint32_t* member) {
         type = "whole number", range = "[0, 4294967295]", value = std::to_string(*member);

@@ -71,6 +71,18 @@ TEST(ForestFile, SeasonIsAWordANumberOrADate) {
     EXPECT_EQ(larch.species[0].appearance.autumnLeaves, glm::vec3(0.5f, 0.3f, 0.0f));
 }
 
+TEST(ForestFile, OldBarkHasTheColourOfBarkByDefault) {
+    const auto appearance = [](const std::string& keys) {
+        return forestOf("[[species]]\nname = \"it\"\nappearance = { bark = [0.5, 0.4, 0.3]" + keys + " }\n" +
+                        treeAtOrigin)
+            .species[0]
+            .appearance;
+    };
+    EXPECT_EQ(appearance("").oldBarkColor(), glm::vec3(0.5f, 0.4f, 0.3f));
+    EXPECT_EQ(appearance(", old_bark = [0.1, 0, 0.1]").oldBarkColor(), glm::vec3(0.1f, 0.0f, 0.1f));
+    EXPECT_LT(appearance(", bark_form = \"banded\"").oldBarkColor().r, 0.1f);
+}
+
 TEST(ForestFile, ForestExampleKeepsItsSpacing) {
     const ForestFile forest = expectForest(readForestFile(examples + "forest.treewind"));
     ASSERT_EQ(forest.trees.size(), 40u);

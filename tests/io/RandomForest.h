@@ -128,9 +128,10 @@ private:
         RandomForest& forest;
         const Key& key;
         void operator()(bool* value) const { *value = forest.maybe(); }
-        void operator()(std::optional<bool>* value) const {
+        template <typename U>
+        void operator()(std::optional<U>* value) const {
             if (forest.maybe())
-                *value = forest.maybe();
+                (*this)(&value->emplace());
         }
         void operator()(int* value) const {
             *value = forest.whole(static_cast<int>(key.range.min), static_cast<int>(key.range.max));

@@ -150,5 +150,16 @@ TEST(BranchSkin, BarkCoordinatesRunAroundAndAlongTheBranch) {
     EXPECT_NEAR(skin.vertices[15 * 8].uv.y, 2.4 / (2 * 3.14159265 * 0.17), 1e-4);
 }
 
+TEST(BranchSkin, BarkHasOneSizeAlongThickStems) {
+    RecursiveTreeParameters thick = regularTree();
+    const auto rise = [&](float radius) {
+        Skeleton skeleton = makeRecursiveTree(thick);
+        skeleton.units[0].baseRadius = radius;
+        return makeBranchSkin(skeleton).vertices[15 * 8].uv.y;
+    };
+    EXPECT_EQ(rise(0.8f), rise(0.3f));
+    EXPECT_GT(rise(0.1f), 1.5f * rise(0.3f));
+}
+
 } // namespace
 } // namespace osgTreeWind

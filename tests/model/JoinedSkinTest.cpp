@@ -185,6 +185,12 @@ TEST(JoinedSkin, AFootBetweenTwoRingsIsOmitted) {
     EXPECT_GT(makeBranchSkin(pole(2.0f), 0.01f).vertices[0].radius, 2.0f * plain.vertices[0].radius);
 }
 
+TEST(JoinedSkin, AFootGoesOnBelowTheGround) {
+    const BranchSkin skin = makeBranchSkin(grown());
+    for (const SkinVertex& vertex : firstRing(skin, 0))
+        EXPECT_LT(vertex.position().z, -0.01f);
+}
+
 TEST(JoinedSkin, AFlareWidensTheFootAndNotTheTree) {
     TreeParameters plain, flared;
     plain.palm.emplace().flare = 0.0f;

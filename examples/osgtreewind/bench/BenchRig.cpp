@@ -182,7 +182,7 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
         ") in vec4 boneWeight0;\n";
     const std::string text =
         shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " + part + "Coord;\nout vec3 " +
-        part + "Light;\nout float barkRadius;\nvoid main() {\nbarkRadius = 1.0;\n" + place +
+        part + "Light;\nout vec2 barkGirth;\nvoid main() {\nbarkGirth = vec2(0.1, 1.0);\n" + place +
         "vec4 eyePosition = osg_ModelViewMatrix * at;\n" + part + "Light = osg_MultiTexCoord0.z * " + part +
         "Shade(eyePosition.xyz, normalize(osg_NormalMatrix * normal), "
         "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0), 1.0));\n" +

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
@@ -54,33 +55,48 @@ void halve(osg::Image& image, int level) {
         }
 }
 
+/// Mean colours of young and of old bark in shaders/bark_texture.glsl.
+struct MeanBark {
+    glm::vec3 young{0.0f}, old{0.0f};
+
+    explicit MeanBark(const Appearance& appearance) {
+        const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+        const int texels = image->s() * image->t();
+        for (int i = 0; i < texels; ++i) {
+            const unsigned char* texel = image->data() + 4 * i;
+            young += Laws().texelTint(texel[3] / 255.0f, texel[2] / 255.0f);
+            old += Laws().texelTint(texel[0] / 255.0f, texel[2] / 255.0f);
+        }
+        young *= appearance.bark / static_cast<float>(texels);
+        old *= appearance.oldBarkColor() / static_cast<float>(texels);
+    }
+};
+
 /// A straight piece of a branch.
 struct BarkPiece {
     glm::vec3 start, end;
     float radius;
+    glm::vec3 color;
     CrownShade::Light light;
 };
 
-std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
+std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown,
+                                  const Appearance& appearance) {
+    const MeanBark bark(appearance);
+    const glm::vec3 ageing = barkAgeing(appearance.barkForm);
     std::vector<BarkPiece> pieces;
     const int last = skeleton.ringsPerBranch - 1, count = glm::min(last, 5);
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         for (int i = 0; i < count; ++i) {
             const int from = i * last / count, to = (i + 1) * last / count;
-            pieces.push_back({skeleton.point(unit, from), skeleton.point(unit, to),
-                              0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to)),
-                              crown.at(skeleton.point(unit, from))});
+            const glm::vec3 start = skeleton.point(unit, from);
+            const float radius = 0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to));
+            const glm::vec3 stem = glm::mix(bark.young, bark.old, Laws().barkAge(radius, start.z, ageing));
+            pieces.push_back({start, skeleton.point(unit, to), radius,
+                              glm::mix(appearance.twigColor(), stem, Laws().stemShare(radius)),
+                              crown.at(start)});
         }
     return pieces;
-}
-
-/// Mean colour of shaders/bark_texture.glsl.
-glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
-    glm::vec3 sum(0.0f);
-    for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += Laws().texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
-    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
 class Painter {
@@ -89,8 +105,8 @@ public:
         : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
           _leaves(leafPieces(thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::full()), model.leafMesh,
                              _crown, appearance, settings.leaves)),
-          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _twigColor(appearance.twigColor()), _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
+          _bark(barkPieces(model.skeleton, _crown, appearance)),
+          _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
           _raster(settings.pixels * settings.samples), _leafRasterizer(_leaves, *_stencils),
           _fronts(_bark.size()) {
         for (const LeafPiece& leaf : _leaves)
@@ -226,8 +242,7 @@ private:
         const float side =
             2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
         const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
-        const glm::vec3 color = glm::mix(_twigColor, _barkColor, Laws().stemShare(_bark[piece].radius));
-        sum.add(color, LightLobe(_bark[piece].light, outward, false), 0.0f);
+        sum.add(_bark[piece].color, LightLobe(_bark[piece].light, outward, false), 0.0f);
     }
 
     /// Axes of a bark piece in the current view: unit vectors to its right and toward the eye, tree's frame.
@@ -240,7 +255,6 @@ private:
     std::vector<LeafPiece> _leaves;
     std::vector<LightLobe> _lobes; ///< Of the leaves.
     std::vector<BarkPiece> _bark;
-    glm::vec3 _barkColor, _twigColor;
     LeafStencils::Atlas _stencils;
     TreeRaster::Stencil _solid;
     TreeRaster _raster;

@@ -104,12 +104,12 @@ osg::ref_ptr<osg::Image> readBarkPicture(const std::string& path) {
     if (pixels.colors.empty())
         return nullptr;
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(pixels.width, pixels.height, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    image->allocateImage(pixels.width, pixels.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     for (std::size_t i = 0; i < pixels.colors.size(); ++i) {
         const float light = brightness(pixels.colors[i], pixels, barkBrightness);
-        const glm::vec3 texel{light, light, hue(pixels.colors[i], pixels)};
-        for (int channel = 0; channel < 3; ++channel)
-            image->data()[3 * i + static_cast<std::size_t>(channel)] = byteOf(texel[channel]);
+        const glm::vec4 texel{light, light, hue(pixels.colors[i], pixels), light};
+        for (int channel = 0; channel < 4; ++channel)
+            image->data()[4 * i + static_cast<std::size_t>(channel)] = byteOf(texel[channel]);
     }
     return image;
 }

@@ -99,6 +99,8 @@ void configureBark(osg::StateSet& state, osg::Program* program, const Appearance
     state.setTextureAttribute(0, barkTexture(appearance));
     state.addUniform(new osg::Uniform("barkTexture", 0));
     state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    state.addUniform(new osg::Uniform("oldBarkColor", toOsg(appearance.oldBarkColor())));
+    state.addUniform(new osg::Uniform("barkAgeing", toOsg(barkAgeing(appearance.barkForm))));
     state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigColor())));
     drawBothSides(state); // joints are open tubes
 }

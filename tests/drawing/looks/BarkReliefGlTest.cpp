@@ -70,6 +70,17 @@ TEST_F(BarkReliefGlTest, BirchStemsAreBrighterThanTwigs) {
     EXPECT_LT(twig, stem / 2);
 }
 
+TEST_F(BarkReliefGlTest, BirchesAreBlackAtTheFoot) {
+    const osg::ref_ptr<osg::Image> stem = pole(BarkForm::Banded, 0.35f, 4.0);
+    const auto mean = [&](int low, int high) {
+        int sum = 0;
+        for (int y = low; y < high; ++y)
+            sum += brightness(*stem, size / 2, y);
+        return sum / (high - low);
+    };
+    EXPECT_LT(mean(4, 24), mean(90, 124) / 2);
+}
+
 // GPUs compute derivatives for blocks of 2 x 2 pixels. Relief made of them alone changes at every second
 // pixel.
 TEST_F(BarkReliefGlTest, IsFineAndSmoothInCloseUp) {
@@ -96,7 +107,7 @@ TEST_F(BarkReliefGlTest, IsSeamlessAroundABranch) {
                         x < 32 ? 255 : 0);
     const std::string file = folder.path() + "/halves.png";
     ASSERT_TRUE(osgDB::writeImageFile(*halves, file));
-    pole(BarkForm::Furrowed, 0.3f, 0.9, file);
+    pole(BarkForm::Furrowed, 0.15f, 0.45, file);
     constexpr int sides = 90;
     std::vector<bool> light;
     for (int i = 0; i < sides; ++i) {
