@@ -15,9 +15,11 @@
 
 uniform vec3 flutterPhases;
 uniform float limberness; // species.leaf.shoot_sway
+uniform float viewportHeight; // pixels
 
 out vec3 barkCoord; // bark_texture.glsl
 out vec2 barkGirth; // radius of the wood and its height above the ground, m
+out float barkCover; // share of its pixels that thin wood covers
 out vec3 barkLight;
 out vec3 scenePosition;
 
@@ -35,12 +37,19 @@ void main() {
         rest += limberness * shootSway(rest, reach, pose.wind, flutterPhases, treeState.z);
     rest += treeSize.z * osg_Vertex.w * osg_Normal;
     vec4 eyePosition = eyePoint(pose, rest);
-    Shade shade = Shade(unpackedShares(osg_MultiTexCoord1.x), unpackedShares(osg_MultiTexCoord1.y), treeHeading(),
-                        leftByNeighbours(rest.z));
+    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord1.x)),
+                        sharesInSeason(unpackedShares(osg_MultiTexCoord1.y)), treeHeading(), leftByNeighbours(rest.z));
     vec3 eyeNormal = eyeDirection(pose, osg_Normal);
+    // Wood thinner than a pixel is drawn as wide as that, and covers a share of it (Persson 2012, phone-wire AA).
+    float radius = treeSize.z * osg_Vertex.w;
+    float w = dot(vec4(osg_ProjectionMatrix[0][3], osg_ProjectionMatrix[1][3], osg_ProjectionMatrix[2][3],
+                       osg_ProjectionMatrix[3][3]), eyePosition);
+    float wide = max(radius, w / (osg_ProjectionMatrix[1][1] * viewportHeight));
+    eyePosition.xyz += (wide - radius) * eyeNormal;
+    barkCover = radius / wide;
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
-    barkGirth = vec2(treeSize.z * osg_Vertex.w, treeSize.y * osg_Vertex.z);
+    barkGirth = vec2(radius, treeSize.y * osg_Vertex.z);
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

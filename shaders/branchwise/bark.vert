@@ -11,6 +11,7 @@ uniform float treeOwn; // number of the tree, [0, 1)
 
 out vec3 barkCoord; // bark_texture.glsl
 out vec2 barkGirth; // radius of the wood and its height above the ground, m
+out float barkCover; // share of its pixels that the wood covers
 out vec3 barkLight;
 out vec3 scenePosition;
 
@@ -21,6 +22,7 @@ void main() {
     vec3 eyeNormal = normalize(osg_NormalMatrix * turnVector(pose.rotation, osg_Normal));
 
     Shade shade = Shade(unpackedShares(osg_MultiTexCoord1.x), unpackedShares(osg_MultiTexCoord1.y), vec2(1.0, 0.0), 1.0);
+    barkCover = 1.0;
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
     barkGirth = vec2(treeSizes.x * osg_Vertex.w, treeAxes.z * osg_Vertex.z);

@@ -23,6 +23,9 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 void InstancedCull::run() {
     lists.begin(frame, scene.resources.models.size(), visitor.getCurrentRenderBin()->getStage(),
                 visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
+    lists.shading()
+        ->getOrCreateUniform("viewportHeight", osg::Uniform::FLOAT)
+        ->set(static_cast<float>(visitor.getViewport()->height()));
     const ViewFrustum view(visitor);
     const ImpostorProjection projection(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
