@@ -2,6 +2,7 @@
 #include <tests/tool/Pictures.h>
 #include <tests/tool/Tool.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace {
@@ -154,6 +155,23 @@ TEST(RenderLight, LitterLiesWhereCrownsClose) {
         return mean(*image, 1) / mean(*image, 0);
     };
     EXPECT_LT(green(wood), 0.9 * green(tree("[300, 0]")));
+}
+
+TEST(RenderLight, SingleLeavesLieAtTheEdgeOfTheLitter) {
+    const auto spread = [](const char* eye, const char* centre) { // of colours between green and orange
+        const auto image = renderForest(tree("[0, 0]"), {"--season", "autumn", "--shadows", "off", "--eye",
+                                                         eye, "--center", centre, "--fov", "30"});
+        double sum = 0.0, squares = 0.0;
+        for (int y = 0; y < image->t(); ++y)
+            for (int x = 0; x < image->s(); ++x) {
+                const double orange = image->data(x, y)[0] - image->data(x, y)[1];
+                sum += orange;
+                squares += orange * orange;
+            }
+        const int pixels = image->s() * image->t();
+        return std::sqrt(squares / pixels - sum * sum / pixels / pixels);
+    };
+    EXPECT_GT(spread("0,-6,1.5", "0,-5,0"), 2.0 * spread("0,-300,1.5", "0,-299,0"));
 }
 
 TEST(RenderLight, TuftsOfGrassStandAroundTheEye) {

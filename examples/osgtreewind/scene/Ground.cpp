@@ -45,10 +45,33 @@ std::vector<float> paintedBlades() {
     return values;
 }
 
+/// Paints fallen leaves on a square that tiles seamlessly. Values are random numbers of the leaves, [0, 0.9);
+/// 1 between them.
+std::vector<float> paintedLeaves() {
+    osgTreeWind::Random random(12);
+    std::vector<float> values(texels * texels, 1.0f);
+    for (int leaf = 0; leaf < texels * texels / 50; ++leaf) {
+        const float angle = between(random, 0.0f, 6.2832f), own = between(random, 0.0f, 0.9f);
+        const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
+        const float length = between(random, 5.0f, 9.0f), width = between(random, 0.4f, 0.7f);
+        for (int i = static_cast<int>(-length); i <= static_cast<int>(length); ++i)
+            for (int j = static_cast<int>(-length); j <= static_cast<int>(length); ++j) {
+                const auto across = static_cast<float>(i), up = static_cast<float>(j);
+                const float along = (std::cos(angle) * across + std::sin(angle) * up) / length,
+                            beside = (std::cos(angle) * up - std::sin(angle) * across) / (width * length);
+                const int column = static_cast<int>(x + across) & (texels - 1),
+                          row = static_cast<int>(y + up) & (texels - 1);
+                if (std::abs(beside) < 1.0f - along * along)
+                    values[static_cast<std::size_t>(row * texels + column)] = own;
+            }
+    }
+    return values;
+}
+
 osg::ref_ptr<osg::Image> paintedGround() {
-    const std::vector<float> blades = paintedBlades();
+    const std::vector<float> blades = paintedBlades(), leaves = paintedLeaves();
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(texels, texels, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    image->allocateImage(texels, texels, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     const auto patch = [](int x, int y, std::uint32_t seed) {
         constexpr int period = 5;
         const glm::vec2 place = glm::vec2(x, y) * (static_cast<float>(period) / texels);
@@ -58,8 +81,8 @@ osg::ref_ptr<osg::Image> paintedGround() {
     unsigned char* texel = image->data();
     for (int y = 0; y < texels; ++y)
         for (int x = 0; x < texels; ++x) {
-            const float values[] = {patch(x, y, 1), patch(x, y, 21),
-                                    blades[static_cast<std::size_t>(y * texels + x)]};
+            const auto at = static_cast<std::size_t>(y * texels + x);
+            const float values[] = {patch(x, y, 1), patch(x, y, 21), blades[at], leaves[at]};
             for (const float value : values)
                 *texel++ = static_cast<unsigned char>(255.0f * value);
         }

@@ -15,9 +15,9 @@
 /// lit by light 0 with the fog and shadows of the scene (shaders/scene.glsl). Haze hides its edge.
 osg::ref_ptr<osg::Node> createGround(const osgTreeWind::Forest& forest, const GroundCover& cover);
 
-/// State set of the grass. @param define "#define TUFTS": vertices are those of blades of grass. Their
-/// texture coordinates are the position along the blade (0 to 1), a random number and the height of the
-/// blade.
+/// State set of the grass. @param define "#define TUFTS": vertices are those of grass and herbs. Their
+/// texture coordinates are the position along the blade (0 to 1), a random number, plus 1 on herbs, and the
+/// height of the plant.
 osg::ref_ptr<osg::StateSet> createGrassState(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                              const std::string& define = "");
 

@@ -98,10 +98,19 @@ GroundCover::GroundCover(const Forest& forest) {
 }
 
 float GroundCover::crownsOver(const osg::Vec2d& place) const {
+    return channelAt(place, 0);
+}
+
+float GroundCover::trunkAt(const osg::Vec2d& place) const {
+    return channelAt(place, 1);
+}
+
+float GroundCover::channelAt(const osg::Vec2d& place, int channel) const {
     const osg::Vec2d at = (place - _low) / _cell;
     if (isEmpty() || at.x() < 0.0 || at.y() < 0.0 || at.x() >= _image->s() || at.y() >= _image->t())
         return 0.0f;
-    return static_cast<float>(_image->data(static_cast<int>(at.x()), static_cast<int>(at.y()))[0]) / 255.0f;
+    return static_cast<float>(_image->data(static_cast<int>(at.x()), static_cast<int>(at.y()))[channel]) /
+           255.0f;
 }
 
 void GroundCover::setUniforms(osg::StateSet& state, unsigned unit) const {

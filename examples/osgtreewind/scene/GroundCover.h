@@ -18,10 +18,14 @@ public:
     bool isEmpty() const { return !_image; }
     /// Share of the sky hidden by crowns at a place, 0 to 1.
     float crownsOver(const osg::Vec2d& place) const;
+    /// Share of the sky hidden by the nearest trunk, 0 to 0.5.
+    float trunkAt(const osg::Vec2d& place) const;
     /// Sets the texture `groundCover` and the uniform `coverPlace` for the shaders of Ground.h, unless empty.
     void setUniforms(osg::StateSet& state, unsigned unit) const;
 
 private:
+    float channelAt(const osg::Vec2d& place, int channel) const;
+
     osg::Vec2d _low;
     double _cell = 1.0;
     osg::ref_ptr<osg::Image> _image; ///< Two bytes per texel.

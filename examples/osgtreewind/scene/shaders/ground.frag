@@ -4,12 +4,10 @@ in vec2 place;
 in vec4 haze;
 in float fine;
 #ifdef TUFTS
-in float rise, shade;
+in float rise, shade; // shade: above 1 on herbs
 #define WORN 0.25 // tufts on worn patches are greener than the patches
-#define LITTER 0.35
 #else
 #define WORN 0.45
-#define LITTER 0.9
 #endif
 #ifdef SHADOWED
 in vec3 eyePosition;
@@ -18,7 +16,7 @@ in vec3 sunOnIt;
 #endif
 uniform vec3 skyLight, litter;
 uniform vec3 season;             // factor for the colour of grass
-uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass
+uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass, alpha: fallen leaves
 #ifdef COVERED
 uniform sampler2D groundCover;   // red: cover by crowns, green: sky hidden by trunks
 uniform vec4 coverPlace;         // corner, 1 / size
@@ -31,9 +29,10 @@ void main() {
     vec3 wide = texture(groundTexture, q / 613.0).rgb;
     vec3 near = mix(vec3(0.5), texture(groundTexture, r / 37.0).rgb, fine);
 #ifdef TUFTS
-    float blades = 0.15 + 0.35 * rise + 0.35 * shade;
+    float blades = 0.15 + 0.35 * rise + 0.35 * fract(shade), leaf = 1.1;
 #else
-    float blades = texture(groundTexture, p / 2.7).b;
+    vec2 texel = texture(groundTexture, p / 2.7).ba;
+    float blades = texel.x, leaf = texel.y;
 #endif
     float tone = smoothstep(0.2, 0.8, 0.5 * (wide.r + near.r));
     vec3 grass = season * mix(vec3(0.048, 0.074, 0.020), vec3(0.112, 0.132, 0.046), tone);
@@ -42,8 +41,17 @@ void main() {
     vec3 sky = 1.7 * skyLight;
 #ifdef COVERED
     vec2 cover = texture(groundCover, (p - coverPlace.xy) * coverPlace.zw).rg;
-    grass = mix(grass, litter * (0.6 + 0.8 * near.g), LITTER * smoothstep(0.2, 0.75, cover.r + 0.5 * (near.r - 0.5)));
+    // Moss grows on bare ground and around trunks. The first leaves lie alone; below closed crowns they cover the ground.
+    float moss = smoothstep(0.45, 0.7, near.g + cover.g) * cover.r;
+    grass = mix(grass, vec3(0.05, 0.085, 0.018), 0.8 * moss);
+    float fallen = smoothstep(0.05, 0.9, cover.r + 0.5 * (near.r - 0.5)) * (1.0 - 0.6 * moss),
+          lies = clamp(mix(1.2, 3.0, pow(fine, 8.0)) * (1.3 * fallen - leaf), 0.0, 1.0);
+    grass = mix(grass, litter * (0.6 + 0.7 * leaf) * vec3(1.0, 0.85 + 0.2 * fract(9.0 * leaf), 1.0), lies);
+    blades = mix(blades, 0.35 + 0.3 * near.r, 0.7 * lies);
     sky *= (1.0 - 0.6 * cover.r) * (1.0 - cover.g);
+#endif
+#ifdef TUFTS
+    grass = mix(grass, season * vec3(0.038, 0.078, 0.018), step(1.0, shade));
 #endif
 #ifdef SHADOWED
     vec3 light = shadowed(sky + sunLight, sunLight, eyePosition);
