@@ -197,7 +197,7 @@ struct Bark {
     glm::vec3 ageing; ///< barkAgeing()
 };
 
-constexpr Bark barks[] = {{furrowedBark, {0.03f, 0.12f, 0.004f}}, {platedBark, {0.04f, 0.18f, 0.025f}},
+constexpr Bark barks[] = {{furrowedBark, {0.03f, 0.12f, 0.004f}}, {platedBark, {0.03f, 0.14f, 0.018f}},
                           {smoothBark, {0.1f, 0.5f, 0.02f}},      {bandedBark, {0.08f, 0.28f, 0.12f}},
                           {flakingBark, {0.15f, 0.5f, 0.1f}},     {ringedBark, {-0.6f, 0.2f, 0.06f}},
                           {scalyBark, {0.03f, 0.12f, 0.008f}}}; // by form
