@@ -161,7 +161,7 @@ glm::vec4 bandedBark(const glm::vec2& at, float grain) {
     const Plate ridge = plateAt(sidewaysWarped(at) + rough, {7, 8}, 10);
     const float rise = glm::smoothstep(0.0f, 0.45f, ridge.edge) * (0.7f + 0.3f * noise(at, {20, 16}, 11));
     const float dark = glm::max(0.7f * band, 0.9f * scars(at, 0.15f));
-    return {0.6f + 0.25f * rise + 0.3f * grain, 0.15f + 0.7f * rise + 0.2f * grain,
+    return {0.6f + 0.25f * rise + 0.3f * grain, 0.25f * noise(at, {3, 3}, 15) + 0.7f * rise + 0.2f * grain,
             0.5f + 0.1f * noise(at, {3, 5}, 6),
             glm::mix(0.9f + 0.06f * noise(at, {5, 9}, 12) + 0.04f * grain, 0.12f + 0.1f * grain, dark)};
 }
