@@ -9,7 +9,7 @@ uniform sampler2D barkTexture; // brightness, height and hue of old bark; bright
 uniform vec3 barkColor, oldBarkColor, twigColor;
 uniform vec3 barkAgeing; // law/tint.glsl
 
-const float thickRadius = 0.175; // of the thinnest stem with the texture's full size (osgTreeWind/model/BranchSkin.h), m
+const float thickRadius = 0.175; // of the thinnest stem with plates of full size (osgTreeWind/model/BranchSkin.h), m
 const float youngRelief = 0.35; // height of the relief of young bark over that of old bark
 const float fineness = 5.0, roughness = 0.3; // frequency and height of the fine relief, over those of the coarse one
 
@@ -20,8 +20,8 @@ vec2 coordOnBark(vec3 around) {
     return fwidth(around.x) < 1.5 * fwidth(around.z) ? around.xy : around.zy;
 }
 
-/// How often the texture repeats around half the stem: twice as often from one octave of the radius to the next, so that
-/// plates have one size on thick stems. Strips along the stem change at different radii, as ridges part.
+/// How often the texture repeats around half the stem: twice as often from one octave of the radius to the next, so
+/// that plates have one size on thick stems. Strips along the stem change at different radii, as ridges part.
 float barkRepeats(float u, float radius) {
     float strip = fract(0.35 * floor(10.0 * u)); // the same at u and u - 2
     return exp2(floor(log2(max(radius / thickRadius, 1.0)) + 0.3 + 0.4 * strip));

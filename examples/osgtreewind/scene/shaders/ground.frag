@@ -41,7 +41,7 @@ void main() {
     vec3 sky = 1.7 * skyLight;
 #ifdef COVERED
     vec2 cover = texture(groundCover, (p - coverPlace.xy) * coverPlace.zw).rg;
-    // Moss grows on bare ground and around trunks. The first leaves lie alone; below closed crowns they cover the ground.
+    // Moss grows in patches and around trunks. The first leaves lie alone; below closed crowns they cover the ground.
     float moss = smoothstep(0.45, 0.7, near.g + cover.g) * cover.r;
     grass = mix(grass, vec3(0.05, 0.085, 0.018), 0.8 * moss);
     float fallen = smoothstep(0.05, 0.9, cover.r + 0.5 * (near.r - 0.5)) * (1.0 - 0.6 * moss),
