@@ -21,7 +21,7 @@ in vec2 crownPlace;
 in vec3 crownEye;
 
 const float roundShare = 0.785398; // share of a cell that its crown covers
-const float within = 0.36;         // mean share of the light within a crown, to match the brightness of impostors
+const float within = 0.39;         // mean share of the light within a crown, to match the brightness of impostors
 
 uint mixed(uint h) {
     h ^= h >> 16;

@@ -25,6 +25,7 @@ namespace {
 // six to eight in autumn).
 constexpr float budBurst = 0.75f, fullyUnfolded = 1.15f; // 12 April, 18 May
 constexpr float hardening = 1.0f, hardened = 1.5f;       // 5 May, 20 June: leaves darken
+constexpr float shootsHarden = 1.25f;                    // 28 May; those of evergreens do until midsummer
 constexpr float turning = 2.45f, turned = 2.85f;         // 16 September, 23 October
 constexpr float falling = 2.7f, allFallen = 3.25f;       // 9 October, 28 November
 
@@ -67,12 +68,23 @@ float leafShare(const Appearance& appearance, float season) {
 
 glm::vec3 leafColor(const Appearance& appearance, float season) {
     if (appearance.isEvergreen())
-        return appearance.leaves;
+        return 0.5f * (appearance.leaves + shootColor(appearance, season));
     const float now = wrapSeason(season);
     if (now < midsummer)
         return glm::mix(appearance.springLeaves, appearance.leaves,
                         glm::smoothstep(hardening, hardened, now));
     return glm::mix(appearance.leaves, appearance.autumnLeaves, glm::smoothstep(turning, turned, now));
+}
+
+glm::vec3 shootColor(const Appearance& appearance, float season) {
+    if (!appearance.isEvergreen())
+        return leafColor(appearance, season);
+    constexpr glm::vec3 yellower{1.3f, 1.15f, 0.7f}; // without the wax of old needles
+    const float now = wrapSeason(season), unfolded = glm::smoothstep(budBurst, fullyUnfolded, now),
+                soft = 1.0f - glm::smoothstep(shootsHarden, midsummer, now);
+    return appearance.leafForm == LeafForm::Frond
+               ? appearance.leaves
+               : glm::mix(appearance.leaves, yellower * appearance.springLeaves, unfolded * soft);
 }
 
 } // namespace osgTreeWind

@@ -25,7 +25,11 @@ OSGTREEWIND_EXPORT std::optional<float> parseSeason(const std::string& text);
 
 /// Share of its leaves that a tree bears, 0 to 1; always 1 for an evergreen.
 OSGTREEWIND_EXPORT float leafShare(const Appearance& appearance, float season);
-/// Colour of the leaves in a season, linear RGB.
+/// Mean colour of the leaves in a season, linear RGB. Half of the foliage of an evergreen is on shoots of
+/// this year.
 OSGTREEWIND_EXPORT glm::vec3 leafColor(const Appearance& appearance, float season);
+/// Colour of the leaves at the ends of twigs, on shoots of this year. In spring, those of evergreens are
+/// paler and yellower than the others.
+OSGTREEWIND_EXPORT glm::vec3 shootColor(const Appearance& appearance, float season);
 
 } // namespace osgTreeWind

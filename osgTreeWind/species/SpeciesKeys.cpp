@@ -130,7 +130,8 @@ const Keys& keysOf<Appearance>() {
          "Colour of the thick bark at the foot of old stems; by default `bark`, and nearly black for "
          "`banded`"},
         {"leaves", at<&P::leaves>, within(0, 1), "Leaf colour in summer"},
-        {"spring_leaves", at<&P::springLeaves>, within(0, 1), "Colour of unfolding leaves"},
+        {"spring_leaves", at<&P::springLeaves>, within(0, 1),
+         "Colour of unfolding leaves, and of the shoots of this year on evergreens"},
         {"autumn_leaves", at<&P::autumnLeaves>, within(0, 1), "Leaf colour before the leaves fall"},
         {"underside", at<&P::underside>, within(1, 5),
          "Ratio of underside to upper-side brightness of leaves (`modal`)"},

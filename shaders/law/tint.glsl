@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Variation of leaf colours within a species: up to 12 degrees of hue and 15 % of saturation between clusters, and half
-// as much between trees.
+// Variation of leaf colours within a species: up to 12 degrees of hue and 15 % of saturation between trees, and up to 10
+// degrees between clusters.
 
 /// Factor on the colour of a leaf, which keeps the luminance of a green leaf. @param hue 1: 12 degrees from yellow
 /// toward blue, -1: the opposite. @param saturation 1: 15 % more. Both in sRGB.
@@ -9,14 +9,15 @@ vec3 leafTint(float hue, float saturation) {
                 1.0f + 0.06f * hue - 0.24f * saturation);
 }
 
-/// @param own number of the tree, [0, 1).
+/// Includes a variation of the brightness by 10 %. @param own number of the tree, [0, 1).
 vec3 treeTint(float own) {
-    return leafTint(fract(11.0f * own) - 0.5f, fract(23.0f * own) - 0.5f);
+    float hue = 2.0f * fract(11.0f * own) - 1.0f, saturation = 2.0f * fract(23.0f * own) - 1.0f;
+    return (0.90f + 0.20f * fract(37.0f * own)) * leafTint(hue, saturation);
 }
 
 /// Includes a variation of the brightness by 12 %. @param leaf index in the tree.
 vec3 clusterTint(float own, float leaf) {
-    float hue = 2.0f * fract(0.569840f * leaf + 3.0f * own) - 1.0f;
+    float hue = 1.7f * fract(0.569840f * leaf + 3.0f * own) - 0.85f;
     float saturation = 2.0f * fract(0.819173f * leaf + 7.0f * own) - 1.0f;
     return (0.88f + 0.24f * fract(0.754878f * leaf + own)) * leafTint(hue, saturation);
 }

@@ -97,7 +97,15 @@ TEST(Season, EvergreensKeepTheirLeaves) {
     const Appearance spruce = looksOf("Norway spruce");
     for (float season = 0.0f; season < 4.0f; season += 0.25f) {
         EXPECT_EQ(leafShare(spruce, season), 1.0f);
-        EXPECT_EQ(leafColor(spruce, season), spruce.leaves);
+        if (season <= 0.75f || season >= midsummer)
+            EXPECT_EQ(leafColor(spruce, season), spruce.leaves);
+    }
+    for (const float season : {midspring, 1.25f, 1.5f}) {
+        const glm::vec3 shoots = shootColor(spruce, season), all = leafColor(spruce, season);
+        EXPECT_GT(shoots.g, 1.2f * all.g) << "shoots of this year are paler";
+        EXPECT_GT(shoots.r / shoots.b, 1.2f * all.r / all.b) << "and yellower";
+        EXPECT_EQ(shootColor(looksOf("oak"), season), leafColor(looksOf("oak"), season));
+        EXPECT_EQ(shootColor(looksOf("palm"), season), looksOf("palm").leaves);
     }
     Appearance holly;
     holly.evergreen = true;

@@ -14,6 +14,8 @@
 #include <osg/LightModel>
 #include <osg/LightSource>
 
+#include <algorithm>
+
 namespace {
 
 using osgTreeWind::CompatibilityOnly, osgTreeWind::Forest, osgTreeWind::numberText;
@@ -35,10 +37,16 @@ void lightBySky(osg::StateSet& state, const Daylight& day) {
     setGroundLight(state, day);
 }
 
-/// Exposure of the film: as in daylight, but up to three times as long under closed crowns.
+/// Exposure of the film: as in daylight, but up to three times as long in a closed wood.
 double exposureAt(const osg::Vec3d& eye, const Forest& forest, const GroundCover& cover) {
-    const bool isUnderCrowns = eye.z() < forest.getBound().center().z();
-    return isUnderCrowns ? 1.0 + 2.0 * static_cast<double>(cover.crownsOver({eye.x(), eye.y()})) : 1.0;
+    if (eye.z() > forest.getBound().center().z())
+        return 1.0;
+    double covered = 0.0; // mean of 25 places
+    for (int i = 0; i < 25; ++i)
+        covered += static_cast<double>(
+                       cover.crownsOver({eye.x() + 6.0 * (i % 5 - 2), eye.y() + 6.0 * (i / 5 - 2)})) /
+                   25.0;
+    return 1.0 + 2.0 * std::max(2.0 * covered - 1.0, 0.0);
 }
 
 } // namespace

@@ -43,7 +43,10 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
 
 void SpeciesLooks::showSeason(const Appearance& appearance, float season) {
     leaves = new osg::StateSet(*leaves);
-    leaves->addUniform(new osg::Uniform("leafColor", toOsg(leafColor(appearance, season))));
+    const glm::vec3 mean = leafColor(appearance, season);
+    leaves->addUniform(new osg::Uniform("leafColor", toOsg(mean)));
+    leaves->addUniform(new osg::Uniform(
+        "leafFresh", toOsg(shootColor(appearance, season) / glm::max(mean, glm::vec3(1e-3f)) - 1.0f)));
     impostors = new osg::StateSet(*impostors);
     impostors->addUniform(new osg::Uniform("leafTint", seasonTint(appearance, season)));
 }
