@@ -70,5 +70,6 @@ void main() {
 #endif
     vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
     vec3 albedo = tint * color.rgb / color.a;
-    paintSurface(sceneColor(albedo * max(shadowed(light, sun, mix(pictureEye, pictureFront, lobe.a)), 0.0), pictureEye), albedo);
+    light = shadowed(light, sun, mix(pictureEye, pictureFront, lobe.a));
+    paintSurface(sceneColor(albedo * max(light, 0.0), pictureEye), albedo);
 }

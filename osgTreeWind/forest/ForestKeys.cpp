@@ -26,7 +26,7 @@ const Keys& keysOf<DrawingOptions>() {
          "down to a quarter of their height",
          "ms"},
         {"exposure", at<&P::exposure>, within(0, 1000),
-         "Factor on colours; 0: that of the define `EXPOSURE`, 3 without it. Has no effect under `FILM`"},
+         "Factor on colours; 0: that of the define `EXPOSURE`, or 3. Has no effect under `FILM`"},
     };
     return keys;
 }
