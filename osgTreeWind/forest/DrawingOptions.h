@@ -14,7 +14,8 @@ struct DrawingOptions {
     /// Target duration of a view's frame in milliseconds. In slower frames, trees are drawn as if they were
     /// lower, down to a quarter. 0: no target, so that the picture does not depend on the machine's speed.
     float budget = 0.0f;
-    /// Factor on linear colours before they are encoded. 0: that of the define EXPOSURE (shaders/encode.glsl).
+    /// Factor on linear colours before they are encoded. 0: that of the define EXPOSURE
+    /// (shaders/encode.glsl).
     float exposure = 0.0f;
 };
 
