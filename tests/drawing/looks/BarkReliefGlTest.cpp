@@ -122,3 +122,23 @@ TEST_F(BarkReliefGlTest, IsSeamlessAroundABranch) {
     EXPECT_EQ(changes, 2);
     EXPECT_NEAR(lit, sides / 2, 3);
 }
+
+TEST_F(BarkReliefGlTest, PolesThinnerThanAPixelCoverTheirShareOfIt) {
+    for (const float share : {0.25f, 0.5f, 0.75f}) {
+        constexpr double width = 5.0;
+        const float radius = 0.5f * share * static_cast<float>(width) / size;
+        const osg::ref_ptr<osg::Image> picture = pole(BarkForm::Smooth, radius, width);
+        int rows = 0, drawn = 0, longestGap = 0, gap = 0;
+        for (int y = size / 5; y < 4 * size / 5; ++y) { // within the height of the pole
+            int inRow = 0;
+            for (int x = 0; x < size; ++x)
+                inRow += brightness(*picture, x, y) > 0;
+            ++rows;
+            drawn += inRow;
+            gap = inRow > 0 ? 0 : gap + 1;
+            longestGap = std::max(longestGap, gap);
+        }
+        EXPECT_NEAR(drawn / static_cast<double>(rows), share, 0.12) << share;
+        EXPECT_LT(longestGap, 6.0 / static_cast<double>(share)) << share;
+    }
+}
