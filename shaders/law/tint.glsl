@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Variation of leaf colours within a species: up to 12 degrees of hue and 15 % of saturation between trees, and up to 7
+// Variation of leaf colours within a species: up to 9 degrees of hue and 15 % of saturation between trees, and up to 7
 // degrees between clusters.
 
 /// Factor on the colour of a leaf, which keeps the luminance of a green leaf. @param hue 1: 12 degrees from yellow
@@ -11,7 +11,7 @@ vec3 leafTint(float hue, float saturation) {
 
 /// Includes a variation of the brightness by 10 %. @param own number of the tree, [0, 1).
 vec3 treeTint(float own) {
-    float hue = 2.0f * fract(11.0f * own) - 1.0f, saturation = 2.0f * fract(23.0f * own) - 1.0f;
+    float hue = 1.5f * fract(11.0f * own) - 0.75f, saturation = 2.0f * fract(23.0f * own) - 1.0f;
     return (0.90f + 0.20f * fract(37.0f * own)) * leafTint(hue, saturation);
 }
 
