@@ -15,7 +15,7 @@ namespace osgTreeWind {
 class CrownShade {
 public:
     static constexpr float projection = 0.5f; ///< G of randomly oriented leaves.
-    static constexpr float clumping = 0.75f;  ///< c of broadleaved and of coniferous crowns.
+    static constexpr float clumping = 0.9f;   ///< c of broadleaved and of coniferous crowns.
     static constexpr float scattering = 0.2f; ///< s of green leaves in visible light.
 
     /// Upper limit of the crown's leaf area index, m^2/m^2; leaf cards of the thesis' trees would exceed it.

@@ -58,7 +58,7 @@ struct LeafParameters {
     /// sides and one that hangs. `length` is along the branch, `width` that of a row.
     bool frond = false;
     /// With `clusters` and `inclination`: each cluster is drawn as a twig with two rows of hanging shoots,
-    /// more than twice as long as wide, and one row on top. Does not affect the measured crown width.
+    /// longer than wide, and one row on top. Does not affect the measured crown width.
     bool hanging = false;
     float area = 0.0f;      ///< Area of all quads over the trunk's cross-section at breast height;
                             ///< `length` and `width` then give proportions only. 0: they are absolute.

@@ -21,8 +21,8 @@ constexpr CardCoverage cardCoverages[] = {
     {0.23f, 0.17f}, // rhombic
     {0.23f, 0.14f}, // palmate
     {0.23f, 0.13f}, // pinnate
-    {0.28f, 0.12f}, // heart
-    {0.21f, 0.075f}, // round
+    {0.24f, 0.09f}, // heart
+    {0.19f, 0.06f}, // round
     {0.28f, 0.145f}, // fingered
     {0.27f, 0.12f}, // fan
     {0.31f, 0.07f}, // needles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Variation of leaf colours within a species: up to 9 degrees of hue and 15 % of saturation between trees, and up to 7
+// Variation of leaf colours within a species: up to 9 degrees of hue and 15 % of saturation between trees, and up to 10
 // degrees between clusters.
 
 /// Factor on the colour of a leaf, which keeps the luminance of a green leaf. @param hue 1: 12 degrees from yellow
@@ -17,7 +17,7 @@ vec3 treeTint(float own) {
 
 /// Includes a variation of the brightness by 12 %. @param leaf index in the tree.
 vec3 clusterTint(float own, float leaf) {
-    float hue = 1.2f * fract(0.569840f * leaf + 3.0f * own) - 0.6f;
+    float hue = 1.7f * fract(0.569840f * leaf + 3.0f * own) - 0.85f;
     float saturation = 2.0f * fract(0.819173f * leaf + 7.0f * own) - 1.0f;
     return (0.88f + 0.24f * fract(0.754878f * leaf + own)) * leafTint(hue, saturation);
 }

@@ -193,7 +193,7 @@ const BadInput badInputs[] = {
     {"ColourTooBright", species("[species.appearance]\nbark = [0.1, 0.2, @255]\n"), "species.appearance.bark",
      "in [0, 1], found 255"},
     {"LeafFormNotKnown", species("[species.appearance]\nleaf_form = @\"needle\"\n"),
-     "species.appearance.leaf_form", "or \"pointed\", found the text \"needle\""},
+     "species.appearance.leaf_form", "or \"combed\", found the text \"needle\""},
     {"UnknownNestedKey", species("[species.tree]\n@level = 3\n"), "species.tree.level",
      "did you mean levels?"},
 

@@ -180,14 +180,15 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
         "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nlayout(location = " +
         std::to_string(osgAnimation::RigTransformHardware().getFirstVertexAttributeTarget()) +
         ") in vec4 boneWeight0;\n";
+    const std::string normal = "normalize(osg_NormalMatrix * normal), ", blade = part == "leaf" ? normal : "";
     const std::string text = shaderText("light.glsl") + (hardware ? palette : "") + "out vec" +
                              (part == "bark" ? "3 " : "2 ") + part + "Coord;\nout vec3 " + part +
-                             "Light;\nout vec2 barkGirth;\nvoid main() {\nbarkGirth = vec2(0.1, 1.0);\n" +
+                             "Light;\nout vec2 barkGirth, leafFacing;\nout float barkCover;\nvoid main() {\n"
+                             "barkGirth = vec2(0.1, 1.0);\nbarkCover = 1.0;\nleafFacing = vec2(1.0, 0.0);\n" +
                              place + "vec4 eyePosition = osg_ModelViewMatrix * at;\n" + part +
-                             "Light = osg_MultiTexCoord0.z * " + part +
-                             "Shade(eyePosition.xyz, normalize(osg_NormalMatrix * normal), "
-                             "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0), 1.0));\n" +
-                             part + "Coord = osg_MultiTexCoord0.xy" + (part == "bark" ? "x" : "") +
+                             "Light = osg_MultiTexCoord0.z * " + part + "Shade(eyePosition.xyz, " + normal +
+                             blade + "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0), 1.0));\n" + part +
+                             "Coord = osg_MultiTexCoord0.xy" + (part == "bark" ? "x" : "") +
                              ";\ngl_Position = osg_ProjectionMatrix * eyePosition;\n}\n";
     return makeProgram(part, text, shaderText(part + ".frag"));
 }

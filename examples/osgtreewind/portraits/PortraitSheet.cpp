@@ -10,6 +10,9 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
+#include <glm/common.hpp>
+#include <glm/gtc/color_space.hpp>
+
 #include <osg/Image>
 #include <osg/Math>
 #include <osgText/Font>
@@ -132,6 +135,8 @@ public:
 
 private:
     static constexpr double fieldOfView = 36.0;
+    /// Of outlines: a pixel is dark, below 128 of 255, if at least 0.6 of it is covered, as in TreeLooks.cpp.
+    static constexpr float outlineGamma = 0.756f;
     /// Directions to a camera that has the sun at its side and behind it, and to one that faces the sun.
     static inline const osg::Vec3d frontLit{0.36, -0.93, 0.0};
     static inline const osg::Vec3d backLit{-0.67, 0.74, 0.0};
@@ -167,7 +172,8 @@ private:
         put(shot(), label, column, row);
     }
 
-    /// Subtracts a picture on black from one on white: only the tree becomes black.
+    /// The sky's share of each pixel is the difference of a picture on white and one on black, in linear
+    /// light.
     void silhouette(const std::string& name, int row) {
         lookAtWhole(_tree, frontLit);
         osg::ref_ptr<osg::Image> white, black;
@@ -178,8 +184,13 @@ private:
             *image = new osg::Image(shot());
             _drawing.viewer().getCamera()->setClearColor(former);
         }
-        for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i)
-            white->data()[i] = static_cast<unsigned char>(white->data()[i] - black->data()[i]);
+        const auto linear = [](unsigned char byte) {
+            return glm::convertSRGBToLinear(glm::vec3(static_cast<float>(byte) / 255.0f)).x;
+        };
+        for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i) {
+            const float sky = glm::clamp(linear(white->data()[i]) - linear(black->data()[i]), 0.0f, 1.0f);
+            white->data()[i] = static_cast<unsigned char>(std::lround(255.0f * std::pow(sky, outlineGamma)));
+        }
         put(*white, "outline, " + name, 4, row);
     }
 

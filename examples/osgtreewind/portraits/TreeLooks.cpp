@@ -28,9 +28,8 @@ namespace {
 constexpr int shapes = 3, azimuths = 3, viewPixels = 600, viewSamples = 4;
 /// The outline is closed by squares as large as discs with these radii, over the height of the crown.
 constexpr float closingRadii[] = {0.04f, 0.08f};
-/// Covered share of a pixel that makes it dark in a photograph: at 128 of 255, sRGB shows 0.216 of the sky's
-/// light.
-constexpr float darkShare = 0.62f;
+/// Covered share of a pixel from which on it is dark in a picture: the tree itself is lit.
+constexpr float darkShare = 0.6f;
 constexpr float squareSide = 1.77f; ///< Over the radius of a disc of the same area.
 
 /// A tree seen from one side, at the height of its crown.

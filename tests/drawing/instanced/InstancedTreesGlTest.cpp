@@ -158,7 +158,7 @@ TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
     instancedTrees(*followed->getInstanced()).setNodeMask(0);
     osg::ref_ptr<osg::Image> trees = picture(drawn, 30), things = picture(followed, 30);
     EXPECT_GT(covered(*trees), 0.01);
-    EXPECT_LT(differing(*trees, *things), 0.001);
+    EXPECT_LT(differing(*trees, *things), 0.002); // trees widen wood thinner than a pixel
 }
 
 TEST_F(InstancedTreesGlTest, ColoursDoNotDependOnOtherTrees) {

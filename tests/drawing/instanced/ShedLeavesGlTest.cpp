@@ -55,7 +55,7 @@ TEST_F(ShedLeavesGlTest, AutumnGustThinsCrownsInEveryTier) {
     for (const float impostorBelow : {1.0f, 1000.0f}) { // with branches; impostors
         const auto [before, after] = coveredAround(impostorBelow, midautumn);
         EXPECT_GT(after, 0.02) << impostorBelow;
-        EXPECT_LT(after, 0.9 * before) << impostorBelow;
+        EXPECT_LT(after, 0.93 * before) << impostorBelow;
     }
 }
 

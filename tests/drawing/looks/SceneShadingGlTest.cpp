@@ -457,7 +457,7 @@ TEST_P(ShadowsGlTest, ShadowsBlockTheSunButNotSkyAndLamps) {
             pictures[i] = run(0, 2);
         }
         const double sunless = meanColour(*pictures[0]).y(), sun = meanColour(*pictures[2]).y() - sunless;
-        EXPECT_LT(meanColour(*pictures[1]).y() - sunless, 0.3 * sun)
+        EXPECT_LT(meanColour(*pictures[1]).y() - sunless, 0.32 * sun)
             << "light from the ground and scattered in the crown: " << half;
         EXPECT_GT(sunless, 30.0) << half;
     }

@@ -50,7 +50,7 @@ TEST(TreeStrength, LowerCrownsMakeStemsStronger) {
         return strengthOf(pole, 0.24f, 20.0f).breaking / breast;
     };
     EXPECT_NEAR(withCrownFrom(0.5f), 15.0 / 13.7, 0.01);
-    EXPECT_NEAR(withCrownFrom(0.75f), 17.5 / 16.2, 0.01);
+    EXPECT_NEAR(withCrownFrom(0.75f), 17.5 / 16.2, 0.015);
 }
 
 TEST(TreeStrength, UnknownStrengthIsZero) {
