@@ -18,6 +18,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float spacing = 1.5f;    ///< Leafy wood per side shoot, in lengths of a shoot.
+constexpr float shortest = 0.1f;   ///< Least typical length of a shoot, metres.
 constexpr int directions = 8;      ///< Number of directions to choose from.
 constexpr float stepLength = 0.1f; ///< Distance of places at which leaves are counted, metres.
 constexpr float thinning = 0.7f;   ///< Radius of a side shoot / that of the wood that bears it.
@@ -188,7 +189,7 @@ void addSideShoots(Skeleton& skeleton, float length, std::uint32_t seed) {
             low = glm::min(low, point);
             high = glm::max(high, point);
         }
-    SideShootMaker maker(lines, low, high, length, seed);
+    SideShootMaker maker(lines, low, high, std::max(length, shortest), seed);
     for (const LeafyLine& line : lines)
         maker.make(line, [&](Shoot shoot, const auto& points) {
             shoot.first = skeleton.shootPoints.size();

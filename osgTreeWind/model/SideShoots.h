@@ -11,8 +11,9 @@ namespace osgTreeWind {
 /// by light leaves pads of leaves with sky between them, because its shoots stand for several real ones. Of
 /// some random directions, each shoot takes the one with the fewest leaves, and none leaves the crown. They
 /// follow the unit that bears them.
-/// @param skeleton must have `leafyUnits`. @param length typical length of a shoot, metres; there is one
-/// per 1.5 times this length of leafy wood. 0 adds none. @param seed determines the shoots, bit for bit.
+/// @param skeleton must have `leafyUnits`. @param length typical length of a shoot, metres, at least 0.1;
+/// there is one per 1.5 times this length of leafy wood. 0 adds none. @param seed determines the shoots, bit
+/// for bit.
 void addSideShoots(Skeleton& skeleton, float length, std::uint32_t seed);
 
 } // namespace osgTreeWind

@@ -95,4 +95,8 @@ TEST(SideShoots, FollowTheSeed) {
     EXPECT_EQ(one.shootPoints, same.shootPoints);
     EXPECT_NE(one.shootPoints, other.shootPoints);
     EXPECT_EQ(none.shootPoints, bare.shootPoints);
+    Skeleton tiny = bare, shortest = bare;
+    addSideShoots(tiny, 1e-6f, 3);
+    addSideShoots(shortest, 0.1f, 3);
+    EXPECT_EQ(tiny.shootPoints, shortest.shootPoints);
 }
