@@ -24,7 +24,7 @@ constexpr float leaderWeight = 3.0f;
 constexpr float clusterShare = 0.9f;
 /// Angle between half of a leaf and its face, radians, which the quads at the sides of a spray have: 5
 /// degrees in the shade to 45 degrees at the top of beeches (Fleck et al. 2003, Tree Physiology 23:577).
-constexpr float leafFold = 0.52f;
+constexpr float leafFold = 0.6f;
 constexpr float leanSpread = 0.7f; ///< Faces lean outward, within this share of half a turn.
 /// Inclination of hanging shoots and of the row on top, over the mean inclination, which they have together.
 constexpr float hangingShare = 1.2f, lyingShare = 0.3f;

@@ -22,7 +22,8 @@ struct TreeModel {
     std::vector<LeafCluster> leaves;
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< Shared by all clusters.
     std::vector<ShootWood> shootWood;                        ///< shootWoodOf(skeleton), without side shoots.
-    TreeExtents extents;        ///< makeTreeExtents() without `hanging` and side shoots; for measureTree(), fitTree().
+    TreeExtents
+        extents; ///< makeTreeExtents() without `hanging` and side shoots; for measureTree(), fitTree().
     std::uint64_t identity = 0; ///< Unique for a sharedTreeModel(); 0 otherwise.
 };
 

@@ -63,7 +63,7 @@ struct Appearance {
         return oldBark.value_or(barkForm == BarkForm::Banded ? glm::vec3(0.075f, 0.06f, 0.05f) : bark);
     }
     /// Colour of twigs: darker than old bark, and never white.
-    glm::vec3 twigColor() const { return 0.6f * oldBarkColor(); }
+    glm::vec3 twigColor() const { return 0.42f * oldBarkColor(); }
     /// Whether the leaves are needles rather than blades or fronds.
     bool hasNeedles() const { return isNeedles(leafForm); }
     /// Whether it keeps its leaves in winter: `evergreen`, or by default whether it has fronds, or needles

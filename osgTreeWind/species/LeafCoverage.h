@@ -15,22 +15,22 @@ struct CardCoverage {
 
 /// In the order of LeafForm.
 constexpr CardCoverage cardCoverages[] = {
-    {0.25f, 0.16f}, // blade
-    {0.25f, 0.17f}, // lobed
-    {0.20f, 0.20f}, // ovate
-    {0.23f, 0.17f}, // rhombic
-    {0.23f, 0.14f}, // palmate
-    {0.23f, 0.13f}, // pinnate
-    {0.24f, 0.09f}, // heart
-    {0.19f, 0.06f}, // round
+    {0.25f, 0.16f},  // blade
+    {0.25f, 0.17f},  // lobed
+    {0.20f, 0.20f},  // ovate
+    {0.23f, 0.17f},  // rhombic
+    {0.23f, 0.125f}, // palmate
+    {0.23f, 0.13f},  // pinnate
+    {0.24f, 0.09f},  // heart
+    {0.19f, 0.06f},  // round
     {0.28f, 0.145f}, // fingered
-    {0.27f, 0.12f}, // fan
-    {0.31f, 0.07f}, // needles
-    {0.26f, 0.06f}, // bundles
-    {0.33f, 0.07f}, // tufts
-    {0.42f, 0.02f}, // frond
-    {0.25f, 0.16f}, // pointed
-    {0.31f, 0.07f}  // combed
+    {0.27f, 0.12f},  // fan
+    {0.31f, 0.07f},  // needles
+    {0.26f, 0.06f},  // bundles
+    {0.33f, 0.07f},  // tufts
+    {0.42f, 0.02f},  // frond
+    {0.25f, 0.16f},  // pointed
+    {0.31f, 0.07f}   // combed
 };
 
 constexpr float leafCoverage(LeafForm form) {
