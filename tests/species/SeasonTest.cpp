@@ -97,8 +97,9 @@ TEST(Season, EvergreensKeepTheirLeaves) {
     const Appearance spruce = looksOf("Norway spruce");
     for (float season = 0.0f; season < 4.0f; season += 0.25f) {
         EXPECT_EQ(leafShare(spruce, season), 1.0f);
-        if (season <= 0.75f || season >= midsummer)
+        if (season <= 0.75f || season >= midsummer) {
             EXPECT_EQ(leafColor(spruce, season), spruce.leaves);
+        }
     }
     for (const float season : {midspring, 1.25f, 1.5f}) {
         const glm::vec3 shoots = shootColor(spruce, season), all = leafColor(spruce, season);
