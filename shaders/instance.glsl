@@ -29,11 +29,6 @@ float leftByNeighbours(float height) {
     return mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, height * treeLight.z));
 }
 
-/// Shares of the light that the crown leaves, from those in leaf: bare twigs have a third of the leaves' area.
-vec4 sharesInSeason(vec4 inLeaf) {
-    return treeState.w < 1.0 ? pow(inLeaf, vec4(mix(0.33, 1.0, treeState.w))) : inLeaf;
-}
-
 struct UnitPose {
     vec4 rotation;
     vec3 translation;

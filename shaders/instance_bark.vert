@@ -37,8 +37,9 @@ void main() {
         rest += limberness * shootSway(rest, reach, pose.wind, flutterPhases, treeState.z);
     rest += treeSize.z * osg_Vertex.w * osg_Normal;
     vec4 eyePosition = eyePoint(pose, rest);
-    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord1.x)),
-                        sharesInSeason(unpackedShares(osg_MultiTexCoord1.y)), treeHeading(), leftByNeighbours(rest.z));
+    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord1.x), treeState.w),
+                        sharesInSeason(unpackedShares(osg_MultiTexCoord1.y), treeState.w), treeHeading(),
+                        leftByNeighbours(rest.z));
     vec3 eyeNormal = eyeDirection(pose, osg_Normal);
     // Wood thinner than a pixel is drawn as wide as that, and covers a share of it (Persson 2012, phone-wire AA).
     float radius = treeSize.z * osg_Vertex.w;

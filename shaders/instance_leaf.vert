@@ -61,8 +61,9 @@ void main() {
     vec3 blade = turnVector(downwind, turnVector(turn, osg_MultiTexCoord2.xyz));
     vec3 crown = osg_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord2.w)),
-                        sharesInSeason(unpackedShares(osg_MultiTexCoord3.w)), treeHeading(), leftByNeighbours(rest.z));
+    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord2.w), treeState.w),
+                        sharesInSeason(unpackedShares(osg_MultiTexCoord3.w), treeState.w), treeHeading(),
+                        leftByNeighbours(rest.z));
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, osg_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     vec3 eyeBlade = eyeDirection(pose, blade);

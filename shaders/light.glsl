@@ -44,8 +44,9 @@ vec4 lightAt(int i, vec3 eyePosition) {
 /// Transmittance of a leaf over its reflectance (Jacquemoud and Baret 1990, PROSPECT).
 const vec3 transmittance = vec3(0.87, 0.92, 0.25);
 
-/// Light that blades send to the eye, over the light on them, beside the part that is linear in the normal. @param along cosine between
-/// the direction of sight and that to the light. @param turned whether the eye sees the other side than the light.
+/// Light that blades send to the eye, over the light on them, beside the part that is linear in the normal.
+/// @param along cosine between the direction of sight and that to the light. @param turned whether the eye sees the
+/// other side than the light.
 vec3 bladeScattering(float along, bool turned) {
     float both = 0.14 + 0.08 * along * along;
     return both * (turned ? transmittance : vec3(1.0));

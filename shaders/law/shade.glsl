@@ -12,6 +12,14 @@ float packedShares(vec4 shares) {
     return dot(steps, vec4(262144.0f, 4096.0f, 64.0f, 1.0f)) * (1.0f / 16777216.0f);
 }
 
+/// Shading area of a crown over that in leaf: bare twigs have a third of the leaves' area. @param leaves share of them.
+float shadingArea(float leaves) { return mix(0.33f, 1.0f, leaves); }
+
+/// Shares of the light that a crown with a share of its leaves leaves, from those in leaf.
+vec4 sharesInSeason(vec4 inLeaf, float leaves) {
+    return leaves < 1.0f ? pow(inLeaf, vec4(shadingArea(leaves))) : inLeaf;
+}
+
 /// Share of the light from a direction, interpolated between the axes. @param above shares from +x, +y, +z; w: of the
 /// sky. @param below shares from -x, -y, -z; w: of the light from the ground.
 float shareFrom(vec3 direction, vec4 above, vec4 below) {

@@ -2,42 +2,22 @@
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
 #include <examples/osgtreewind/output/CommandError.h>
+#include <examples/osgtreewind/pictures/SrgbTables.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/offscreen/FrameImage.h>
 
 #include <glm/common.hpp>
-#include <glm/gtc/color_space.hpp>
 
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace {
 
-/// Conversion between sRGB bytes and linear light.
-struct SrgbTables {
-    std::array<float, 256> linear;
-    std::array<unsigned char, 16384> bytes; ///< Indexed by linear light, finely enough for dark bytes.
-
-    SrgbTables() {
-        for (std::size_t i = 0; i < linear.size(); ++i)
-            linear[i] = glm::convertSRGBToLinear(glm::vec3(static_cast<float>(i) / 255.0f)).x;
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            const float light = static_cast<float>(i) / static_cast<float>(bytes.size() - 1);
-            bytes[i] = static_cast<unsigned char>(
-                std::lround(255.0f * glm::convertLinearToSRGB(glm::vec3(light)).x));
-        }
-    }
-    unsigned char byte(float light) const {
-        return bytes[static_cast<std::size_t>(light * static_cast<float>(bytes.size() - 1) + 0.5f)];
-    }
-};
-
 /// Averages the linear light of factor x factor pixels. Unlike OpenGL's multisampling this also smooths the
 /// edges of leaf textures. Both images have four bytes per pixel.
 void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
-    static const SrgbTables tables;
+    const SrgbTables& tables = srgbTables();
     const int width = to.s();
     const float share = 1.0f / static_cast<float>(factor * factor);
     osgTreeWind::ThreadPool::executor()(static_cast<std::size_t>(to.t()), [&](std::size_t row) {

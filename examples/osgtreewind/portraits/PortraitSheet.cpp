@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/output/CommandError.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
+#include <examples/osgtreewind/pictures/SrgbTables.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 #include <examples/osgtreewind/scene/Setting.h>
 
@@ -11,7 +12,6 @@
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <glm/common.hpp>
-#include <glm/gtc/color_space.hpp>
 
 #include <osg/Image>
 #include <osg/Math>
@@ -184,11 +184,9 @@ private:
             *image = new osg::Image(shot());
             _drawing.viewer().getCamera()->setClearColor(former);
         }
-        const auto linear = [](unsigned char byte) {
-            return glm::convertSRGBToLinear(glm::vec3(static_cast<float>(byte) / 255.0f)).x;
-        };
+        const auto& linear = srgbTables().linear;
         for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i) {
-            const float sky = glm::clamp(linear(white->data()[i]) - linear(black->data()[i]), 0.0f, 1.0f);
+            const float sky = glm::clamp(linear[white->data()[i]] - linear[black->data()[i]], 0.0f, 1.0f);
             white->data()[i] = static_cast<unsigned char>(std::lround(255.0f * std::pow(sky, outlineGamma)));
         }
         put(*white, "outline, " + name, 4, row);

@@ -28,6 +28,12 @@ float between(osgTreeWind::Random& random, float low, float high) {
     return low + (high - low) * random.uniform();
 }
 
+/// Index of the texel at a place on a square that tiles seamlessly.
+std::size_t tiledIndex(float x, float y) {
+    const int column = static_cast<int>(x) & (texels - 1), row = static_cast<int>(y) & (texels - 1);
+    return static_cast<std::size_t>(row * texels + column);
+}
+
 /// Paints strokes in all directions on a square that tiles seamlessly; values in [0, 1].
 std::vector<float> paintedBlades() {
     osgTreeWind::Random random(11);
@@ -36,11 +42,9 @@ std::vector<float> paintedBlades() {
         const float angle = between(random, 0.0f, 6.2832f), shade = between(random, 0.0f, 1.0f);
         const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
         const float length = between(random, 6.0f, 20.0f);
-        for (float along = 0.0f; along < length; along += 0.7f) {
-            const int column = static_cast<int>(x + along * std::cos(angle)) & (texels - 1),
-                      row = static_cast<int>(y + along * std::sin(angle)) & (texels - 1);
-            values[static_cast<std::size_t>(row * texels + column)] = shade * (0.6f + 0.4f * along / length);
-        }
+        for (float along = 0.0f; along < length; along += 0.7f)
+            values[tiledIndex(x + along * std::cos(angle), y + along * std::sin(angle))] =
+                shade * (0.6f + 0.4f * along / length);
     }
     return values;
 }
@@ -59,10 +63,8 @@ std::vector<float> paintedLeaves() {
                 const auto across = static_cast<float>(i), up = static_cast<float>(j);
                 const float along = (std::cos(angle) * across + std::sin(angle) * up) / length,
                             beside = (std::cos(angle) * up - std::sin(angle) * across) / (width * length);
-                const int column = static_cast<int>(x + across) & (texels - 1),
-                          row = static_cast<int>(y + up) & (texels - 1);
                 if (std::abs(beside) < 1.0f - along * along)
-                    values[static_cast<std::size_t>(row * texels + column)] = own;
+                    values[tiledIndex(x + across, y + up)] = own;
             }
     }
     return values;

@@ -99,15 +99,12 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& cr
     return pieces;
 }
 
-/// Area of twigs / area of leaves, for the shade within a crown; as in shaders/instance.glsl.
-constexpr float bareShare = 0.33f;
-
 class Painter {
 public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings),
           _crown(model.leaves, model.leafMesh,
-                 leafCoverage(appearance.leafForm) * glm::mix(bareShare, 1.0f, settings.leaves)),
+                 leafCoverage(appearance.leafForm) * Laws().shadingArea(settings.leaves)),
           _leaves(leafPieces(thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::full()), model.leafMesh,
                              _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown, appearance)),

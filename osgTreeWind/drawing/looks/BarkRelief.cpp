@@ -25,6 +25,11 @@ float noise(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
     return valueNoise(at * glm::vec2(grid), grid, stream);
 }
 
+/// Random displacement, each component in [-0.5, 0.5].
+glm::vec2 shift(const glm::vec2& at, const glm::ivec2& grid, unsigned across, unsigned along) {
+    return {noise(at, grid, across) - 0.5f, noise(at, grid, along) - 0.5f};
+}
+
 /// The nearest of random points, one in each cell of a grid (Worley 1996).
 struct Plate {
     float edge; ///< Distance from the edge to the next plate, in cells.
@@ -70,7 +75,7 @@ float scars(const glm::vec2& at, float size) {
         const glm::vec2 away = at - middle;
         return glm::vec2(1.0f, 2.0f) * (away - glm::floor(away + 0.5f));
     };
-    const glm::vec2 rough = 0.12f * glm::vec2(noise(at, {40, 60}, 31) - 0.5f, noise(at, {40, 60}, 32) - 0.5f);
+    const glm::vec2 rough = 0.12f * shift(at, {40, 60}, 31, 32);
     return glm::max(scarAt(from({0.24f, 0.31f}) / size + rough),
                     0.8f * scarAt(from({0.71f, 0.87f}) / (0.7f * size) + rough));
 }
@@ -111,8 +116,7 @@ glm::vec4 furrowedBark(const glm::vec2& at, float grain) {
 
 /// Long plates between fissures, each of thin layers that flake off. Young bark is of papery flakes.
 glm::vec4 platedBark(const glm::vec2& at, float grain) {
-    const glm::vec2 rough = 0.05f * glm::vec2(noise(at, {14, 20}, 3) - 0.5f, noise(at, {14, 20}, 7) - 0.5f) +
-                            0.02f * glm::vec2(noise(at, {40, 60}, 8) - 0.5f, noise(at, {40, 60}, 9) - 0.5f);
+    const glm::vec2 rough = 0.05f * shift(at, {14, 20}, 3, 7) + 0.02f * shift(at, {40, 60}, 8, 9);
     const Plate plate = plateAt(sidewaysWarped(at) + rough, {6, 4}, 4),
                 flake = plateAt(at + 2.0f * rough, {16, 20}, 10),
                 thin = plateAt(at + 2.5f * rough, {9, 13}, 14);
@@ -127,8 +131,7 @@ glm::vec4 platedBark(const glm::vec2& at, float grain) {
 
 /// Thin scales of a few centimetres, loose at their lower edges.
 glm::vec4 scalyBark(const glm::vec2& at, float grain) {
-    const glm::vec2 rough = 0.05f * glm::vec2(noise(at, {20, 30}, 3) - 0.5f, noise(at, {20, 30}, 7) - 0.5f) +
-                            0.02f * glm::vec2(noise(at, {60, 90}, 8) - 0.5f, noise(at, {60, 90}, 9) - 0.5f);
+    const glm::vec2 rough = 0.05f * shift(at, {20, 30}, 3, 7) + 0.02f * shift(at, {60, 90}, 8, 9);
     const Plate scale = plateAt(at + rough, {15, 22}, 4), older = plateAt(at - rough, {8, 11}, 10);
     const float edge = glm::smoothstep(0.0f, 0.3f, scale.edge);
     const float curl = plateAt(at + rough + glm::vec2(0.0f, 0.006f), {15, 22}, 4).own - scale.own;
@@ -157,7 +160,7 @@ glm::vec4 bandedBark(const glm::vec2& at, float grain) {
                 stripe = noise(at, {4, 44}, 13) * glm::smoothstep(0.5f, 0.8f, noise(at, {2, 9}, 14));
     const float band =
         glm::max(0.6f * glm::smoothstep(0.45f, 0.6f, line), glm::smoothstep(0.5f, 0.6f, stripe));
-    const glm::vec2 rough = 0.05f * glm::vec2(noise(at, {14, 20}, 8) - 0.5f, noise(at, {14, 20}, 7) - 0.5f);
+    const glm::vec2 rough = 0.05f * shift(at, {14, 20}, 8, 7);
     const Plate ridge = plateAt(sidewaysWarped(at) + rough, {7, 8}, 10);
     const float rise = glm::smoothstep(0.0f, 0.45f, ridge.edge) * (0.7f + 0.3f * noise(at, {20, 16}, 11));
     const float dark = glm::max(0.7f * band, 0.9f * scars(at, 0.15f));
@@ -168,8 +171,7 @@ glm::vec4 bandedBark(const glm::vec2& at, float grain) {
 
 /// Old bark is of small scales; young bark falls in patches.
 glm::vec4 flakingBark(const glm::vec2& at, float grain) {
-    const glm::vec2 rough = 0.07f * glm::vec2(noise(at, {9, 18}, 3) - 0.5f, noise(at, {9, 18}, 4) - 0.5f) +
-                            0.03f * glm::vec2(noise(at, {25, 50}, 6) - 0.5f, noise(at, {25, 50}, 7) - 0.5f);
+    const glm::vec2 rough = 0.07f * shift(at, {9, 18}, 3, 4) + 0.03f * shift(at, {25, 50}, 6, 7);
     const Plate old = plateAt(at + rough, {4, 5}, 5), young = plateAt(at - rough, {5, 7}, 8),
                 scale = plateAt(at + rough, {14, 14}, 12);
     const float fresh = young.own < 0.35f ? glm::smoothstep(0.0f, 0.04f, young.edge) : 0.0f;

@@ -181,14 +181,14 @@ private:
 
     /// Adds needles on all sides of a shoot; those in front are brighter.
     void addNeedles(const Shoot& shoot) {
-        const bool rosettes = _form == LeafForm::Tufts;
-        for (float at = _habit.bare * shoot.length; at < shoot.length; at += _habit.spacing)
-            for (int i = 0; i < (rosettes ? 40 : 5); ++i) {
-                const float t = at / shoot.length;
-                const bool end = at + _habit.spacing >= shoot.length;
+        const int perPlace = _form == LeafForm::Tufts ? 40 : 5;
+        for (float at = _habit.bare * shoot.length; at < shoot.length; at += _habit.spacing) {
+            const float t = at / shoot.length;
+            const bool end = at + _habit.spacing >= shoot.length;
+            for (int i = 0; i < perPlace; ++i)
                 addNeedle(shoot.at(t), shoot.leanAt(t),
                           end ? _random.uniform() * _habit.leafLean : _habit.leafLean);
-            }
+        }
     }
 
     /// @param shoot lean of the shoot. @param lean of the needle relative to it.

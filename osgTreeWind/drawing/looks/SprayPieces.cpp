@@ -23,9 +23,9 @@ std::vector<glm::vec2> LeafBlade::polygon(const LeafOutline& outline) const {
     return polygon;
 }
 
-std::vector<glm::vec2> TwigPiece::polygon(float widths) const {
+std::vector<glm::vec2> TwigPiece::polygon() const {
     const glm::vec2 along = glm::normalize(end - foot), side{along.y, -along.x};
-    const glm::vec2 low = 0.5f * widths * footWidth * side, high = 0.5f * widths * endWidth * side;
+    const glm::vec2 low = 0.5f * footWidth * side, high = 0.5f * endWidth * side;
     return {foot - low, foot + low, end + high, end - high};
 }
 

@@ -31,8 +31,7 @@ struct TwigPiece {
     glm::vec2 foot, end;
     float footWidth, endWidth;
 
-    /// @param widths factor on the widths.
-    std::vector<glm::vec2> polygon(float widths = 1.0f) const;
+    std::vector<glm::vec2> polygon() const;
 };
 
 } // namespace osgTreeWind
