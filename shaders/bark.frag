@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 
-#pragma import_defines(COVERAGE, FADING)
+#pragma import_defines(COVERAGE, FADING, TIERS_COLORED)
+
+#if defined(FADING) && defined(TIERS_COLORED)
+flat in vec3 treeTierColor;
+#define tierColor treeTierColor
+#endif
 
 #include "bark_texture.glsl"
 #include "coverage.glsl"

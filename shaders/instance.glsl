@@ -6,7 +6,7 @@
 in vec4 treePlace; // foot; tangent of half the heading
 in vec4 treeSize;  // scales of lengths across and upward, of radii, of leaf clusters
 in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), number of the tree, share of leaves
-in vec4 treeLight; // share of light that neighbours leave at the foot and at the top; inverse height
+in vec4 treeLight; // share of light that neighbours leave at the foot and at the top; inverse height; tier + brightness / 8
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; wind speed at the unit, m/s
@@ -14,6 +14,21 @@ uniform sampler2D posePulls;        // foliagePull() on the unit's leaves, in it
 uniform int unitRows;               // rows per tree, with up to 2048 units each
 
 flat out float treeFade;
+#ifdef TIERS_COLORED
+flat out vec3 treeTierColor; // tierColor() in osgTreeWind/drawing/instanced/TreeTiers.h
+#endif
+
+/// Passes what the fragments of a tree share.
+void passTree() {
+    treeFade = treeState.y;
+#ifdef TIERS_COLORED
+    float coarse = floor(treeLight.w) / 5.0;
+    treeTierColor = coarse == 0.0 ? vec3(1.0, 0.05, 0.05) : vec3(1.0 - coarse, 0.8, 0.05);
+#endif
+}
+
+/// Brightness of the leaves, which gives each tier that of the full tree.
+float leafBrightness() { return 8.0 * fract(treeLight.w); }
 
 /// Whether a part of the tree is omitted during a transition between levels of detail. A fade above 1 is 1 plus the
 /// share of parts to draw; a fade below -1 draws the complement of the parts of -fade.

@@ -3,7 +3,7 @@
 // osg_Vertex: centre, radius; osg_Normal: outward; osg_MultiTexCoord0: u (0 to 2 around), v, unit and reach
 // (instance.glsl); osg_MultiTexCoord1: shade (law/shade.glsl).
 
-#pragma import_defines(FADING)
+#pragma import_defines(FADING, TIERS_COLORED)
 
 #include "real.glsl"
 #include "law/limits.glsl"
@@ -51,7 +51,7 @@ void main() {
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
     barkGirth = vec2(radius, treeSize.y * osg_Vertex.z);
-    treeFade = treeState.y;
+    passTree();
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);
 }

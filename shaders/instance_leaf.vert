@@ -5,7 +5,7 @@
 // (law/shade.glsl);
 // osg_MultiTexCoord3: outward direction in the crown, shade.
 
-#pragma import_defines(FADING)
+#pragma import_defines(FADING, TIERS_COLORED)
 
 #include "real.glsl"
 #include "law/limits.glsl"
@@ -26,7 +26,6 @@ uniform float limberness; // species.leaf.shoot_sway
 uniform vec2 leafTremble; // leafTremble() in osgTreeWind/motion/laws/StatelessFlutter.h
 uniform vec3 leafUnderside; // albedo of the underside over that of the upper side
 uniform vec3 leafFresh; // shootColor() over leafColor, minus 1
-uniform float leafBrightness; // of the tier, to match the brightness of the full tree
 
 out vec2 leafCoord;
 out vec3 leafLight;
@@ -73,7 +72,7 @@ void main() {
     float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : over);
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides
-    own *= leafBrightness * (1.0 + ((gl_VertexID & 2) != 0 ? leafFresh : -leafFresh)); // shoots: outer ends of cards
+    own *= leafBrightness() * (1.0 + ((gl_VertexID & 2) != 0 ? leafFresh : -leafFresh)); // shoots: outer ends of cards
     leafLight = leafShade(eyePosition.xyz, eyeNormal, eyeBlade, shade);
     float glint = bladeGlint(osg_MultiTexCoord0.w,
                              eyeDirection(pose, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz)),
@@ -82,7 +81,7 @@ void main() {
     sunLight *= glint * own;
     leafCoord = osg_MultiTexCoord0.xy;
     leafCard = gl_VertexID / 4;
-    treeFade = treeState.y;
+    passTree();
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);
 }

@@ -21,7 +21,7 @@ in vec3 sunLight; // the sun's part of the light on the fragment
 const vec3 sunLight = vec3(0.0);
 #endif
 
-#ifdef TIERS_COLORED
+#if defined(TIERS_COLORED) && !defined(tierColor)
 uniform vec3 tierColor;
 #endif
 #ifdef SHADOW_MAP

@@ -8,15 +8,12 @@
 namespace osgTreeWind {
 namespace {
 
-/// Number of kinds for one model and band.
-constexpr std::size_t withBranches = 2 * branchTiers * LeafOrders::count,
-                      kinds = withBranches + 4 * impostorTiers;
+/// Number of kinds for one model and band: trees with branches, and impostors.
+constexpr std::size_t kinds = 1 + 2 * impostorTiers;
 
 std::size_t kindIndex(const CullLists::Kind& kind) {
     const auto tier = static_cast<std::size_t>(kind.tier);
-    return kind.tier < Tier::Impostor
-               ? 2 * (tier * LeafOrders::count + kind.order) + kind.fading
-               : withBranches + 4 * (tier - branchTiers) + 2 * kind.fading + kind.small;
+    return kind.tier < Tier::Impostor ? 0 : 1 + 2 * (tier - branchTiers) + kind.small;
 }
 
 } // namespace
@@ -28,7 +25,7 @@ CullLists::CullLists() {
 
 std::size_t CullLists::bandOf(float distance) {
     std::size_t band = 0;
-    for (float end = 60.0f; band + 1 < bands && distance >= end; end *= 2.0f)
+    for (float end = 8.0f; band + 1 < bands && distance >= end; end *= 2.0f)
         ++band;
     return band;
 }
@@ -40,29 +37,42 @@ void CullLists::begin(unsigned frame, std::size_t models, osgUtil::RenderStage* 
     _stage = stage;
     _stateGraph = stateGraph;
     _used = 0;
+    _buffer->clear();
+    _drawnTrees.clear();
+    _treesByTier = {};
     _nearTrees.clear();
     _models = models;
     _currentLists.assign(bands * models * kinds, 0);
 }
 
-InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
+std::size_t CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
     std::size_t& current = _currentLists[(kind.band * _models + kind.model) * kinds + kindIndex(kind)];
-    if (current != 0 && _lists[current - 1].trees->page == page)
-        return *_lists[current - 1].trees;
+    if (current != 0 && _lists[current - 1].poses.page == page)
+        return current - 1;
     if (_used == _lists.size())
         _lists.emplace_back();
     List& list = _lists[_used++];
     current = _used;
     static_cast<Kind&>(list) = kind;
-    list.trees->clear();
-    list.trees->passes = passes;
-    list.trees->page = page;
-    return *list.trees;
+    list.poses.passes = passes;
+    list.poses.page = page;
+    list.trees.clear();
+    list.barkCommands.clear();
+    list.leafCommands.clear();
+    return current - 1;
 }
 
-void CullLists::addTreeCounts(std::array<std::size_t, tierCount>& trees) const {
-    for (std::size_t i = 0; i < _used; ++i)
-        trees[static_cast<std::size_t>(_lists[i].tier)] += _lists[i].trees->size();
+void CullLists::List::draw(const MeshPart& part, bool isLeaf, std::uint32_t instance) {
+    std::vector<DrawCommand>& commands = isLeaf ? leafCommands : barkCommands;
+    if (!commands.empty()) {
+        DrawCommand& last = commands.back();
+        if (last.firstInstance == instance && last.firstVertex == part.firstVertex &&
+            last.firstIndex + last.indices == part.firstIndex) {
+            last.indices += part.indices;
+            return;
+        }
+    }
+    commands.push_back({part.indices, 1, part.firstIndex, part.firstVertex, instance});
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
@@ -73,14 +83,14 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] {
         for (std::size_t i = 0; i < _used; ++i)
-            if (const InstanceList& trees = *_lists[i].trees; trees.page)
-                trees.passes->prepare(*renderInfo.getState(), *trees.page);
+            if (const DrawnPoses& poses = _lists[i].poses; poses.page)
+                poses.passes->prepare(*renderInfo.getState(), *poses.page);
     });
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {
+    _buffer->instances->getVertexBufferObject()->releaseGLObjects(state);
     for (const List& list : _lists) {
-        list.trees->values->getVertexBufferObject()->releaseGLObjects(state);
         list.bark->releaseGLObjects(state);
         list.leaves->releaseGLObjects(state);
     }

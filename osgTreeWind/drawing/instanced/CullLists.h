@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/drawing/instanced/FrontToBackQueue.h>
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
-#include <osgTreeWind/drawing/instanced/LeafOrders.h>
+#include <osgTreeWind/drawing/instanced/MeshParts.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/instanced/ViewFrustum.h>
@@ -30,15 +30,18 @@ public:
     /// The properties that the trees of one list share.
     struct Kind {
         std::size_t band = 0, model = 0;
-        Tier tier = Tier::Full;
-        bool fading = false;   ///< Whether the trees fade to another tier.
-        bool small = false;    ///< Impostors only: whether the trees are too small for a visible bend.
-        std::size_t order = 0; ///< Index into LeafOrders; 0 for impostors.
+        Tier tier = Tier::Full; ///< Full for all tiers with branches.
+        bool small = false;     ///< Impostors only: whether the trees are too small for a visible bend.
     };
     struct List : Kind {
-        osg::ref_ptr<InstanceList> trees = new InstanceList;
+        DrawnPoses poses;
+        std::vector<DrawCommand> barkCommands, leafCommands;
+        std::vector<TreeInstance> trees; ///< Those drawn as impostors, or with the geometry of a host.
         osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< The whole tree for impostors.
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
+
+        /// Adds a part of a tree to the commands.
+        void draw(const MeshPart& part, bool isLeaf, std::uint32_t instance);
     };
 
     /// Empties the lists for a new cull.
@@ -50,19 +53,30 @@ public:
     unsigned frame() const { return _frame; }
 
     /// Number of distance bands. They are drawn from near to far, so that near trees hide far ones.
-    static constexpr std::size_t bands = 6;
-    /// The band of a distance in metres: the first one ends at 60 m, each later one is twice as deep.
+    static constexpr std::size_t bands = 8;
+    /// The band of a distance in metres: the first one ends at 8 m, each later one at twice the distance.
     static std::size_t bandOf(float distance);
 
-    /// The list to add trees of this kind to. Trees with poses also share a pose page.
-    InstanceList& list(const Kind& kind, const PosePass* passes = nullptr, PosePage* page = nullptr);
+    /// Index of the list to add trees of this kind to. Trees with poses also share a pose page.
+    std::size_t list(const Kind& kind, const PosePass* passes = nullptr, PosePage* page = nullptr);
+    /// Instances and commands of all lists.
+    DrawBuffer& buffer() { return *_buffer; }
+    /// Counts a tree that is drawn at a tier.
+    void countTree(Tier tier) { ++_treesByTier[static_cast<std::size_t>(tier)]; }
 
     struct VisibleCell {
         float distance;
         const TreeCells::Cell* cell;
         ViewFrustum::Side side;
     };
+    /// A tree that is drawn with branches.
+    struct DrawnTree {
+        std::size_t model;
+        std::uint32_t instance; ///< Index into buffer().
+        DrawnPoses poses;
+    };
     // Scratch memory of InstancedCull.
+    std::vector<DrawnTree>& drawnTrees() { return _drawnTrees; }
     std::vector<VisibleCell>& visibleCells() { return _visibleCells; }
     FrontToBackQueue& frontToBack() { return _frontToBack; }
 
@@ -77,8 +91,7 @@ public:
     /// An empty state set for each band; it makes OSG draw the bands in order.
     osg::StateSet* bandState(std::size_t band) const { return _bandStates[band].get(); }
 
-    /// Adds the number of trees in all lists to the counts by tier.
-    void addTreeCounts(std::array<std::size_t, tierCount>& trees) const;
+    const std::array<std::size_t, tierCount>& treesByTier() const { return _treesByTier; }
 
     void draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*& previous) override;
     void reset() override {}
@@ -93,7 +106,10 @@ private:
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
     std::vector<VisibleCell> _visibleCells;
+    std::vector<DrawnTree> _drawnTrees;
     FrontToBackQueue _frontToBack;
+    osg::ref_ptr<DrawBuffer> _buffer = new DrawBuffer;
+    std::array<std::size_t, tierCount> _treesByTier{};
     std::vector<List> _lists;
     std::vector<std::size_t> _currentLists; ///< By kind: 1 + index of the list being filled; 0 for no list.
     std::vector<std::uint32_t> _nearTrees;

@@ -7,14 +7,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {
 
-/// Sorts the trees of a view front to back into bins of distance, and tracks which ones hide others. Since
-/// crowns overlap, trees do not occlude trees of their own bin or of the next one.
+struct MeshPart;
+
+/// Sorts the trees of a view and their parts front to back into bins of distance, and tracks which ones hide
+/// others. Since crowns overlap, nothing occludes parts of its own bin or of the next one.
 class FrontToBackQueue {
 public:
     struct Tree {
@@ -23,56 +26,79 @@ public:
         float pixels;      ///< Height on the screen.
         glm::vec3 toEye{}; ///< From the middle of the tree toward the eye, in the forest's frame.
     };
+    /// A part of a tree that is drawn.
+    struct Part {
+        const MeshPart* mesh;
+        std::uint32_t tree; ///< Index of the tree among those that the camera draws with branches.
+        float distance;     ///< Of its nearest point from the eye, metres.
+        bool isLeaf;
+        bool isTestable; ///< False close to the eye: it is visible, and hides nothing.
+        OcclusionBuffer::Rectangle place;
+    };
 
     void clear() {
-        for (std::vector<Tree>& trees : _bins)
-            trees.clear();
+        for (Bin& bin : _bins) {
+            bin.trees.clear();
+            bin.parts.clear();
+        }
         _nextBin = 0;
-        _currentBin.clear();
-        _previousBin.clear();
+        _current.clear();
+        _previous.clear();
         _occlusion.clear();
     }
-    /// @param distance from the eye, metres. A tree nearer than the visited bins goes to the next bin.
+    /// @param distance of its nearest point from the eye, metres. What is nearer than the visited bins goes
+    /// to the next bin; parts may also go to the bin that is being visited.
     void insert(const Tree& tree, float distance) {
-        _bins[std::max(_nextBin, binOf(distance))].push_back(tree);
+        _bins[std::max(_nextBin, binOf(distance))].trees.push_back(tree);
     }
+    void insert(const Part& part) { _bins[std::max(_nextBin, binOf(part.distance))].parts.push_back(part); }
 
-    /// Calls visit(tree) once for each tree in the bins before `distance`, front to back. During the call,
-    /// occlusion() holds the trees in front of it. The visitor returns the billboard of the tree.
+    /// Calls visit(tree) and visit(part) once for each tree and part in the bins before `distance`, front to
+    /// back. During the call, occlusion() holds what is in front of it. A visit of a part returns whether the
+    /// part hides others.
     template <typename Visit>
     void visitNearerThan(float distance, Visit visit) {
         visitBins(binOf(distance), visit);
     }
-    /// Likewise for all remaining trees.
+    /// Likewise for all remaining ones.
     template <typename Visit>
     void visitAll(Visit visit) {
         visitBins(_bins.size(), visit);
     }
-    /// The visited trees that occlude the next bin.
+    /// What occludes the next bin.
     const OcclusionBuffer& occlusion() const { return _occlusion; }
 
 private:
+    struct Bin {
+        std::vector<Tree> trees;
+        std::vector<Part> parts;
+    };
+
+    /// 0.5 m deep at the eye, 3 m at 60 m.
     static std::size_t binOf(float distance) {
-        constexpr float depth = 6.0f; // metres
-        constexpr float last = std::tuple_size_v<decltype(_bins)> - 1;
-        return static_cast<std::size_t>(std::clamp(distance / depth, 0.0f, last));
+        const float bin = 16.0f * std::log2(1.0f + std::max(distance, 0.0f) / 12.0f);
+        return static_cast<std::size_t>(std::min(bin, float(std::tuple_size_v<decltype(_bins)> - 1)));
     }
 
     template <typename Visit>
     void visitBins(std::size_t end, Visit visit) {
         for (; _nextBin < end; ++_nextBin) {
-            for (const Tree& tree : _bins[_nextBin])
-                _currentBin.push_back(visit(tree));
-            for (const OcclusionBuffer::Billboard& billboard : _previousBin)
-                _occlusion.add(billboard);
-            _previousBin.swap(_currentBin);
-            _currentBin.clear();
+            Bin& bin = _bins[_nextBin];
+            for (std::size_t i = 0; i < bin.trees.size(); ++i)
+                visit(Tree(bin.trees[i]));
+            for (const Part& part : bin.parts)
+                if (visit(part))
+                    _current.push_back(part.place);
+            for (const OcclusionBuffer::Rectangle& part : _previous)
+                _occlusion.add(part);
+            _previous.swap(_current);
+            _current.clear();
         }
     }
 
-    std::array<std::vector<Tree>, 128> _bins; ///< The last one has no far end.
+    std::array<Bin, 128> _bins; ///< The last one has no far end.
     std::size_t _nextBin = 0;
-    std::vector<OcclusionBuffer::Billboard> _currentBin, _previousBin;
+    std::vector<OcclusionBuffer::Rectangle> _current, _previous;
     OcclusionBuffer _occlusion;
 };
 

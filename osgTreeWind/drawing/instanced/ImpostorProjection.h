@@ -22,6 +22,7 @@ public:
                                        const ImpostorStrip& impostor) const;
     /// The bounding rectangle of a box on the screen. @return false if a corner is behind the eye.
     bool project(const osg::BoundingBox& box, osg::Vec2& low, osg::Vec2& high) const;
+    const osg::Matrixf& toClip() const { return _toClip; } ///< From the forest's frame.
     /// Area of a pixel as a share of the screen.
     float pixelShare() const { return _pixelShare; }
     /// Distance of a point from the eye, metres; forest's frame.

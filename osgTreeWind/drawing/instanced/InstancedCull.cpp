@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedCull.h>
 
+#include <osgTreeWind/drawing/instanced/PlacedParts.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -26,8 +27,6 @@ void InstancedCull::run() {
     lists.shading()
         ->getOrCreateUniform("viewportHeight", osg::Uniform::FLOAT)
         ->set(static_cast<float>(visitor.getViewport()->height()));
-    const ViewFrustum view(visitor);
-    const ImpostorProjection projection(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
     auto& seen = lists.visibleCells();
@@ -40,10 +39,14 @@ void InstancedCull::run() {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
     });
-    const auto visit = [&](const FrontToBackQueue::Tree& tree) { return drawUnlessHidden(projection, tree); };
+    struct Visit {
+        InstancedCull& cull;
+        void operator()(const FrontToBackQueue::Tree& tree) const { cull.visitTree(tree); }
+        bool operator()(const FrontToBackQueue::Part& part) const { return cull.visitPart(part); }
+    } const visit{*this};
     for (const CullLists::VisibleCell& each : seen) {
         lists.frontToBack().visitNearerThan(each.distance, visit);
-        cullCell(view, projection, each);
+        cullCell(each);
         if (!nearFar)
             continue;
         if (each.distance > 0.0f) {
@@ -63,8 +66,7 @@ bool InstancedCull::isTreeDown(std::uint32_t slot) const {
 }
 
 /// Without coverage for fallen trees and for trees with geometry or state from the host.
-OcclusionBuffer::Billboard InstancedCull::projectImpostor(const ImpostorProjection& projection,
-                                                          std::uint32_t slot) const {
+OcclusionBuffer::Billboard InstancedCull::projectImpostor(std::uint32_t slot) const {
     const PlacedTree& tree = scene.forest.trees()[slot];
     const ModelResources& model = *scene.resources.models[tree.model];
     const SpeciesLooks& looks = scene.resources.looks[tree.species];
@@ -74,8 +76,7 @@ OcclusionBuffer::Billboard InstancedCull::projectImpostor(const ImpostorProjecti
     return projection.project(tree, modal().lean(slot), *impostor);
 }
 
-void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& projection,
-                             const CullLists::VisibleCell& seen) {
+void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
     const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
     osg::Vec2 low, high;
     const bool hidesNoTree = !projection.project(seen.cell->box, low, high) ||
@@ -96,20 +97,28 @@ void InstancedCull::cullCell(const ViewFrustum& view, const ImpostorProjection& 
         const FrontToBackQueue::Tree seenTree{
             tree.slot, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
         if (scene.tiers.areEnabled() && scene.tiers.choose(seenTree.pixels).tier != Tier::Impostor)
-            lists.frontToBack().insert(seenTree, projection.distance(tree.foot));
-        else if (hidesNoTree ||
-                 !occlusion.isHidden(projectImpostor(projection, tree.slot), projection.pixelShare()))
+            lists.frontToBack().insert(seenTree, projection.distance(tree.foot) - tree.reach);
+        else if (hidesNoTree || !occlusion.isHidden(projectImpostor(tree.slot), projection.pixelShare()))
             addTree(seenTree, 1.0f);
     }
 }
 
-OcclusionBuffer::Billboard InstancedCull::drawUnlessHidden(const ImpostorProjection& projection,
-                                                           const FrontToBackQueue::Tree& seen) {
-    const OcclusionBuffer::Billboard billboard = projectImpostor(projection, seen.slot);
+void InstancedCull::visitTree(const FrontToBackQueue::Tree& seen) {
+    const OcclusionBuffer::Billboard billboard = projectImpostor(seen.slot);
     const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
     if (!occlusion.isHidden(billboard, projection.pixelShare()))
         addTree(seen, occlusion.visibleShare(billboard));
-    return billboard;
+}
+
+bool InstancedCull::visitPart(const FrontToBackQueue::Part& seen) {
+    if (seen.isTestable && lists.frontToBack().occlusion().isHidden(seen.place))
+        return false;
+    const CullLists::DrawnTree& tree = lists.drawnTrees()[seen.tree];
+    const std::size_t list =
+        lists.list({CullLists::bandOf(seen.distance), tree.model}, tree.poses.passes, tree.poses.page);
+    lists[list].poses.flutter = tree.poses.flutter;
+    lists[list].draw(*seen.mesh, seen.isLeaf, tree.instance);
+    return seen.isTestable;
 }
 
 /// Trees that are seen through gaps in other trees need less detail.
@@ -129,38 +138,72 @@ void InstancedCull::addTree(const FrontToBackQueue::Tree& seen, float visibleSha
 }
 
 void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade) {
+    lists.countTree(tier);
+    if (tier == Tier::Impostor)
+        return addImpostor(seen, fade);
     const PlacedTree& tree = scene.forest.trees()[seen.slot];
-    const float random = treeRandom(tree.seed);
-    const glm::vec3& foot = tree.position;
+    const ModelResources& model = *scene.resources.models[tree.model];
     const NeighbourShade::Light light = scene.shade.light(seen.slot);
-    if (tier == Tier::Impostor) {
-        const glm::vec2 lean = modal().lean(seen.slot);
-        const TreeFall* fall = modal().fall(seen.slot);
-        const glm::vec3 down =
-            fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
-                 : glm::vec3(0.0f);
-        const bool small = seen.pixels < ImpostorStrip::bendingPixels;
-        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small, 0})
-            .add({{foot.x, foot.y, foot.z, tree.heading},
-                  {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
-                  {lean.x, lean.y, fade, random},
-                  {light.atFoot, light.atTop, 0.0f, 0.0f}});
-        return;
-    }
     PosePass& pass = *scene.passes[tree.model];
     const PosePass::Row row = pass.row(frame, seen.slot, [&](PoseRequest& request) {
         pass.fillRequest(modal(), seen.slot, tree.scale, scene.resources.looks[tree.species].foliage,
                          request);
     });
-    const std::size_t order =
-        LeafOrders::nearest(rotateAboutZ(seen.toEye, -std::sin(tree.heading), std::cos(tree.heading)));
-    InstanceList& list =
-        lists.list({seen.band, tree.model, tier, fade != 1.0f, false, order}, &pass, row.page);
-    list.flutter = scene.flutter[tree.species];
-    list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
-              {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
-              {static_cast<float>(row.row), fade, random, tree.leaves},
-              {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f), 0.0f}});
+    const float brightness = std::min(model.meshes().leafBrightness[static_cast<int>(tier)], 7.9f);
+    const TreeInstance instance{
+        {tree.position.x, tree.position.y, tree.position.z, std::tan(0.5f * tree.heading)},
+        {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
+        {static_cast<float>(row.row), fade, treeRandom(tree.seed), tree.leaves},
+        {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f),
+         static_cast<float>(tier) + 0.125f * brightness}};
+    if (model.usesHostGeometry()) {
+        CullLists::List& list = lists[lists.list({seen.band, tree.model}, &pass, row.page)];
+        list.poses.flutter = scene.flutter[tree.species];
+        list.trees.push_back(instance);
+    } else {
+        lists.drawnTrees().push_back(
+            {tree.model, lists.buffer().add(instance), {&pass, row.page, scene.flutter[tree.species]}});
+        queueParts(seen, tier, fade);
+    }
+}
+
+void InstancedCull::addImpostor(const FrontToBackQueue::Tree& seen, float fade) {
+    const PlacedTree& tree = scene.forest.trees()[seen.slot];
+    const glm::vec2 lean = modal().lean(seen.slot);
+    const TreeFall* fall = modal().fall(seen.slot);
+    const glm::vec3 down =
+        fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
+             : glm::vec3(0.0f);
+    const NeighbourShade::Light light = scene.shade.light(seen.slot);
+    const bool small = seen.pixels < ImpostorStrip::bendingPixels;
+    lists[lists.list({seen.band, tree.model, impostorTier(tree.leaves), small})].trees.push_back(
+        {{tree.position.x, tree.position.y, tree.position.z, tree.heading},
+         {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
+         {lean.x, lean.y, fade, treeRandom(tree.seed)},
+         {light.atFoot, light.atTop, 0.0f, 0.0f}});
+}
+
+/// Queues the parts that may be in view. Parts of fallen and breaking trees are anywhere: they are all drawn.
+void InstancedCull::queueParts(const FrontToBackQueue::Tree& seen, Tier tier, float fade) {
+    const PlacedTree& tree = scene.forest.trees()[seen.slot];
+    const ModelMeshes& meshes = scene.resources.models[tree.model]->meshes();
+    const bool isWhole = !modal().fall(seen.slot);
+    PlacedParts placed(view, projection, tree, modal().lean(seen.slot), scene.cells.tree(seen.slot).height);
+    const auto drawn = static_cast<std::uint32_t>(lists.drawnTrees().size() - 1);
+    const float share = fade == 1.0f ? 1.0f : fade > 1.0f ? fade - 1.0f : std::abs(fade);
+    for (const bool isLeaf : {true, false}) {
+        const TierMeshes& mesh = isLeaf ? meshes.leaves : meshes.bark;
+        const float cover = share * (isLeaf ? tree.leaves * tree.scale.leaf * tree.scale.leaf
+                                            : tree.scale.radius * tree.scale.axes.z);
+        placed.setReachScale(isLeaf ? tree.scale.leaf : tree.scale.radius);
+        for (const MeshPart& part : mesh.parts[static_cast<int>(tier)]) {
+            if (isWhole && !placed.isInView(part))
+                continue;
+            FrontToBackQueue::Part queued{&part, drawn, placed.distance(part), isLeaf, false, {}};
+            queued.isTestable = isWhole && placed.project(part, cover, queued.place);
+            lists.frontToBack().insert(queued);
+        }
+    }
 }
 
 /// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first.
@@ -171,17 +214,15 @@ void InstancedCull::submitDraws() {
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     constexpr std::size_t verticesPerFlush = 300000;
-    std::size_t vertexCount = 0; // since the last flush
+    std::size_t vertexCount = 0; // since the last flush, about
     bool drawn = false;
-    const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
-                          std::initializer_list<osg::StateSet*> states) {
-        if (!geometry)
-            return;
+    DrawBuffer& buffer = lists.buffer();
+    const auto draw = [&](InstancedDraw& part, osg::Geometry* geometry, const DrawnPoses& poses,
+                          std::size_t vertices, std::initializer_list<osg::StateSet*> states) {
         drawn = true;
-        if (const osg::Array* vertices = geometry->getVertexArray()) // null in some geometry of hosts
-            vertexCount += trees.size() * vertices->getNumElements();
+        vertexCount += vertices;
         const bool flush = vertexCount > verticesPerFlush;
-        part.set(geometry, &trees, flush);
+        part.set(geometry, &buffer, poses, flush);
         if (flush)
             vertexCount = 0;
         int pushed = 0;
@@ -194,26 +235,52 @@ void InstancedCull::submitDraws() {
         for (; pushed > 0; --pushed)
             visitor.popStateSet();
     };
+    const auto drawWhole = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
+                               std::uint32_t first, std::initializer_list<osg::StateSet*> states) {
+        if (!geometry || list.trees.empty())
+            return;
+        const osg::Array* vertices = geometry->getVertexArray(); // null in some geometry of hosts
+        part.drawInstances(first, static_cast<std::uint32_t>(list.trees.size()));
+        draw(part, geometry, list.poses, list.trees.size() * (vertices ? vertices->getNumElements() : 0),
+             states);
+    };
+    const auto drawParts = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
+                               const std::vector<DrawCommand>& commands,
+                               std::initializer_list<osg::StateSet*> states) {
+        if (commands.empty())
+            return;
+        std::size_t indices = 0;
+        for (const DrawCommand& each : commands)
+            indices += each.indices;
+        part.drawCommands(buffer.add(commands.data(), commands.size()),
+                          static_cast<std::uint32_t>(commands.size()));
+        draw(part, geometry, list.poses, indices / 2, states);
+    };
     for (std::size_t i = 0; i < lists.size(); ++i) {
         CullLists::List& list = lists[i];
-        list.trees->values->dirty();
+        const auto first = static_cast<std::uint32_t>(buffer.instanceCount());
+        for (const TreeInstance& tree : list.trees)
+            buffer.add(tree);
         osg::StateSet* const inBand = lists.bandState(list.band);
-        osg::StateSet* const fading = list.fading ? scene.resources.fading.get() : nullptr;
         const ModelResources& model = *scene.resources.models[list.model];
         const SpeciesLooks& looks = scene.resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
             osg::StateSet* const leaves = // sets the leaf colour, which twigs lack
                 list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
-            draw(list.small ? impostor.straightGeometry() : impostor.geometry(), *list.bark, *list.trees,
-                 {inBand, fading, impostor.stateSet(), leaves});
+            drawWhole(*list.bark, list.small ? impostor.straightGeometry() : impostor.geometry(), list, first,
+                      {inBand, impostor.stateSet(), leaves});
             continue;
         }
-        draw(model.leaves(list.tier, list.order), *list.leaves, *list.trees,
-             {inBand, fading, looks.leaves, model.state(list.tier), looks.hostLeaves});
-        draw(model.bark(list.tier), *list.bark, *list.trees,
-             {inBand, fading, looks.bark, model.state(list.tier), looks.hostBark});
+        const auto leafStates = {inBand, looks.leaves.get(), model.state(), looks.hostLeaves.get()},
+                   barkStates = {inBand, looks.bark.get(), model.state(), looks.hostBark.get()};
+        drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
+        drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
+        drawParts(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, leafStates);
+        drawParts(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, barkStates);
     }
+    buffer.instances->dirty();
+    buffer.commands->dirty();
     visitor.popStateSet();
     visitor.popStateSet();
     if (drawn) // without draws, OSG deletes the state graph that the stage refers to

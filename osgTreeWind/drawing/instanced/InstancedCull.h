@@ -34,20 +34,22 @@ public:
     const InstancedScene& scene;
     float detail; ///< Factor on the screen heights of the trees (DetailBudget).
     CullLists& lists;
+    ViewFrustum view{visitor};
+    ImpostorProjection projection{visitor};
 
     void run();
 
 private:
     const ModalMotion& modal() const { return *scene.forest.modal(); }
     bool isTreeDown(std::uint32_t slot) const;
-    OcclusionBuffer::Billboard projectImpostor(const ImpostorProjection& projection,
-                                               std::uint32_t slot) const;
-    void cullCell(const ViewFrustum& view, const ImpostorProjection& projection,
-                  const CullLists::VisibleCell& seen);
-    OcclusionBuffer::Billboard drawUnlessHidden(const ImpostorProjection& projection,
-                                                const FrontToBackQueue::Tree& seen);
+    OcclusionBuffer::Billboard projectImpostor(std::uint32_t slot) const;
+    void cullCell(const CullLists::VisibleCell& seen);
+    void visitTree(const FrontToBackQueue::Tree& seen);
+    bool visitPart(const FrontToBackQueue::Part& seen);
     void addTree(const FrontToBackQueue::Tree& seen, float visibleShare);
     void addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade);
+    void addImpostor(const FrontToBackQueue::Tree& seen, float fade);
+    void queueParts(const FrontToBackQueue::Tree& seen, Tier tier, float fade);
     void submitDraws();
 };
 

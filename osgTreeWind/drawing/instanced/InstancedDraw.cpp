@@ -10,6 +10,8 @@
 #include <osg/GLExtensions>
 #include <osg/State>
 
+#include <cstring>
+
 namespace osgTreeWind {
 namespace {
 
@@ -22,15 +24,53 @@ constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float
 
 } // namespace
 
+DrawBuffer::DrawBuffer() {
+    osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
+    buffer->setUsage(GL_STREAM_DRAW_ARB);
+    instances->setVertexBufferObject(buffer);
+    commands->setVertexBufferObject(buffer);
+}
+
+void DrawBuffer::clear() {
+    instances->clear();
+    commands->clear();
+}
+
+std::uint32_t DrawBuffer::add(const TreeInstance& tree) {
+    const float* first = tree.place;
+    instances->insert(instances->end(), first, first + sizeof tree / sizeof(float));
+    return static_cast<std::uint32_t>(instanceCount() - 1);
+}
+
+std::uint32_t DrawBuffer::add(const DrawCommand* added, std::size_t count) {
+    const std::size_t before = commands->size();
+    commands->resize(before + count * sizeof *added / sizeof(GLuint));
+    std::memcpy(&(*commands)[before], added, count * sizeof *added);
+    return static_cast<std::uint32_t>(before * sizeof(GLuint) / sizeof *added);
+}
+
 InstancedDraw::InstancedDraw() {
     setSupportsDisplayList(false);
     setCullingActive(false);
 }
 
-void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool flush) {
+void InstancedDraw::set(osg::Geometry* geometry, DrawBuffer* buffer, const DrawnPoses& poses, bool flush) {
     _geometry = geometry;
-    _trees = trees;
+    _buffer = buffer;
+    _poses = poses;
     _flush = flush;
+}
+
+void InstancedDraw::drawInstances(std::uint32_t first, std::uint32_t count) {
+    _hasCommands = false;
+    _first = first;
+    _count = count;
+}
+
+void InstancedDraw::drawCommands(std::uint32_t first, std::uint32_t count) {
+    _hasCommands = true;
+    _first = first;
+    _count = count;
 }
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
@@ -54,9 +94,9 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     const bool isCore = prepareProfile(state);
     state.setCurrentToGlobalVertexArrayState(); // the bound one belongs to the geometry of the previous draw
     state.bindVertexArrayObject(state.getCurrentVertexArrayState());
-    if (_trees->page) {
+    if (_poses.page) {
         const DrawTimer time(renderInfo, "Forest pose");
-        _trees->passes->apply(state, *_trees->page);
+        _poses.passes->apply(state, *_poses.page);
     }
     const DrawTimer time(renderInfo, "Forest draw");
     if (isCore)
@@ -65,29 +105,62 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);
         if (location >= 0)
-            gl.glUniform3fv(location, 1, _trees->flutter.ptr());
+            gl.glUniform3fv(location, 1, _poses.flutter.ptr());
     }
 
     _geometry->drawVertexArraysImplementation(renderInfo);
-    osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
-    state.bindVertexBufferObject(instances);
-    const char* offset = inBuffer(instances->getOffset(_trees->values->getBufferIndex()));
+    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
+    state.bindVertexBufferObject(buffer);
+    const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
+    const auto setInstances = [&](std::uint32_t first) {
+        for (unsigned i = 0; i < instanceAttributes; ++i)
+            gl.glVertexAttribPointer(
+                treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+                inBuffer(instances + first * sizeof(TreeInstance) + i * 4 * sizeof(float)));
+    };
     for (unsigned i = 0; i < instanceAttributes; ++i) {
         gl.glEnableVertexAttribArray(treePlaceLocation + i);
-        gl.glVertexAttribPointer(treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
-                                 offset + i * 4 * sizeof(float));
         gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
     }
+    const auto bindIndices = [&](osg::DrawElements& elements) {
+        osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
+        state.bindElementBufferObject(indices);
+        return static_cast<GLsizeiptr>(indices->getOffset(elements.getBufferIndex()));
+    };
 
-    const auto count = static_cast<GLsizei>(_trees->size());
+    if (_hasCommands) {
+        osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
+        const GLsizeiptr indices = bindIndices(elements);
+        const auto* commands = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer());
+        if (indices == 0 &&
+            osg::isGLExtensionOrVersionSupported(state.getContextID(), "GL_ARB_multi_draw_indirect", 4.3f)) {
+            setInstances(0);
+            gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
+            const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
+            gl.glMultiDrawElementsIndirect(elements.getMode(), elements.getDataType(),
+                                           inBuffer(offset + _first * sizeof(DrawCommand)),
+                                           static_cast<GLsizei>(_count), 0);
+            gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+            return;
+        }
+        const GLsizeiptr indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
+        for (const DrawCommand* each = commands + _first; each != commands + _first + _count; ++each) {
+            if (each == commands + _first || each[-1].firstInstance != each->firstInstance)
+                setInstances(each->firstInstance);
+            gl.glDrawElementsInstancedBaseVertex(elements.getMode(), static_cast<GLsizei>(each->indices),
+                                                 elements.getDataType(),
+                                                 inBuffer(indices + each->firstIndex * indexSize),
+                                                 static_cast<GLsizei>(each->instances), each->firstVertex);
+        }
+        return;
+    }
+    setInstances(_first);
+    const auto count = static_cast<GLsizei>(_count);
     for (const osg::ref_ptr<osg::PrimitiveSet>& set : _geometry->getPrimitiveSetList()) {
         if (osg::DrawElements* elements = set->getDrawElements()) {
-            osg::GLBufferObject* buffer = elements->getOrCreateGLBufferObject(state.getContextID());
             const void* indices = elements->getDataPointer();
-            if (buffer) {
-                state.bindElementBufferObject(buffer);
-                indices = inBuffer(buffer->getOffset(elements->getBufferIndex()));
-            }
+            if (elements->getOrCreateGLBufferObject(state.getContextID()))
+                indices = inBuffer(bindIndices(*elements));
             gl.glDrawElementsInstanced(elements->getMode(), static_cast<GLsizei>(elements->getNumIndices()),
                                        elements->getDataType(), indices, count);
         } else if (const auto* array = dynamic_cast<const osg::DrawArrays*>(set.get())) {

@@ -5,6 +5,9 @@
 
 #include <osg/Geometry>
 
+#include <cstdint>
+#include <vector>
+
 namespace osgTreeWind {
 
 /// Vertex attributes of one tree in an instanced draw (shaders/instance.glsl, shaders/impostor.vert).
@@ -16,43 +19,51 @@ struct TreeInstance {
     float state[4]; ///< Row of the poses, fade, random number of the tree, share of leaves (impostors: lean
                     ///< x, lean y, fade, random number).
     float light[4]; ///< Share of the light that neighbours leave at the foot and at the top; 1 / height, 1/m;
-                    ///< 0.
+                    ///< tier plus an eighth of its leaf brightness (impostors: 0, 0).
 };
 
-/// The visible trees of one model and tier. Filled during cull, then drawn, by one thread at a time.
-struct InstanceList : osg::Referenced {
-    InstanceList() {
-        osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
-        buffer->setUsage(GL_STREAM_DRAW_ARB);
-        values->setVertexBufferObject(buffer);
-    }
-    void add(const TreeInstance& tree) {
-        const float* first = tree.place;
-        values->insert(values->end(), first, first + sizeof tree / sizeof(float));
-    }
-    std::size_t size() const { return values->size() * sizeof(float) / sizeof(TreeInstance); }
-    void clear() {
-        values->clear();
-        passes = nullptr;
-        page = nullptr;
-    }
+/// A draw of a range of indices, as OpenGL's indirect draws store it.
+struct DrawCommand {
+    std::uint32_t indices, instances, firstIndex;
+    std::int32_t firstVertex;
+    std::uint32_t firstInstance;
+};
 
-    osg::ref_ptr<osg::FloatArray> values = new osg::FloatArray;
+/// What one camera draws of a forest in a frame, in one buffer object: instances and commands. Filled during
+/// cull, then drawn, by one thread at a time.
+struct DrawBuffer : osg::Referenced {
+    DrawBuffer();
+    void clear();
+    /// @return its index.
+    std::uint32_t add(const TreeInstance& tree);
+    std::uint32_t add(const DrawCommand* commands, std::size_t count);
+    std::size_t instanceCount() const { return instances->size() * sizeof(float) / sizeof(TreeInstance); }
+
+    osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
+    osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
+};
+
+/// The poses that trees of a draw share.
+struct DrawnPoses {
     osg::ref_ptr<const PosePass> passes; ///< Null for impostors.
     osg::ref_ptr<PosePage> page;
     osg::Vec3 flutter; ///< Phases of the leaf flutter.
 };
 
-/// Draws one part (bark, leaves or impostors) of the trees of a list with instancing. Added to a render bin
-/// by cull; not part of the scene graph.
+/// Draws one part (bark, leaves or impostors) of trees of one model. Added to a render bin by cull; not part
+/// of the scene graph.
 class InstancedDraw : public osg::Drawable {
 public:
     InstancedDraw();
 
-    /// @param geometry of one tree, with vertices in buffer objects and DrawElements or DrawArrays.
+    /// @param geometry of one tree, with vertices in buffer objects.
     /// @param flush whether to call glFlush() after the draw. A software driver would otherwise not start
     /// before the end of the frame.
-    void set(osg::Geometry* geometry, InstanceList* trees, bool flush = false);
+    void set(osg::Geometry* geometry, DrawBuffer* buffer, const DrawnPoses& poses, bool flush);
+    /// Draws instances, each with all primitives of the geometry: DrawElements or DrawArrays.
+    void drawInstances(std::uint32_t first, std::uint32_t count);
+    /// Draws commands, whose indices are those of the geometry's first primitives, DrawElements.
+    void drawCommands(std::uint32_t first, std::uint32_t count);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
@@ -63,8 +74,10 @@ private:
     void drawTrees(osg::RenderInfo& renderInfo) const;
 
     osg::ref_ptr<osg::Geometry> _geometry;
-    osg::ref_ptr<InstanceList> _trees;
-    bool _flush = false;
+    osg::ref_ptr<DrawBuffer> _buffer;
+    DrawnPoses _poses;
+    bool _hasCommands = false, _flush = false;
+    std::uint32_t _first = 0, _count = 0; ///< Instances or commands.
 };
 
 } // namespace osgTreeWind

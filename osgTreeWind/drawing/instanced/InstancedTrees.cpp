@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace osgTreeWind {
 namespace {
@@ -247,7 +248,8 @@ std::array<std::size_t, tierCount> InstancedTrees::treesByTier() const {
     const std::lock_guard<std::mutex> lock(_listsMutex);
     for (const VisitorLists& each : _lists)
         if (each.lists->frame() == _culledFrame)
-            each.lists->addTreeCounts(trees);
+            std::transform(trees.begin(), trees.end(), each.lists->treesByTier().begin(), trees.begin(),
+                           std::plus<>());
     return trees;
 }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
@@ -19,33 +20,68 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+/// Adds the vertices of a tier, and its parts, whose indices follow those of the tiers before.
+void addTier(TierMeshes& meshes, int tier, const osg::ref_ptr<osg::Geometry>& added,
+             std::vector<MeshPart> parts, std::vector<std::uint32_t>& indices) {
+    const int firstVertex = meshes.geometry ? appendVertices(*meshes.geometry, *added) : 0;
+    const auto firstIndex = static_cast<std::uint32_t>(indices.size());
+    for (MeshPart& part : parts) {
+        part.firstIndex += firstIndex;
+        part.firstVertex = firstVertex;
+    }
+    osg::DrawElements& triangles = *added->getPrimitiveSet(0)->getDrawElements();
+    for (unsigned i = 0; i < triangles.getNumIndices(); ++i)
+        indices.push_back(triangles.getElement(i));
+    meshes.parts[tier] = std::move(parts);
+    if (!meshes.geometry)
+        meshes.geometry = added;
+}
+
+void setTriangles(TierMeshes& meshes, const std::vector<std::uint32_t>& indices) {
+    if (!meshes.geometry)
+        return;
+    const bool isShort = *std::max_element(indices.begin(), indices.end()) < 65536;
+    osg::ref_ptr<osg::PrimitiveSet> triangles;
+    if (isShort)
+        triangles = new osg::DrawElementsUShort(GL_TRIANGLES, indices.begin(), indices.end());
+    else
+        triangles = new osg::DrawElementsUInt(GL_TRIANGLES, indices.begin(), indices.end());
+    meshes.geometry->setPrimitiveSet(0, triangles);
+    makeArraysDistinct(*meshes.geometry);
+}
+
+} // namespace
+
 ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
-    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
-    const PoseLayout layout(model.skeleton.units.size());
+    const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
+    const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
+    std::vector<std::uint32_t> barkIndices, leafIndices;
     float fullTierLight = 0.0f; // on the leaves
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
         const TreeDetail detail = TreeDetail::reduced(tier);
-        bark[tier] =
-            makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), model.skeleton, crown);
-        float brightness = 1.0f;
+        BranchSkin skin = whole ? model.skin : thinnedSkin(model.skeleton, detail);
+        std::vector<MeshPart> parts = sortIntoParts(skin, height);
+        addTier(bark, tier, makeSkinGeometry(skin, model.skeleton, crown), std::move(parts), barkIndices);
+        leafBrightness[tier] = 1.0f;
         if (tier == static_cast<int>(Tier::Sprays)) {
-            leaves[tier] = leaves[static_cast<int>(Tier::Full)];
+            leaves.parts[tier] = leaves.parts[static_cast<int>(Tier::Full)];
         } else if (!model.leaves.empty()) {
-            const ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
-            leaves[tier] = LeafOrders::make(*makeLeafGeometry(thinned, model.skeleton, model.leafMesh, crown),
-                                            thinned, model.leafMesh);
+            ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
             const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
-                                                *stencils, appearance, model.skeleton.height());
+                                                *stencils, appearance, height);
+            parts = sortIntoParts(thinned, model.leafMesh, coverage, height);
+            addTier(leaves, tier, makeLeafGeometry(thinned, model.skeleton, model.leafMesh, crown),
+                    std::move(parts), leafIndices);
             fullTierLight = whole ? seen : fullTierLight;
-            brightness = seen > 0.0f ? fullTierLight / seen : 1.0f;
+            leafBrightness[tier] = seen > 0.0f ? fullTierLight / seen : 1.0f;
         }
-        states[tier] = new osg::StateSet;
-        states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
-        states[tier]->addUniform(new osg::Uniform("leafBrightness", brightness));
-        states[tier]->addUniform(new osg::Uniform("tierColor", tierColor(static_cast<Tier>(tier))));
     }
+    setTriangles(bark, barkIndices);
+    setTriangles(leaves, leafIndices);
 }
 
 namespace {
@@ -63,11 +99,13 @@ osg::ref_ptr<ModelMeshes> sharedMeshes(const TreeModel& model, const Appearance&
 } // namespace
 
 ModelResources::ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance)
-    : _species(species), _meshes(sharedMeshes(model, appearance)) {}
+    : _species(species), _meshes(sharedMeshes(model, appearance)), _state(new osg::StateSet) {
+    _state->addUniform(new osg::Uniform("unitRows", PoseLayout(model.skeleton.units.size()).rows));
+}
 
 ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species), _usesHostGeometry(true), _meshes(other._meshes), _hostBark(bark),
-      _hostLeaves(leaves) {
+    : _species(other._species), _usesHostGeometry(true), _meshes(other._meshes), _state(other._state),
+      _hostBark(bark), _hostLeaves(leaves) {
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
@@ -76,13 +114,10 @@ void ModelResources::loadImpostor(Tier tier, const TreeModel& model, const Appea
 }
 
 void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
-    for (int tier = 0; tier < branchTiers; ++tier) {
-        if (osg::Geometry* geometry = bark(static_cast<Tier>(tier)))
+    for (osg::Geometry* geometry :
+         {_meshes->bark.geometry.get(), _meshes->leaves.geometry.get(), hostBark(), hostLeaves()})
+        if (geometry)
             objects.push_back(geometry);
-        for (std::size_t order = 0; order < LeafOrders::count; ++order)
-            if (osg::Geometry* geometry = leaves(static_cast<Tier>(tier), order))
-                objects.push_back(geometry);
-    }
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
             objects.insert(objects.end(),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
-#include <osgTreeWind/drawing/instanced/LeafOrders.h>
+#include <osgTreeWind/drawing/instanced/MeshParts.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/model/TreeModel.h>
@@ -15,14 +15,20 @@
 
 namespace osgTreeWind {
 
-/// The geometry of a model at each tier with branches. Immutable.
+/// The bark or the leaves of a model: vertices and triangle indices of all tiers with branches, and the parts
+/// of each tier. Tiers may share parts. The geometry is null without vertices.
+struct TierMeshes {
+    osg::ref_ptr<osg::Geometry> geometry;
+    std::vector<MeshPart> parts[branchTiers];
+};
+
+/// The meshes of a model. Immutable.
 struct ModelMeshes : osg::Referenced {
     ModelMeshes(const TreeModel& model, const Appearance& appearance);
 
-    osg::ref_ptr<osg::Geometry> bark[branchTiers];
-    LeafOrders::Geometries leaves[branchTiers];      ///< Null for a tree without leaves.
-    osg::ref_ptr<osg::StateSet> states[branchTiers]; ///< Location of the poses, brightness of the leaves.
-    LeafStencils::Atlas stencils;                    ///< Kept alive for further models and for impostors.
+    TierMeshes bark, leaves;
+    float leafBrightness[branchTiers]; ///< Factors that give each tier the brightness of the full one.
+    LeafStencils::Atlas stencils;      ///< Kept alive for further models and for impostors.
 };
 
 /// Geometry and state of one model in a forest, at each tier. Forests share meshes and impostors.
@@ -35,14 +41,9 @@ public:
     /// If true, the impostors may look different from the geometry.
     bool usesHostGeometry() const { return _usesHostGeometry; }
 
-    /// May be null.
-    osg::Geometry* bark(Tier tier) const {
-        return _usesHostGeometry ? _hostBark.get() : _meshes->bark[static_cast<int>(tier)].get();
-    }
-    /// May be null. @param order LeafOrders::nearest()
-    osg::Geometry* leaves(Tier tier, std::size_t order) const {
-        return _usesHostGeometry ? _hostLeaves.get() : _meshes->leaves[static_cast<int>(tier)][order].get();
-    }
+    const ModelMeshes& meshes() const { return *_meshes; }
+    osg::Geometry* hostBark() const { return _hostBark.get(); }     ///< May be null.
+    osg::Geometry* hostLeaves() const { return _hostLeaves.get(); } ///< May be null.
     /// Null before loadImpostor().
     const ImpostorStrip* impostor(Tier tier) const {
         return _impostors[static_cast<int>(tier) - branchTiers].get();
@@ -51,8 +52,8 @@ public:
     void loadImpostor(Tier tier, const TreeModel& model, const Appearance& appearance);
 
     std::size_t species() const { return _species; }
-    /// State of the model at a tier with branches (ModelMeshes::states).
-    osg::StateSet* state(Tier tier) const { return _meshes->states[static_cast<int>(tier)].get(); }
+    /// State of all tiers with branches.
+    osg::StateSet* state() const { return _state.get(); }
 
     /// Appends all geometries and state sets that have OpenGL objects.
     void addGLObjects(std::vector<osg::Object*>& objects) const;
@@ -61,6 +62,7 @@ private:
     std::size_t _species;
     bool _usesHostGeometry = false;
     osg::ref_ptr<ModelMeshes> _meshes;
+    osg::ref_ptr<osg::StateSet> _state;
     osg::ref_ptr<osg::Geometry> _hostBark, _hostLeaves;
     osg::ref_ptr<ImpostorStrip> _impostors[impostorTiers];
 };

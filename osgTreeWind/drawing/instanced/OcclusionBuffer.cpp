@@ -55,7 +55,39 @@ void forEachCell(const OcclusionBuffer::Billboard& billboard, Visit visit) {
     }
 }
 
+/// Calls visit(cell, overlap) for each screen cell of a rectangle.
+template <typename Visit>
+void forEachCell(const osg::Vec2& low, const osg::Vec2& high, Visit visit) {
+    const float left = columnAt(low.x()), right = columnAt(high.x()), bottom = rowAt(low.y()),
+                top = rowAt(high.y());
+    const int firstColumn = clampToScreen(std::floor(left), OcclusionBuffer::columns),
+              endColumn = clampToScreen(std::ceil(right), OcclusionBuffer::columns),
+              endRow = clampToScreen(std::ceil(top), OcclusionBuffer::rows);
+    for (int y = clampToScreen(std::floor(bottom), OcclusionBuffer::rows); y < endRow; ++y) {
+        const float height = within(y, bottom, top);
+        for (int x = firstColumn; x < endColumn; ++x)
+            visit(static_cast<std::size_t>(y * OcclusionBuffer::columns + x),
+                  height * within(x, left, right));
+    }
+}
+
 } // namespace
+
+bool OcclusionBuffer::isHidden(const Rectangle& part) const {
+    float shown = 0.0f, area = 0.0f, most = 0.0f;
+    forEachCell(part.low, part.high, [&](std::size_t cell, float overlap) {
+        shown += overlap * _transmittance[cell];
+        area += overlap;
+        most = std::max(most, _transmittance[cell]);
+    });
+    return shown <= negligible * area && most <= 5.0f * negligible;
+}
+
+void OcclusionBuffer::add(const Rectangle& part) {
+    forEachCell(part.coreLow, part.coreHigh, [&](std::size_t cell, float overlap) {
+        _transmittance[cell] *= 1.0f - overlap * part.coverage;
+    });
+}
 
 float OcclusionBuffer::visibleShare(const Billboard& billboard) const {
     std::array<float, ImpostorCoverage::side> shown{}, clear{};

@@ -13,7 +13,7 @@ namespace osgTreeWind {
 /// tree multiplies the transmittance of the cells that it covers.
 class OcclusionBuffer {
 public:
-    static constexpr int columns = 96, rows = 60;
+    static constexpr int columns = 192, rows = 108;
 
     /// The impostor of a tree on the screen: a parallelogram with horizontal upper and lower edges. Screen
     /// coordinates run from (-1, -1) to (1, 1).
@@ -21,6 +21,13 @@ public:
         osg::Vec2 low, high; ///< Middles of the lower and the upper edge.
         float halfWidth = 0.0f;
         const ImpostorCoverage::Grid* coverage = nullptr; ///< Null if unknown, for example close to the eye.
+    };
+
+    /// A part of a tree on the screen.
+    struct Rectangle {
+        osg::Vec2 low, high;         ///< Its bounds.
+        osg::Vec2 coreLow, coreHigh; ///< The rectangle in which most of it lies.
+        float coverage = 0.0f;       ///< Share of the core that it covers.
     };
 
     OcclusionBuffer() { clear(); }
@@ -36,6 +43,12 @@ public:
     static constexpr float negligible = 0.02f; ///< Transmittance.
     /// Adds a tree in front of everything that is tested from now on.
     void add(const Billboard& billboard);
+
+    /// Whether the mean transmittance in front of the rectangle is below `negligible`, and below 5 times that
+    /// everywhere. True off the screen.
+    bool isHidden(const Rectangle& part) const;
+    /// Adds the core of a part in front of everything that is tested from now on.
+    void add(const Rectangle& part);
 
 private:
     std::vector<float> _transmittance; ///< Row by row from the bottom.

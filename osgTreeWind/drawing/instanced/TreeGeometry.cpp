@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <numeric>
+#include <cstring>
 
 namespace osgTreeWind {
 namespace {
@@ -150,16 +150,25 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const 
     return geometry;
 }
 
-std::vector<unsigned> leafIndices(std::size_t clusters, int quads) {
-    std::vector<unsigned> all(clusters * static_cast<std::size_t>(quads));
-    std::iota(all.begin(), all.end(), 0u);
-    return leafIndices(all);
+int appendVertices(osg::Geometry& whole, const osg::Geometry& more) {
+    osg::Geometry::ArrayList arrays, added;
+    whole.getArrayList(arrays);
+    more.getArrayList(added);
+    const unsigned before = arrays.front()->getNumElements();
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+        osg::Array& array = *arrays[i];
+        array.resizeArray(before + added[i]->getNumElements());
+        std::memcpy(const_cast<GLvoid*>(array.getDataPointer(before)), added[i]->getDataPointer(),
+                    added[i]->getTotalDataSize());
+    }
+    return static_cast<int>(before);
 }
 
-std::vector<unsigned> leafIndices(const std::vector<unsigned>& quads) {
+std::vector<unsigned> leafIndices(std::size_t clusters, int quads) {
+    const std::size_t count = clusters * static_cast<std::size_t>(quads);
     std::vector<unsigned> indices;
-    indices.reserve(quads.size() * 6);
-    for (const unsigned quad : quads)
+    indices.reserve(6 * count);
+    for (unsigned quad = 0; quad < count; ++quad)
         for (const unsigned corner : {0u, 1u, 2u, 0u, 2u, 3u})
             indices.push_back(4 * quad + corner);
     return indices;

@@ -30,9 +30,10 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& lea
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown);
 
+/// Appends the vertices of a geometry with the same arrays. @return index of the first of them.
+int appendVertices(osg::Geometry& whole, const osg::Geometry& more);
+
 /// Triangle indices of `clusters` leaf clusters with `quads` quads each.
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);
-/// Triangle indices of the given quads, in this order.
-std::vector<unsigned> leafIndices(const std::vector<unsigned>& quads);
 
 } // namespace osgTreeWind

@@ -34,6 +34,9 @@ public:
         return length / std::max(std::abs(distance(_pixelSize, point)), 1.0e-9f);
     }
 
+    const osg::Vec4* begin() const { return _planes.data(); } ///< Planes with unit normals inward.
+    const osg::Vec4* end() const { return _planes.data() + _planeCount; }
+
 private:
     static float distance(const osg::Vec4& plane, const osg::Vec3& point) {
         return plane.x() * point.x() + plane.y() * point.y() + plane.z() * point.z() + plane.w();
