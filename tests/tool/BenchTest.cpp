@@ -202,9 +202,9 @@ TEST_F(BenchTest, DrawsAForestInTurnsWithOneTree) {
 
 TEST(BenchUsageTest, AForestAloneMeasuresOnlyItsViews) {
     const TemporaryFolder folder;
-    const Outcome outcome = runTool(
-        {"bench", "--forest", example("forest.treewind"), "--frames", "2", "--size", "64x64", "-o", "r.json"},
-        folder.path());
+    const Outcome outcome = runTool({"bench", "--forest", example("forest.treewind"), "--frames", "2",
+                                     "--size", "640x360", "-o", "r.json"},
+                                    folder.path());
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
     EXPECT_TRUE(report["results"].empty());
@@ -217,6 +217,32 @@ TEST(BenchUsageTest, AForestAloneMeasuresOnlyItsViews) {
         EXPECT_GE(drawnTrees(view), view["view"] == "inside" ? 1 : view["trees"].get<std::size_t>());
         EXPECT_GT(view["inFullRatioToTree"]["median"], 0.0);
     }
+}
+
+TEST(BenchUsageTest, CountsTheCallsOfAForest) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTool({"bench", "--stage", "calls", "--forest", example("forest.treewind"),
+                                     "--frames", "2", "--size", "640x360", "-o", "r.json"},
+                                    folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
+    ASSERT_EQ(report["calls"].size(), 1u);
+    const json& scene = report["calls"][0];
+    EXPECT_EQ(scene["scene"], example("forest.treewind"));
+    EXPECT_GT(scene["trees"], 0);
+    EXPECT_GT(scene["bufferBytes"], 0.0);
+    const json& calls = scene["calls"];
+    EXPECT_GT(calls["instancedDraws"], 1);
+    EXPECT_GT(calls["uniforms"], calls["instancedDraws"]);
+    for (const char* part : {"leaves", "bark", "impostors", "poses"})
+        EXPECT_GT(scene["work"][part]["leastTextureFetches"], 0) << part;
+    EXPECT_GE(scene["work"]["leaves"]["vertices"], scene["work"]["leaves"]["shadedVertices"]);
+
+    const DocumentedFields table = documentedFields(pageOf("results.md"), "## The JSON document");
+    std::set<std::string> fields;
+    addFields(report, "", fields);
+    for (const std::string& field : fields)
+        EXPECT_TRUE(isDocumented(table, field)) << field << " is not documented";
 }
 
 TEST(BenchUsageTest, TheStageViewNeedsAForest) {

@@ -118,6 +118,24 @@ Json viewJson(const BenchView& view) {
             {"inFullRatioToTree", spread(inFullRatios(view))}};
 }
 
+Json callsJson(const BenchCalls& calls) {
+    Json json = {{"scene", calls.scene},
+                 {"trees", calls.trees},
+                 {"frames", calls.frames},
+                 {"bufferBytes", calls.perFrame(calls.counts.bufferBytes)},
+                 {"textureBytes", calls.perFrame(calls.counts.textureBytes)},
+                 {"work", nullptr}};
+    for (std::size_t i = 0; i < glCallNames.size(); ++i)
+        json["calls"][glCallNames[i]] = calls.perFrame(calls.counts.calls[i]);
+    for (std::size_t i = 0; calls.hasWork && i < drawnPartNames.size(); ++i) {
+        Json& part = json["work"][drawnPartNames[i]];
+        part["draws"] = calls.work[i].draws;
+        for (std::size_t count = 0; count < DrawWork::names.size(); ++count)
+            part[DrawWork::names[count]] = calls.work[i].counts[count];
+    }
+    return json;
+}
+
 /// Date, machine and driver, for the head of a table.
 std::string whereMeasured(const BenchConditions& conditions, const std::string& backend = "") {
     const PictureSize& size = conditions.settings.size;
@@ -152,6 +170,41 @@ std::string fixed(double value, int digits) {
 
 std::string median(const std::vector<double>& values, int digits = 2) {
     return fixed(quantile(values, 0.5), digits);
+}
+
+/// Columns named like fields: "instanced draws" for `instancedDraws`.
+template <class Names>
+void addColumns(Row& row, const Names& names) {
+    for (const std::string name : names) {
+        std::string& words = row.emplace_back();
+        for (const char letter : name)
+            words += std::isupper(letter) ? std::string{' ', static_cast<char>(std::tolower(letter))}
+                                          : std::string{letter};
+    }
+}
+
+/// Least times that the counts allow on a GeForce RTX 3060 (docs/frame.md).
+void printBounds(std::ostream& out, const std::vector<BenchCalls>& calls) {
+    constexpr double clock = 1.777e6; // all rates are per millisecond
+    constexpr std::pair<DrawWork::Count, double> rates[] = {{DrawWork::ClippedPrimitives, 3 * clock},
+                                                            {DrawWork::LeastTextureFetches, 112 * clock},
+                                                            {DrawWork::TextureFetches, 112 * clock},
+                                                            {DrawWork::Fragments, 48 * clock}};
+    constexpr double busBytes = 31.5e6, callCount = 1e4;
+    out << "\nLeast times on a GeForce RTX 3060, ms\n\n";
+    printHead(out,
+              {"scene", "clipped primitives", "least texture fetches", "texture fetches", "fragments",
+               "uploads", "calls"},
+              1);
+    for (const BenchCalls& scene : calls) {
+        Row row = {scene.scene};
+        for (const auto& [count, rate] : rates)
+            row.push_back(fixed(static_cast<double>(scene.allWork().counts[count]) / rate, 3));
+        row.push_back(
+            fixed(scene.perFrame(scene.counts.bufferBytes + scene.counts.textureBytes) / busBytes, 3));
+        row.push_back(fixed(scene.perFrame(scene.counts.allCalls()) / callCount, 3));
+        printRow(out, row);
+    }
 }
 
 } // namespace
@@ -221,6 +274,8 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
         json["views"].push_back(viewJson(view));
     if (report.world)
         json["world"] = worldJson(*report.world);
+    for (const BenchCalls& calls : report.calls)
+        json["calls"].push_back(callsJson(calls));
     json["thesis"] = Json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())
@@ -289,4 +344,41 @@ void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const
                    std::to_string(world.mostTrees), fixed(1e-6 * world.halfwayBytes, 0),
                    fixed(1e-6 * world.endBytes, 0), fixed(1e-6 * world.mostBytes, 0),
                    fixed(1e-6 * world.bytesRead, 0)});
+}
+
+void printBenchCalls(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchCalls>& calls) {
+    out << '\n'
+        << whereMeasured(conditions, " (" + conditions.backend + ')') << "OpenGL calls in a frame, means of "
+        << conditions.settings.frames << "\n\n";
+    Row head = {"scene", "trees", "calls"};
+    addColumns(head, glCallNames);
+    head.insert(head.end(), {"buffers, kB", "textures, kB"});
+    printHead(out, head, 1);
+    for (const BenchCalls& scene : calls) {
+        Row row = {scene.scene, std::to_string(scene.trees),
+                   fixed(scene.perFrame(scene.counts.allCalls()), 0)};
+        for (const std::uint64_t count : scene.counts.calls)
+            row.push_back(fixed(scene.perFrame(count), 0));
+        for (const std::uint64_t bytes : {scene.counts.bufferBytes, scene.counts.textureBytes})
+            row.push_back(fixed(1e-3 * scene.perFrame(bytes), 1));
+        printRow(out, row);
+    }
+    out << "\nWork of the draws of a frame, thousands; texture fetches are computed from the shaders\n\n";
+    head = {"scene", "part", "draws"};
+    addColumns(head, DrawWork::names);
+    printHead(out, head, 2);
+    const auto print = [&out](const std::string& scene, const std::string& part, const DrawWork& work) {
+        Row row = {scene, part, std::to_string(work.draws)};
+        for (const std::uint64_t count : work.counts)
+            row.push_back(fixed(1e-3 * static_cast<double>(count), 0));
+        printRow(out, row);
+    };
+    for (const BenchCalls& scene : calls) {
+        for (std::size_t i = 0; i < drawnPartNames.size(); ++i)
+            if (scene.work[i].draws)
+                print(scene.scene, drawnPartNames[i], scene.work[i]);
+        print(scene.scene, "all", scene.allWork());
+    }
+    printBounds(out, calls);
 }

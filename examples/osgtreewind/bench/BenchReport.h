@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <examples/osgtreewind/bench/BenchCalls.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
 #include <examples/osgtreewind/bench/BenchView.h>
 #include <examples/osgtreewind/output/Json.h>
@@ -37,6 +38,7 @@ struct BenchReport {
     std::vector<BenchResult> results;
     std::vector<BenchView> scale, views;
     std::optional<BenchWorld> world;
+    std::vector<BenchCalls> calls;
 };
 
 /// Records date and load.
@@ -61,6 +63,8 @@ void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views);
 void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);
+void printBenchCalls(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchCalls>& calls);
 
 /// Flies through a forest in tiles at 100 m/s in real time, 80 m above its trees, on an ellipse around its
 /// middle.

@@ -57,8 +57,8 @@ std::string anglesOf(const BenchScene& scene) {
 } // namespace
 
 BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver) {
-    const auto context =
-        valueOrThrow(createOffscreenContext(settings.size.width, settings.size.height), Failed);
+    const auto context = valueOrThrow(
+        createOffscreenContext(settings.size.width, settings.size.height, settings.profile), Failed);
     enum { Moving, Still };
     const BenchScene scene = createBenchScene(stage, trees);
     const osg::Matrixd view = benchView(settings.size, scene.still->getBound());

@@ -21,6 +21,7 @@ struct BenchResult {
 
 struct BenchSettings {
     PictureSize size;
+    osgTreeWind::ContextProfile profile = osgTreeWind::osgProfile;
     int frames = 60;          ///< Pairs of frames.
     int warmUp = 10;          ///< Pairs that are not measured, while shaders compile and buffers fill.
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.

@@ -27,31 +27,6 @@ double allocatedBytes() {
     return static_cast<double>(memory.uordblks + memory.hblkhd);
 }
 
-const BenchStage& stageOfInstances() {
-    const std::vector<BenchStage>& stages = benchStages();
-    return *std::find_if(stages.begin(), stages.end(),
-                         [](const BenchStage& stage) { return stage.method == BenchStage::INSTANCES; });
-}
-
-osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
-    const osg::Vec3d centre = bound.center(), up(0.0, 0.0, 1.0);
-    const double aspect = static_cast<double>(size.width) / size.height;
-    switch (viewpoint) {
-    case BenchViewpoint::Over:
-        return osg::Matrixd::lookAt(defaultEye(centre, bound.radius(), {benchFieldOfView, aspect}), centre,
-                                    up);
-    case BenchViewpoint::Home: { // osgGA::CameraManipulator::computeHomePosition()
-        const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
-        const double away = bound.radius() / std::sin(std::atan(side));
-        return osg::Matrixd::lookAt(centre - osg::Vec3d(0.0, away, 0.0), centre, up);
-    }
-    case BenchViewpoint::Inside:
-        break;
-    }
-    const osg::Vec3d eye(centre.x(), centre.y(), 1.7);
-    return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), up);
-}
-
 /// Makes a forest and records time and memory.
 osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
     const double before = allocatedBytes();
@@ -79,11 +54,36 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
 
 } // namespace
 
+const BenchStage& stageOfInstances() {
+    const std::vector<BenchStage>& stages = benchStages();
+    return *std::find_if(stages.begin(), stages.end(),
+                         [](const BenchStage& stage) { return stage.method == BenchStage::INSTANCES; });
+}
+
+osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
+    const osg::Vec3d centre = bound.center(), up(0.0, 0.0, 1.0);
+    const double aspect = static_cast<double>(size.width) / size.height;
+    switch (viewpoint) {
+    case BenchViewpoint::Over:
+        return osg::Matrixd::lookAt(defaultEye(centre, bound.radius(), {benchFieldOfView, aspect}), centre,
+                                    up);
+    case BenchViewpoint::Home: { // osgGA::CameraManipulator::computeHomePosition()
+        const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
+        const double away = bound.radius() / std::sin(std::atan(side));
+        return osg::Matrixd::lookAt(centre - osg::Vec3d(0.0, away, 0.0), centre, up);
+    }
+    case BenchViewpoint::Inside:
+        break;
+    }
+    const osg::Vec3d eye(centre.x(), centre.y(), 1.7);
+    return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), up);
+}
+
 BenchView runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
                        BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
                        BenchDriver& driver) {
-    const auto context =
-        valueOrThrow(createOffscreenContext(settings.size.width, settings.size.height), Failed);
+    const auto context = valueOrThrow(
+        createOffscreenContext(settings.size.width, settings.size.height, settings.profile), Failed);
     BenchView result;
     result.forest = name;
     result.viewpoint = viewpoint;

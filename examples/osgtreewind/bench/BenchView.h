@@ -37,6 +37,11 @@ struct BenchView {
     double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
 };
 
+/// The stage that draws trees as a Forest does by default.
+const BenchStage& stageOfInstances();
+
+osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size);
+
 /// Measures one view. @param make makes the description. @param inFull also draw the forest without tiers.
 BenchView runBenchView(const std::string& name, const std::function<osgTreeWind::ForestDescription()>& make,
                        BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,

@@ -20,12 +20,17 @@ struct BenchTimes {
 /// Names of the OpenGL driver.
 struct BenchDriver {
     std::string vendor, renderer, version;
+    bool hasPipelineStatistics = false; ///< GL_ARB_pipeline_statistics_query.
 };
 
-/// One of the scenes that are drawn in turns, and its view matrix.
+/// Vertical field of view, degrees.
+constexpr double benchFieldOfView = 40.0;
+
+/// One of the scenes that are drawn in turns, and its view.
 struct BenchVariant {
     osg::ref_ptr<osg::Node> node;
     osg::Matrixd view;
+    double fieldOfView = benchFieldOfView;
 };
 
 /// Viewer for several scenes under one sun, of which one is drawn at a time.
@@ -45,14 +50,12 @@ public:
 private:
     void readStats(const std::vector<unsigned>& frames, BenchTimes& times);
 
+    double _aspect;
     std::vector<BenchVariant> _variants;
     std::vector<BenchTimes> _times;
     std::vector<std::vector<unsigned>> _frames; ///< Numbers of the measured frames, by variant.
     osgViewer::Viewer _viewer;
 };
-
-/// Vertical field of view, degrees.
-constexpr double benchFieldOfView = 40.0;
 
 /// View of all trees from the south-west.
 osg::Matrixd benchView(const PictureSize& size, const osg::BoundingSphere& bound);

@@ -86,7 +86,7 @@ BenchWorld runBenchWorld(const std::string& name, const ForestDescription& descr
     const BenchClock clock;
     const osg::ref_ptr<Forest> forest = new Forest(description);
     const TilePager* pager = pagerOf(*forest);
-    OffscreenViewer drawing(settings.size.width, settings.size.height, 1);
+    OffscreenViewer drawing(settings.size.width, settings.size.height, 1, settings.profile);
     osgViewer::Viewer& viewer = drawing.viewer();
     viewer.setSceneData(forest);
     osg::Camera& camera = *viewer.getCamera();

@@ -23,6 +23,7 @@ struct BenchOptions {
     std::string output, chart, size = "1280x720", backend = offscreenBackendName();
     std::vector<std::string> stages;
     std::vector<int> trees = {1, 2, 3, 4, 16, 64}, scaleTrees = {1000, 10000, 100000};
+    ContextProfile profile = osgProfile;
     int frames = 60;
     std::string forest;
 };
@@ -45,12 +46,13 @@ void writeChart(const std::string& path, const std::string& svg) {
 }
 
 // Stages that are not in benchStages().
-const std::string scaleStage = "scale", viewStage = "view", worldStage = "world";
+const std::string scaleStage = "scale", viewStage = "view", worldStage = "world", callsStage = "calls";
 
-/// Whether to run a stage. Default: all stages except view and world, or only view if a forest is given.
+/// Whether to run a stage. Default: all stages except view, world and calls, or only view if a forest is
+/// given.
 bool isRequested(const BenchOptions& options, const std::string& stage) {
     if (options.stages.empty())
-        return stage != worldStage && (stage == viewStage) != options.forest.empty();
+        return stage != worldStage && stage != callsStage && (stage == viewStage) != options.forest.empty();
     return std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
 
@@ -92,6 +94,13 @@ void measure(const BenchOptions& options, const ForestDescription& forest, Bench
         report.world = runBenchWorld(options.forest, forest, conditions.settings, conditions.driver);
         printBenchWorld(std::cout, conditions, *report.world);
     }
+    if (isRequested(options, callsStage)) {
+        if (options.forest.empty())
+            report.calls = runBenchCalls(conditions.settings, conditions.driver);
+        else
+            report.calls = {runBenchCalls(options.forest, forest, conditions.settings, conditions.driver)};
+        printBenchCalls(std::cout, conditions, report.calls);
+    }
 }
 
 /// The forest that the stages need; empty if they need none.
@@ -101,7 +110,7 @@ ForestDescription load(const BenchOptions& options) {
         throw CommandError{BadInput,
                            "--stage " + (drawn ? viewStage : worldStage) + ": expected --forest FILE"};
     if (!flown)
-        return drawn ? loadForest(options.forest, {}, true) : ForestFile();
+        return options.forest.empty() ? ForestFile() : loadForest(options.forest, {}, true);
     ForestDescription world = valueOrThrow(readForestFile(options.forest));
     if (!world.tiles || options.stages.size() > 1)
         throw CommandError{
@@ -113,6 +122,7 @@ ForestDescription load(const BenchOptions& options) {
 void bench(const BenchOptions& options) {
     BenchSettings settings;
     settings.size = parsePictureSize(options.size, maxOffscreenSize);
+    settings.profile = options.profile;
     settings.frames = options.frames;
     if (options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
@@ -143,8 +153,10 @@ void addBenchCommand(CLI::App& app) {
     std::vector<std::string> names;
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
-    names.insert(names.end(), {scaleStage, viewStage, worldStage});
-    command->add_option("--stage", options->stages, "Stages to measure (default: all except view and world)")
+    names.insert(names.end(), {scaleStage, viewStage, worldStage, callsStage});
+    command
+        ->add_option("--stage", options->stages,
+                     "Stages to measure (default: all except view, world and calls)")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
     command->add_option("--trees", options->trees, "Numbers of reference trees to measure")
@@ -158,7 +170,7 @@ void addBenchCommand(CLI::App& app) {
         ->capture_default_str();
     command
         ->add_option("--forest", options->forest,
-                     "Forest for the stages view and world; without --stage only view is measured")
+                     "Forest for the stages view, world and calls; without --stage only view is measured")
         ->type_name("FILE");
     command->add_option("--scale-trees", options->scaleTrees, "Numbers of trees for the stage scale")
         ->delimiter(',')
@@ -169,6 +181,7 @@ void addBenchCommand(CLI::App& app) {
     command->add_option("-o,--output", options->output, "JSON file for the results (docs/results.md)");
     command->add_option("--chart", options->chart, "SVG file for a chart; a PNG of it is written next to it");
     addBackendOption(*command, options->backend);
+    addProfileOption(*command, options->profile);
     command->footer(
         "Times are in milliseconds; fps is frames divided by seconds. Frames of each stage alternate with\n"
         "frames of the same trees at rest (static), so other load on the machine affects both.\n"

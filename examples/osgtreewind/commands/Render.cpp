@@ -235,11 +235,7 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     addBackendOption(*command, options->backend);
-    command
-        ->add_option("--profile", options->profile,
-                     "OpenGL profile: compatibility or core (default: the one that OSG is built for)")
-        ->transform(CLI::Transformer(std::map<std::string, ContextProfile>{
-            {"compatibility", ContextProfile::Compatibility}, {"core", ContextProfile::Core}}));
+    addProfileOption(*command, options->profile);
     command
         ->add_option("--tiers", options->tiers,
                      "Levels of detail (law modal): off draws every tree in full (default: as in the file)")

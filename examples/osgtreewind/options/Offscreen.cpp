@@ -27,6 +27,15 @@ void addBackendOption(CLI::App& command, std::string& backend) {
         ->check(CLI::IsMember({"osmesa", "egl"}));
 }
 
+void addProfileOption(CLI::App& command, osgTreeWind::ContextProfile& profile) {
+    using osgTreeWind::ContextProfile;
+    command
+        .add_option("--profile", profile,
+                    "OpenGL profile: compatibility or core (default: the one that OSG is built for)")
+        ->transform(CLI::Transformer(std::map<std::string, ContextProfile>{
+            {"compatibility", ContextProfile::Compatibility}, {"core", ContextProfile::Core}}));
+}
+
 void runOtherBackend(const std::string& backend) {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
     const std::filesystem::path other =
