@@ -64,12 +64,16 @@ TEST_F(BenchTest, PrintsNothingToStandardError) {
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(BenchTest, DocumentsEveryFieldOfItsReport) {
+void expectDocumented(const json& report) {
     const DocumentedFields table = documentedFields(pageOf("results.md"), "## The JSON document");
     std::set<std::string> fields;
     addFields(report, "", fields);
     for (const std::string& field : fields)
         EXPECT_TRUE(isDocumented(table, field)) << field << " is not documented";
+}
+
+TEST_F(BenchTest, DocumentsEveryFieldOfItsReport) {
+    expectDocumented(report);
 }
 
 TEST_F(BenchTest, MeasuresEveryStage) {
@@ -202,9 +206,9 @@ TEST_F(BenchTest, DrawsAForestInTurnsWithOneTree) {
 
 TEST(BenchUsageTest, AForestAloneMeasuresOnlyItsViews) {
     const TemporaryFolder folder;
-    const Outcome outcome = runTool({"bench", "--forest", example("forest.treewind"), "--frames", "2",
-                                     "--size", "640x360", "-o", "r.json"},
-                                    folder.path());
+    const Outcome outcome = runTool(
+        {"bench", "--forest", example("forest.treewind"), "--frames", "2", "--size", "64x64", "-o", "r.json"},
+        folder.path());
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
     EXPECT_TRUE(report["results"].empty());
@@ -231,18 +235,12 @@ TEST(BenchUsageTest, CountsTheCallsOfAForest) {
     EXPECT_EQ(scene["scene"], example("forest.treewind"));
     EXPECT_GT(scene["trees"], 0);
     EXPECT_GT(scene["bufferBytes"], 0.0);
-    const json& calls = scene["calls"];
-    EXPECT_GT(calls["instancedDraws"], 1);
-    EXPECT_GT(calls["uniforms"], calls["instancedDraws"]);
+    EXPECT_GT(scene["calls"]["instancedDraws"].get<double>() + scene["calls"]["multiDraws"].get<double>(),
+              0.0);
     for (const char* part : {"leaves", "bark", "impostors", "poses"})
         EXPECT_GT(scene["work"][part]["leastTextureFetches"], 0) << part;
     EXPECT_GE(scene["work"]["leaves"]["vertices"], scene["work"]["leaves"]["shadedVertices"]);
-
-    const DocumentedFields table = documentedFields(pageOf("results.md"), "## The JSON document");
-    std::set<std::string> fields;
-    addFields(report, "", fields);
-    for (const std::string& field : fields)
-        EXPECT_TRUE(isDocumented(table, field)) << field << " is not documented";
+    expectDocumented(report);
 }
 
 TEST(BenchUsageTest, TheStageViewNeedsAForest) {
