@@ -6,6 +6,7 @@
 
 #include <examples/osgtreewind/bench/TextureFetches.h>
 
+#include <osg/GLExtensions>
 #include <osg/Image>
 
 #include <GL/gl.h>
@@ -19,10 +20,6 @@
 #include <tuple>
 #include <unordered_map>
 #include <utility>
-
-namespace osg { // <osg/GLExtensions> has members with the names of functions
-[[gnu::visibility("default")]] void* getGLExtensionFuncPtr(const char* name);
-}
 
 namespace {
 
@@ -200,7 +197,7 @@ struct Counted<Called, Result(Arguments...)> {
 
 } // namespace
 
-void* osg::getGLExtensionFuncPtr(const char* name) {
+[[gnu::visibility("default")]] void* osg::getGLExtensionFuncPtr(const char* name) {
     using Replace = void* (*)(void*);
     static const std::unordered_map<std::string, Replace> replacements = {
 #define CORE(...)

@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/bench/GlCounts.h>
 #include <examples/osgtreewind/bench/TextureFetches.h>
 
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
