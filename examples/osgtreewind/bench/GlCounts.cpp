@@ -132,9 +132,13 @@ constexpr bool isDraw(GlCall kind) {
     return kind == GlCall::Draw || kind == GlCall::InstancedDraw || kind == GlCall::MultiDraw;
 }
 
-std::uint64_t imageBytes(const void* data, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
-                         GLenum type) {
-    return data ? osg::Image::computeImageSizeInBytes(width, height, depth, format, type) : 0;
+/// @tparam Data place of an argument, and so on.
+template <std::size_t Data, std::size_t Width, std::size_t Height, std::size_t Format, class Arguments>
+std::uint64_t imageBytes(const Arguments& all, GLsizei depth = 1) {
+    return std::get<Data>(all)
+               ? osg::Image::computeImageSizeInBytes(std::get<Width>(all), std::get<Height>(all), depth,
+                                                     std::get<Format>(all), std::get<Format + 1>(all))
+               : 0;
 }
 
 /// Bytes that a call uploads.
@@ -149,17 +153,13 @@ std::uint64_t bytesOf(Arguments... arguments) {
     else if constexpr (Called == F::glMapBufferRange)
         return std::get<3>(all) & GL_MAP_WRITE_BIT ? std::get<2>(all) : 0;
     else if constexpr (Called == F::glTexImage2D)
-        return imageBytes(std::get<8>(all), std::get<3>(all), std::get<4>(all), 1, std::get<6>(all),
-                          std::get<7>(all));
+        return imageBytes<8, 3, 4, 6>(all);
     else if constexpr (Called == F::glTexSubImage2D)
-        return imageBytes(std::get<8>(all), std::get<4>(all), std::get<5>(all), 1, std::get<6>(all),
-                          std::get<7>(all));
+        return imageBytes<8, 4, 5, 6>(all);
     else if constexpr (Called == F::glTexImage3D)
-        return imageBytes(std::get<9>(all), std::get<3>(all), std::get<4>(all), std::get<5>(all),
-                          std::get<7>(all), std::get<8>(all));
+        return imageBytes<9, 3, 4, 7>(all, std::get<5>(all));
     else if constexpr (Called == F::glTexSubImage3D)
-        return imageBytes(std::get<10>(all), std::get<5>(all), std::get<6>(all), std::get<7>(all),
-                          std::get<8>(all), std::get<9>(all));
+        return imageBytes<10, 5, 6, 8>(all, std::get<7>(all));
     else if constexpr (Called == F::glMapBuffer) {
         GLint size = 0;
         UNCOUNTED(glGetBufferParameteriv)(std::get<0>(all), GL_BUFFER_SIZE, &size);

@@ -68,10 +68,6 @@ TEST_F(GlCountsGlTest, ATriangleIsOneDraw) {
     EXPECT_EQ(work.counts[DrawWork::LeastTextureFetches], 2 * work.counts[DrawWork::Fragments]);
 }
 
-TEST_F(GlCountsGlTest, CountsNothingOutsideTheFunction) {
-    EXPECT_EQ(countGlCalls([] {}).allCalls(), 0u);
-}
-
 TEST_F(GlCountsGlTest, CountsUploadedBytes) {
     const osg::ref_ptr<osg::Geometry> geometry = triangle();
     osg::ref_ptr<osg::Image> image = new osg::Image;
