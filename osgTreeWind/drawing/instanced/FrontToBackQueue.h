@@ -46,6 +46,8 @@ public:
         _previous.clear();
         _occlusion.clear();
     }
+    /// Makes a tree that is being visited hide what follows, as a whole.
+    void occludeBy(const OcclusionBuffer::Billboard& tree) { _current.trees.push_back(tree); }
     /// @param distance of its nearest point from the eye, metres. What is nearer than the visited bins goes
     /// to the next bin; parts may also go to the bin that is being visited.
     void insert(const Tree& tree, float distance) {
@@ -88,17 +90,26 @@ private:
                 visit(Tree(bin.trees[i]));
             for (const Part& part : bin.parts)
                 if (visit(part))
-                    _current.push_back(part.place);
-            for (const OcclusionBuffer::Rectangle& part : _previous)
+                    _current.parts.push_back(part.place);
+            for (const OcclusionBuffer::Rectangle& part : _previous.parts)
                 _occlusion.add(part);
-            _previous.swap(_current);
+            for (const OcclusionBuffer::Billboard& tree : _previous.trees)
+                _occlusion.add(tree);
+            std::swap(_previous, _current);
             _current.clear();
         }
     }
 
     std::array<Bin, 128> _bins; ///< The last one has no far end.
     std::size_t _nextBin = 0;
-    std::vector<OcclusionBuffer::Rectangle> _current, _previous;
+    struct Occluders {
+        std::vector<OcclusionBuffer::Rectangle> parts;
+        std::vector<OcclusionBuffer::Billboard> trees;
+        void clear() {
+            parts.clear();
+            trees.clear();
+        }
+    } _current, _previous; ///< Of those bins.
     OcclusionBuffer _occlusion;
 };
 

@@ -22,8 +22,6 @@ bool projectPoint(const osg::Matrixf& toClip, const osg::Vec3& point, osg::Vec2&
 
 ImpostorProjection::ImpostorProjection(osgUtil::CullVisitor& visitor)
     : _toClip(*visitor.getModelViewMatrix() * *visitor.getProjectionMatrix()),
-      _pixelShare(static_cast<float>(
-          1.0 / std::max(1.0, visitor.getViewport()->width() * visitor.getViewport()->height()))),
       _eye(visitor.getViewPointLocal()) {
     if ((*visitor.getProjectionMatrix())(3, 3) < 0.5)
         return;

@@ -23,8 +23,6 @@ public:
     /// The bounding rectangle of a box on the screen. @return false if a corner is behind the eye.
     bool project(const osg::BoundingBox& box, osg::Vec2& low, osg::Vec2& high) const;
     const osg::Matrixf& toClip() const { return _toClip; } ///< From the forest's frame.
-    /// Area of a pixel as a share of the screen.
-    float pixelShare() const { return _pixelShare; }
     /// Distance of a point from the eye, metres; forest's frame.
     float distance(const osg::Vec3& point) const { return (point - _eye).length(); }
 
@@ -35,7 +33,6 @@ public:
 
 private:
     osg::Matrixf _toClip;
-    float _pixelShare;
     osg::Vec3 _eye, _parallelDirection; ///< Direction toward the eye in a parallel projection; else zero.
 };
 

@@ -81,6 +81,8 @@ void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
     osg::Vec2 low, high;
     const bool hidesNoTree = !projection.project(seen.cell->box, low, high) ||
                              occlusion.minTransmittance(low, high) >= OcclusionBuffer::negligible;
+    // Seen from far above, impostors hide no others; sorting them would only take time.
+    const bool isGrazing = visitor.getViewPointLocal().z() < seen.cell->box.zMax() + 0.15f * seen.distance;
     const std::size_t band = CullLists::bandOf(seen.distance);
     for (const TreeCells::Tree& tree : seen.cell->trees) {
         const bool isDown = isTreeDown(tree.slot);
@@ -96,9 +98,10 @@ void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
         const osg::Vec3 toEye = projection.towardEye(middle);
         const FrontToBackQueue::Tree seenTree{
             tree.slot, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
-        if (scene.tiers.areEnabled() && scene.tiers.choose(seenTree.pixels).tier != Tier::Impostor)
+        if (scene.tiers.areEnabled() &&
+            (isGrazing || scene.tiers.choose(seenTree.pixels).tier != Tier::Impostor))
             lists.frontToBack().insert(seenTree, projection.distance(tree.foot) - tree.reach);
-        else if (hidesNoTree || !occlusion.isHidden(projectImpostor(tree.slot), projection.pixelShare()))
+        else if (hidesNoTree || !occlusion.isHidden(projectImpostor(tree.slot)))
             addTree(seenTree, 1.0f);
     }
 }
@@ -106,8 +109,11 @@ void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
 void InstancedCull::visitTree(const FrontToBackQueue::Tree& seen) {
     const OcclusionBuffer::Billboard billboard = projectImpostor(seen.slot);
     const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
-    if (!occlusion.isHidden(billboard, projection.pixelShare()))
-        addTree(seen, occlusion.visibleShare(billboard));
+    if (occlusion.isHidden(billboard))
+        return;
+    if (scene.tiers.choose(seen.pixels).tier == Tier::Impostor)
+        lists.frontToBack().occludeBy(billboard);
+    addTree(seen, occlusion.visibleShare(billboard));
 }
 
 bool InstancedCull::visitPart(const FrontToBackQueue::Part& seen) {

@@ -71,6 +71,10 @@ void forEachCell(const osg::Vec2& low, const osg::Vec2& high, Visit visit) {
     }
 }
 
+bool isNegligible(float shown, float area, float most) {
+    return shown <= OcclusionBuffer::negligible * area && most <= 5.0f * OcclusionBuffer::negligible;
+}
+
 } // namespace
 
 bool OcclusionBuffer::isHidden(const Rectangle& part) const {
@@ -80,7 +84,7 @@ bool OcclusionBuffer::isHidden(const Rectangle& part) const {
         area += overlap;
         most = std::max(most, _transmittance[cell]);
     });
-    return shown <= negligible * area && most <= 5.0f * negligible;
+    return isNegligible(shown, area, most);
 }
 
 void OcclusionBuffer::add(const Rectangle& part) {
@@ -107,14 +111,14 @@ float OcclusionBuffer::visibleShare(const Billboard& billboard) const {
     return clearest;
 }
 
-bool OcclusionBuffer::isHidden(const Billboard& billboard, float share) const {
+bool OcclusionBuffer::isHidden(const Billboard& billboard) const {
     float shown = 0.0f, total = 0.0f, most = 0.0f;
     forEachCell(billboard, [&](std::size_t cell, int, float coverage) {
         shown += coverage * _transmittance[cell];
         total += coverage;
         most = std::max(most, coverage > 0.0f ? _transmittance[cell] : 0.0f);
     });
-    return total > 0.0f && most < negligible && shown < share * columns * rows;
+    return total > 0.0f && isNegligible(shown, total, most);
 }
 
 float OcclusionBuffer::minTransmittance(const osg::Vec2& low, const osg::Vec2& high) const {

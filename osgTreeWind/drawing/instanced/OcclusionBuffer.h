@@ -35,17 +35,16 @@ public:
     /// Mean transmittance in front of the visible pixels of a tree, the maximum over its height. 1 off the
     /// screen and without coverage.
     float visibleShare(const Billboard& billboard) const;
-    /// Whether the visible part of the billboard is less than `share` of the screen and the transmittance in
-    /// front of it is below `negligible` everywhere. False off the screen and without coverage.
-    bool isHidden(const Billboard& billboard, float share) const;
+    /// Whether the mean transmittance in front of it is below `negligible`, and below 5 times that everywhere.
+    /// False off the screen and without coverage.
+    bool isHidden(const Billboard& billboard) const;
     /// The least transmittance in a rectangle of the screen; 1 off the screen.
     float minTransmittance(const osg::Vec2& low, const osg::Vec2& high) const;
     static constexpr float negligible = 0.02f; ///< Transmittance.
     /// Adds a tree in front of everything that is tested from now on.
     void add(const Billboard& billboard);
 
-    /// Whether the mean transmittance in front of the rectangle is below `negligible`, and below 5 times that
-    /// everywhere. True off the screen.
+    /// Likewise, but true off the screen.
     bool isHidden(const Rectangle& part) const;
     /// Adds the core of a part in front of everything that is tested from now on.
     void add(const Rectangle& part);
