@@ -76,7 +76,7 @@ void CullLists::List::draw(const MeshPart& part, bool isLeaf, std::uint32_t inst
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
-    prepareProfile(*renderInfo.getState()); // before the textures of the trees are made
+    _buffer->isCore = prepareProfile(*renderInfo.getState()); // before the textures of the trees are made
     osg::ref_ptr<osg::Camera> camera;
     setSceneDefines(*_shading, _stage->getStateSet(), _stateGraph,
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
@@ -78,22 +79,44 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    for (unsigned i = 0; i < instanceAttributes; ++i) {
-        gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
-        gl.glDisableVertexAttribArray(treePlaceLocation + i);
-    }
-    state.unbindVertexBufferObject();
+    if (!isBuiltIn())
+        for (unsigned i = 0; i < instanceAttributes; ++i) {
+            gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
+            gl.glDisableVertexAttribArray(treePlaceLocation + i);
+        }
+    SceneGeometry::unbindVertices(state);
     state.unbindElementBufferObject();
     if (_flush)
         glFlush();
 }
 
+/// Binds the vertices, and leaves the buffer of the instances bound. @return offset of the first instance.
+GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    bool isNew = true;
+    if (isBuiltIn()) {
+        isNew = static_cast<const SceneGeometry&>(*_geometry).bindVertices(renderInfo);
+    } else {
+        state.setCurrentToGlobalVertexArrayState(); // that of the previous draw belongs to its geometry
+        state.bindVertexArrayObject(state.getCurrentVertexArrayState());
+        _geometry->drawVertexArraysImplementation(renderInfo);
+    }
+    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
+    if (buffer->isDirty())
+        buffer->compileBuffer();
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
+    for (unsigned i = 0; isNew && i < instanceAttributes; ++i) {
+        gl.glEnableVertexAttribArray(treePlaceLocation + i);
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
+    }
+    return buffer->getOffset(_buffer->instances->getBufferIndex());
+}
+
 void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    const bool isCore = prepareProfile(state);
-    state.setCurrentToGlobalVertexArrayState(); // the bound one belongs to the geometry of the previous draw
-    state.bindVertexArrayObject(state.getCurrentVertexArrayState());
+    const bool isCore = _buffer->isCore && prepareProfile(state);
     if (_poses.page) {
         const DrawTimer time(renderInfo, "Forest pose");
         _poses.passes->apply(state, *_poses.page);
@@ -108,20 +131,14 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
             gl.glUniform3fv(location, 1, _poses.flutter.ptr());
     }
 
-    _geometry->drawVertexArraysImplementation(renderInfo);
-    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
-    state.bindVertexBufferObject(buffer);
-    const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
+    const GLsizeiptr instances = bindArrays(renderInfo);
+    osg::GLBufferObject* buffer = _buffer->instances->getGLBufferObject(state.getContextID());
     const auto setInstances = [&](std::uint32_t first) {
         for (unsigned i = 0; i < instanceAttributes; ++i)
             gl.glVertexAttribPointer(
                 treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
                 inBuffer(instances + first * sizeof(TreeInstance) + i * 4 * sizeof(float)));
     };
-    for (unsigned i = 0; i < instanceAttributes; ++i) {
-        gl.glEnableVertexAttribArray(treePlaceLocation + i);
-        gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
-    }
     const auto bindIndices = [&](osg::DrawElements& elements) {
         osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
         state.bindElementBufferObject(indices);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/PosePass.h>
 
 #include <osg/Geometry>
@@ -41,6 +42,7 @@ struct DrawBuffer : osg::Referenced {
 
     osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
     osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
+    bool isCore = false; ///< isCoreProfile(), set before the draws.
 };
 
 /// The poses that trees of a draw share.
@@ -72,6 +74,8 @@ protected:
 
 private:
     void drawTrees(osg::RenderInfo& renderInfo) const;
+    GLsizeiptr bindArrays(osg::RenderInfo& renderInfo) const;
+    bool isBuiltIn() const { return dynamic_cast<const SceneGeometry*>(_geometry.get()); }
 
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<DrawBuffer> _buffer;

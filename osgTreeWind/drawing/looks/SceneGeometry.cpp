@@ -5,6 +5,7 @@
 #include <osgTreeWind/gpu/OpenGLProfile.h>
 
 #include <osg/GLExtensions>
+#include <osg/VertexArrayState>
 
 namespace osgTreeWind {
 
@@ -28,6 +29,29 @@ void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
         state.get<osg::GLExtensions>()->glUseProgram(0);
         state.setLastAppliedProgramObject(nullptr);
     }
+}
+
+bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
+    osg::ref_ptr<osg::VertexArrayState>& arrays = _vertexArrayStateList[state.getContextID()];
+    const bool isNew = !arrays;
+    if (isNew) {
+        arrays = createVertexArrayState(renderInfo);
+        if (arrays->getVertexArrayObject() == 0)
+            arrays->generateVertexArrayObject();
+    }
+    state.setCurrentVertexArrayState(arrays);
+    state.bindVertexArrayObject(arrays);
+    if (isNew)
+        drawVertexArraysImplementation(renderInfo);
+    return isNew;
+}
+
+void SceneGeometry::unbindVertices(osg::State& state) {
+    state.setCurrentToGlobalVertexArrayState();
+    state.bindVertexArrayObject(state.getCurrentVertexArrayState());
+    state.get<osg::GLExtensions>()->glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
+    state.unbindVertexBufferObject(); // what OSG takes for bound
 }
 
 } // namespace osgTreeWind

@@ -15,6 +15,12 @@ public:
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
+    /// Binds a vertex array object with the vertices, for draws with further attributes. In a draw; end with
+    /// unbindVertices().
+    /// @return whether it is new, without the further attributes.
+    bool bindVertices(osg::RenderInfo& renderInfo) const;
+    static void unbindVertices(osg::State& state);
+
 protected:
     ~SceneGeometry() override = default;
 
