@@ -2,15 +2,11 @@
 #include <osgTreeWind/gpu/PosePass.h>
 
 #include <osgTreeWind/gpu/DataTexture.h>
-#include <osgTreeWind/gpu/OpenGLProfile.h>
+#include <osgTreeWind/gpu/PassState.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
-#include <osg/AlphaFunc>
-#include <osg/ClipPlane>
 #include <osg/FrameBufferObject>
-#include <osg/GLExtensions>
 #include <osg/Notify>
-#include <osg/PolygonStipple>
 #include <osg/observer_ptr>
 
 #include <algorithm>
@@ -53,118 +49,6 @@ int capacityFor(int rows) {
         capacity *= 2;
     return capacity;
 }
-
-/// A GPU pass within a draw: renders one rectangle into a frame buffer object, unaffected by the scene's
-/// state. Its destructor restores the OpenGL state that it changed, so that osg::State remains valid.
-class PassState {
-public:
-    explicit PassState(osg::State& state)
-        : _state(state), _gl(*state.get<osg::GLExtensions>()), _program(state.getLastAppliedProgramObject()) {
-        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING_EXT, &_readFrameBuffer);
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING_EXT, &_drawFrameBuffer);
-        glGetIntegerv(GL_CURRENT_PROGRAM, &_programHandle);
-        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &_vertexArray);
-        glGetIntegerv(GL_VIEWPORT, _viewport);
-        glGetIntegerv(GL_POLYGON_MODE, _polygonMode);
-        glGetIntegerv(GL_ACTIVE_TEXTURE, &_activeTexture);
-        for (unsigned unit = 0; unit < units; ++unit) {
-            _gl.glActiveTexture(GL_TEXTURE0 + unit);
-            glGetIntegerv(GL_TEXTURE_BINDING_2D, &_textures[unit]);
-        }
-        _gl.glActiveTexture(GL_TEXTURE0);
-        for (const GLenum mode :
-             {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
-              GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_CLIP_PLANE0, GL_CLIP_PLANE0 + 1,
-              GL_CLIP_PLANE0 + 2, GL_CLIP_PLANE0 + 3, GL_CLIP_PLANE0 + 4, GL_CLIP_PLANE0 + 5})
-            disable(mode);
-        if (!isCoreProfile(state)) {
-            disable(GL_ALPHA_TEST);
-            disable(GL_POLYGON_STIPPLE);
-        }
-        GLboolean (*isEnabled)(GLenum, GLuint) = nullptr; // osg::GLExtensions has neither
-        void (*getBooleans)(GLenum, GLuint, GLboolean*) = nullptr;
-        osg::setGLExtensionFuncPtr(isEnabled, "glIsEnabledi");
-        osg::setGLExtensionFuncPtr(getBooleans, "glGetBooleani_v");
-        for (GLuint i = 0; i < targets; ++i) {
-            _blends[i] = isEnabled(GL_BLEND, i);
-            getBooleans(GL_COLOR_WRITEMASK, i, _colorMasks[i]);
-            _gl.glDisablei(GL_BLEND, i);
-            _gl.glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        }
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        _gl.glGenVertexArrays(1, &_noArrays);
-        _gl.glBindVertexArray(_noArrays);
-    }
-    ~PassState() {
-        _gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(_readFrameBuffer));
-        _gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, static_cast<GLuint>(_drawFrameBuffer));
-        _gl.glBindVertexArray(static_cast<GLuint>(_vertexArray));
-        _gl.glDeleteVertexArrays(1, &_noArrays);
-        for (unsigned unit = 0; unit < units; ++unit) {
-            _gl.glActiveTexture(GL_TEXTURE0 + unit);
-            glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(_textures[unit]));
-        }
-        _gl.glActiveTexture(static_cast<GLenum>(_activeTexture));
-        glViewport(_viewport[0], _viewport[1], _viewport[2], _viewport[3]);
-        if (_polygonMode[0] == _polygonMode[1] || isCoreProfile(_state)) {
-            glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(_polygonMode[0]));
-        } else {
-            glPolygonMode(GL_FRONT, static_cast<GLenum>(_polygonMode[0]));
-            glPolygonMode(GL_BACK, static_cast<GLenum>(_polygonMode[1]));
-        }
-        for (GLuint i = 0; i < targets; ++i) {
-            if (_blends[i])
-                _gl.glEnablei(GL_BLEND, i);
-            _gl.glColorMaski(i, _colorMasks[i][0], _colorMasks[i][1], _colorMasks[i][2], _colorMasks[i][3]);
-        }
-        for (const GLenum mode : _disabled)
-            glEnable(mode);
-        _gl.glUseProgram(static_cast<GLuint>(_programHandle));
-        _state.setLastAppliedProgramObject(_program);
-    }
-    PassState(const PassState&) = delete;
-    PassState& operator=(const PassState&) = delete;
-
-    /// Directs draw() to `height` rows of the target from `firstRow` on, with this program.
-    void begin(osg::Program& program, osg::FrameBufferObject& target, int firstRow, int width,
-               int height) const {
-        target.apply(_state);
-        glViewport(0, firstRow, width, height);
-        program.apply(_state);
-    }
-    void bind(unsigned unit, const char* sampler, osg::Texture2D* texture) const {
-        _gl.glActiveTexture(GL_TEXTURE0 + unit);
-        texture->apply(_state);
-        set(sampler, static_cast<int>(unit));
-    }
-    void set(const char* uniform, int value) const {
-        const osg::Program::PerContextProgram* program = _state.getLastAppliedProgramObject();
-        const GLint location = program ? program->getUniformLocation(osg::Uniform::getNameID(uniform)) : -1;
-        if (location >= 0)
-            _gl.glUniform1i(location, value);
-    }
-    void draw() const { glDrawArrays(GL_TRIANGLE_STRIP, 0, 4); }
-
-private:
-    static constexpr unsigned units = 4, targets = 3; ///< Those that the passes use.
-
-    void disable(GLenum mode) {
-        if (!glIsEnabled(mode))
-            return;
-        glDisable(mode);
-        _disabled.push_back(mode);
-    }
-
-    osg::State& _state;
-    const osg::GLExtensions& _gl;
-    const osg::Program::PerContextProgram* _program;
-    GLint _readFrameBuffer = 0, _drawFrameBuffer = 0, _programHandle = 0, _vertexArray = 0,
-          _activeTexture = 0;
-    GLint _viewport[4] = {}, _polygonMode[2] = {}, _textures[units] = {};
-    GLboolean _blends[targets] = {}, _colorMasks[targets][4] = {};
-    std::vector<GLenum> _disabled;
-    GLuint _noArrays = 0;
-};
 
 } // namespace
 
@@ -287,7 +171,9 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
 }
 
 void PosePass::apply(osg::State& state, const PosePage& page) const {
-    const Context& context = preparePage(state, page);
+    std::optional<PassState> passes;
+    const Context& context = preparePage(state, page, passes);
+    passes.reset();
     state.applyTextureAttribute(rotationsUnit, context.rotations);
     state.applyTextureAttribute(translationsUnit, context.translations);
     state.applyTextureAttribute(pullsUnit, context.pulls);
@@ -308,7 +194,8 @@ PosePass::Context& PosePass::findContext(osg::State& state) const {
     return *_contexts.back();
 }
 
-PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page) const {
+PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page,
+                                         std::optional<PassState>& passes) const {
     Context& context = findContext(state);
     const std::lock_guard<std::mutex> pageLock(page.mutex());
     const auto trees = static_cast<int>(page.requests.size());
@@ -322,7 +209,7 @@ PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page
     if (first == trees)
         return context;
 
-    const PassState pass(state);
+    const PassState& pass = passes ? *passes : passes.emplace(state);
     upload(state, context, page);
     const auto begin = [&](osg::Program& program, osg::FrameBufferObject& target) {
         pass.begin(program, target, first * _layout.rows, _layout.width, (trees - first) * _layout.rows);

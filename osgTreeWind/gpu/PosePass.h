@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/gpu/PassState.h>
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeSize.h>
@@ -13,6 +14,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -44,7 +46,10 @@ public:
     /// Texture units that apply() binds.
     static constexpr unsigned rotationsUnit = 12, translationsUnit = 13, pullsUnit = 14;
     /// Computes the poses of a page that this context does not have yet. In a draw, with the context current.
-    void prepare(osg::State& state, const PosePage& page) const { preparePage(state, page); }
+    /// @param passes set if there are any; may serve several pages.
+    void prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const {
+        preparePage(state, page, passes);
+    }
     /// As prepare(), and binds the textures of the poses.
     void apply(osg::State& state, const PosePage& page) const;
 
@@ -59,7 +64,7 @@ private:
 
     struct Context;
     Context& findContext(osg::State& state) const;
-    Context& preparePage(osg::State& state, const PosePage& page) const;
+    Context& preparePage(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const;
     void upload(osg::State& state, Context& context, const PosePage& page) const;
 
     osg::ref_ptr<PosePrograms> _programs;

@@ -25,7 +25,7 @@ CullLists::CullLists() {
 
 std::size_t CullLists::bandOf(float distance) {
     std::size_t band = 0;
-    for (float end = 8.0f; band + 1 < bands && distance >= end; end *= 2.0f)
+    for (float end = 8.0f; band + 1 < bands && distance >= end; end *= 4.0f)
         ++band;
     return band;
 }
@@ -82,9 +82,10 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] {
+        std::optional<PassState> passes;
         for (std::size_t i = 0; i < _used; ++i)
             if (const DrawnPoses& poses = _lists[i].poses; poses.page)
-                poses.passes->prepare(*renderInfo.getState(), *poses.page);
+                poses.passes->prepare(*renderInfo.getState(), *poses.page, passes);
     });
 }
 

@@ -53,8 +53,9 @@ public:
     unsigned frame() const { return _frame; }
 
     /// Number of distance bands. They are drawn from near to far, so that near trees hide far ones.
-    static constexpr std::size_t bands = 8;
-    /// The band of a distance in metres: the first one ends at 8 m, each later one at twice the distance.
+    static constexpr std::size_t bands = 4;
+    /// The band of a distance in metres: the first one ends at 8 m, each later one at four times the
+    /// distance.
     static std::size_t bandOf(float distance);
 
     /// Index of the list to add trees of this kind to. Trees with poses also share a pose page.

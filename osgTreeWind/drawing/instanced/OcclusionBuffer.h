@@ -35,8 +35,8 @@ public:
     /// Mean transmittance in front of the visible pixels of a tree, the maximum over its height. 1 off the
     /// screen and without coverage.
     float visibleShare(const Billboard& billboard) const;
-    /// Whether the mean transmittance in front of it is below `negligible`, and below 5 times that everywhere.
-    /// False off the screen and without coverage.
+    /// Whether the mean transmittance in front of it is below `negligible`, and below 5 times that
+    /// everywhere. False off the screen and without coverage.
     bool isHidden(const Billboard& billboard) const;
     /// The least transmittance in a rectangle of the screen; 1 off the screen.
     float minTransmittance(const osg::Vec2& low, const osg::Vec2& high) const;
