@@ -18,11 +18,13 @@ flat out float treeFade;
 flat out vec3 treeTierColor; // tierColor() in osgTreeWind/drawing/instanced/TreeTiers.h
 #endif
 
+int treeTier() { return int(treeLight.w); } // Tier in osgTreeWind/drawing/instanced/TreeTiers.h
+
 /// Passes what the fragments of a tree share.
 void passTree() {
     treeFade = treeState.y;
 #ifdef TIERS_COLORED
-    float coarse = floor(treeLight.w) / 5.0;
+    float coarse = float(treeTier()) / 5.0;
     treeTierColor = coarse == 0.0 ? vec3(1.0, 0.05, 0.05) : vec3(1.0 - coarse, 0.8, 0.05);
 #endif
 }

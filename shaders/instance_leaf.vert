@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A corner of a leaf cluster in an instanced draw, rotated by flutter, rest orientation, wind and branch.
-// osg_Vertex: anchor, size; osg_Normal: corner in the leaf frame; osg_MultiTexCoord0: u, v, unit and reach
-// (instance.glsl), leaf; osg_MultiTexCoord1: rest orientation; osg_MultiTexCoord2: normal in the leaf frame, shade
-// (law/shade.glsl);
-// osg_MultiTexCoord3: outward direction in the crown, shade.
+// A corner of a leaf card in an instanced draw, rotated by flutter, rest orientation, wind and branch.
 
-#pragma import_defines(FADING, TIERS_COLORED)
+#pragma import_defines(FADING, LEAF_ARRAYS, TIERS_COLORED)
 
 #include "real.glsl"
 #include "law/limits.glsl"
@@ -16,6 +12,7 @@
 #include "law/tint.glsl"
 #include "facing.glsl"
 #include "instance.glsl"
+#include "leaf_corner.glsl"
 #include "law/reconfiguration.glsl"
 #include "light.glsl"
 #include "surface.glsl"
@@ -35,35 +32,36 @@ flat out float leafBorne; // 1: leaves, 0: bare twigs
 out vec2 leafFacing; // facing.glsl
 
 void main() {
+    LeafCorner leaf = leafCorner();
 #ifdef FADING
-    if (isLeftOut(fract(0.7548777 * osg_MultiTexCoord0.w))) {
+    if (isLeftOut(fract(0.7548777 * leaf.leaf))) {
         gl_Position = leftOut;
         return;
     }
 #endif
-    int unit = int(osg_MultiTexCoord0.z);
+    int unit = int(leaf.unit);
     UnitPose pose = unitPose(unit);
-    vec3 rest = treeSize.xxy * osg_Vertex.xyz;
-    rest += limberness * shootSway(rest, reachOf(osg_MultiTexCoord0.z), pose.wind, flutterPhases, treeState.z);
-    leafBorne = fract(0.618034 * osg_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
+    vec3 rest = treeSize.xxy * leaf.anchor;
+    rest += limberness * shootSway(rest, reachOf(leaf.unit), pose.wind, flutterPhases, treeState.z);
+    leafBorne = fract(0.618034 * leaf.leaf) < treeState.w ? 1.0 : 0.0;
     vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), texelFetch(posePulls, poseTexel(unit), 0), leafBorne);
-    float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, osg_MultiTexCoord0.w);
-    vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, osg_MultiTexCoord0.w, flutterLimits);
-    vec4 turn = turnAfter(osg_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
-    vec4 downwind = downwindTurn(turnVector(osg_MultiTexCoord1, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
+    float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, leaf.leaf);
+    vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, leaf.leaf, flutterLimits);
+    vec4 turn = turnAfter(leaf.orientation, leafRotation(flutter.x, flutter.y, flutter.z));
+    vec4 downwind = downwindTurn(turnVector(leaf.orientation, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
     float tremble = leafBorne * trembleShare(pose.wind, leafTremble.y);
-    vec3 trembling = trembleWave(osg_Normal, flutterPhases, treeState.z, osg_MultiTexCoord0.w);
-    vec3 corner = turnVector(downwind, turnVector(turn, osg_Normal * vec3(pull.ww, 1.0)));
-    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (osg_Vertex.w * corner + leafTremble.x * tremble * trembling));
+    vec3 trembling = trembleWave(leaf.corner, flutterPhases, treeState.z, leaf.leaf);
+    vec3 corner = turnVector(downwind, turnVector(turn, leaf.corner * vec3(pull.ww, 1.0)));
+    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (leaf.size * corner + leafTremble.x * tremble * trembling));
 
     // Foliage is lit more like a crown than like single blades.
-    vec3 blade = turnVector(downwind, turnVector(turn, osg_MultiTexCoord2.xyz));
-    vec3 crown = osg_MultiTexCoord3.xyz;
+    vec3 blade = turnVector(downwind, turnVector(turn, leaf.normal));
+    vec3 crown = leaf.outward;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord2.w), treeState.w),
-                        sharesInSeason(unpackedShares(osg_MultiTexCoord3.w), treeState.w), treeHeading(),
+    Shade shade = Shade(sharesInSeason(unpackedShares(leaf.shade.x), treeState.w),
+                        sharesInSeason(unpackedShares(leaf.shade.y), treeState.w), treeHeading(),
                         leftByNeighbours(rest.z));
-    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, osg_MultiTexCoord0.w), leafBorne);
+    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, leaf.leaf), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     vec3 eyeBlade = eyeDirection(pose, blade);
     float away = dot(eyeBlade, normalize(eyePosition.xyz));
@@ -74,12 +72,12 @@ void main() {
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is the mean of both sides
     own *= leafBrightness() * (1.0 + ((gl_VertexID & 2) != 0 ? leafFresh : -leafFresh)); // shoots: outer ends of cards
     leafLight = leafShade(eyePosition.xyz, eyeNormal, eyeBlade, shade);
-    float glint = bladeGlint(osg_MultiTexCoord0.w,
-                             eyeDirection(pose, turnVector(osg_MultiTexCoord1, osg_MultiTexCoord2.xyz)),
+    float glint = bladeGlint(leaf.leaf,
+                             eyeDirection(pose, turnVector(leaf.orientation, leaf.normal)),
                              eyeDirection(pose, blade + tremble * trembling));
     leafLight = own * (leafLight + (glint - 1.0) * sunLight);
     sunLight *= glint * own;
-    leafCoord = osg_MultiTexCoord0.xy;
+    leafCoord = leaf.coord;
     leafCard = gl_VertexID / 4;
     passTree();
     scenePosition = eyePosition.xyz;

@@ -278,8 +278,10 @@ void InstancedCull::submitDraws() {
                       {inBand, impostor.stateSet(), leaves});
             continue;
         }
-        const auto leafStates = {inBand, looks.leaves.get(), model.state(), looks.hostLeaves.get()},
-                   barkStates = {inBand, looks.bark.get(), model.state(), looks.hostBark.get()};
+        osg::StateSet* const records =
+            model.usesHostGeometry() ? scene.resources.leafArrays.get() : model.meshes().leafState.get();
+        const auto leafStates = {inBand, looks.leaves.get(), model.state(), records, looks.hostLeaves.get()};
+        const auto barkStates = {inBand, looks.bark.get(), model.state(), looks.hostBark.get()};
         drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
         drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
         drawParts(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, leafStates);

@@ -110,7 +110,13 @@ GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
         gl.glEnableVertexAttribArray(treePlaceLocation + i);
         gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
     }
-    return buffer->getOffset(_buffer->instances->getBufferIndex());
+    const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
+    if (!_geometry->getVertexArray()) { // some drivers draw nothing without attribute 0
+        gl.glEnableVertexAttribArray(0);
+        gl.glVertexAttribDivisor(0, 1);
+        gl.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance), inBuffer(instances));
+    }
+    return instances;
 }
 
 void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {

@@ -3,8 +3,11 @@
 
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
+#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
@@ -22,66 +25,88 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Adds the vertices of a tier, and its parts, whose indices follow those of the tiers before.
-void addTier(TierMeshes& meshes, int tier, const osg::ref_ptr<osg::Geometry>& added,
-             std::vector<MeshPart> parts, std::vector<std::uint32_t>& indices) {
-    const int firstVertex = meshes.geometry ? appendVertices(*meshes.geometry, *added) : 0;
-    const auto firstIndex = static_cast<std::uint32_t>(indices.size());
-    for (MeshPart& part : parts) {
-        part.firstIndex += firstIndex;
-        part.firstVertex = firstVertex;
-    }
-    osg::DrawElements& triangles = *added->getPrimitiveSet(0)->getDrawElements();
-    for (unsigned i = 0; i < triangles.getNumIndices(); ++i)
-        indices.push_back(triangles.getElement(i));
-    meshes.parts[tier] = std::move(parts);
-    if (!meshes.geometry)
-        meshes.geometry = added;
+constexpr unsigned leafRecordsUnit = 15; // texture unit
+
+osg::ref_ptr<osg::PrimitiveSet> triangles(const std::vector<unsigned>& indices, std::size_t vertices) {
+    if (vertices <= 65536)
+        return new osg::DrawElementsUShort(GL_TRIANGLES, indices.begin(), indices.end());
+    return new osg::DrawElementsUInt(GL_TRIANGLES, indices.begin(), indices.end());
 }
 
-void setTriangles(TierMeshes& meshes, const std::vector<std::uint32_t>& indices) {
-    if (!meshes.geometry)
-        return;
-    const bool isShort = *std::max_element(indices.begin(), indices.end()) < 65536;
-    osg::ref_ptr<osg::PrimitiveSet> triangles;
-    if (isShort)
-        triangles = new osg::DrawElementsUShort(GL_TRIANGLES, indices.begin(), indices.end());
-    else
-        triangles = new osg::DrawElementsUInt(GL_TRIANGLES, indices.begin(), indices.end());
-    meshes.geometry->setPrimitiveSet(0, triangles);
+TierMeshes makeBarkMeshes(const TreeModel& model, const CrownShade& crown) {
+    TierMeshes meshes;
+    std::vector<unsigned> indices;
+    std::size_t mostVertices = 0; // of a tier
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        BranchSkin skin = tier == static_cast<int>(Tier::Full)
+                              ? model.skin
+                              : thinnedSkin(model.skeleton, TreeDetail::reduced(tier));
+        meshes.parts[tier] = sortIntoParts(skin, model.skeleton.height());
+        const osg::ref_ptr<osg::Geometry> added = makeSkinGeometry(skin, model.skeleton, crown);
+        const int firstVertex = meshes.geometry ? appendVertices(*meshes.geometry, *added) : 0;
+        if (!meshes.geometry)
+            meshes.geometry = added;
+        for (MeshPart& part : meshes.parts[tier]) {
+            part.firstIndex += static_cast<std::uint32_t>(indices.size());
+            part.firstVertex = firstVertex;
+        }
+        indices.insert(indices.end(), skin.indices.begin(), skin.indices.end());
+        mostVertices = std::max(mostVertices, skin.vertices.size());
+    }
+    meshes.geometry->setPrimitiveSet(0, triangles(indices, mostVertices));
     makeArraysDistinct(*meshes.geometry);
+    return meshes;
+}
+
+void setLeafState(osg::StateSet& state, const TreeModel& model, const std::vector<glm::vec4>& records) {
+    const DataTexture texture("leaf records", records.size());
+    texture.fill(records);
+    bindDataTexture(state, "leafRecords", leafRecordsUnit, texture.texture());
+    osg::ref_ptr<osg::Uniform> corners =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC3, "leafCorners", verticesPerLeafCluster);
+    osg::ref_ptr<osg::Uniform> normals =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC3, "leafNormals", quadsPerLeafCluster);
+    for (unsigned i = 0; i < verticesPerLeafCluster; ++i) {
+        corners->setElement(i, toOsg(model.leafMesh[i].corner));
+        normals->setElement(i / 4, toOsg(model.leafMesh[i].normal));
+    }
+    state.addUniform(corners);
+    state.addUniform(normals);
 }
 
 } // namespace
 
-ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
+ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance)
+    : leafState(new osg::StateSet) {
     const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
     const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
-    std::vector<std::uint32_t> barkIndices, leafIndices;
+    bark = makeBarkMeshes(model, crown);
+    std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
+    if (model.leaves.empty())
+        return;
+    std::vector<glm::vec4> records;
     float fullTierLight = 0.0f; // on the leaves
     for (int tier = 0; tier < branchTiers; ++tier) {
-        const bool whole = tier == static_cast<int>(Tier::Full);
-        const TreeDetail detail = TreeDetail::reduced(tier);
-        BranchSkin skin = whole ? model.skin : thinnedSkin(model.skeleton, detail);
-        std::vector<MeshPart> parts = sortIntoParts(skin, height);
-        addTier(bark, tier, makeSkinGeometry(skin, model.skeleton, crown), std::move(parts), barkIndices);
-        leafBrightness[tier] = 1.0f;
         if (tier == static_cast<int>(Tier::Sprays)) {
             leaves.parts[tier] = leaves.parts[static_cast<int>(Tier::Full)];
-        } else if (!model.leaves.empty()) {
-            ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
-            const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
-                                                *stencils, appearance, height);
-            parts = sortIntoParts(thinned, model.leafMesh, coverage, height);
-            addTier(leaves, tier, makeLeafGeometry(thinned, model.skeleton, model.leafMesh, crown),
-                    std::move(parts), leafIndices);
-            fullTierLight = whole ? seen : fullTierLight;
-            leafBrightness[tier] = seen > 0.0f ? fullTierLight / seen : 1.0f;
+            continue;
         }
+        ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::reduced(tier));
+        const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
+                                            *stencils, appearance, height);
+        fullTierLight = tier == static_cast<int>(Tier::Full) ? seen : fullTierLight;
+        leafBrightness[tier] = seen > 0.0f ? fullTierLight / seen : 1.0f;
+        leaves.parts[tier] = sortIntoParts(thinned, model.leafMesh, coverage, height);
+        for (MeshPart& part : leaves.parts[tier])
+            part.firstVertex = static_cast<int>(4 * records.size() / leafRecordTexels);
+        addLeafRecords(thinned, model.skeleton, model.leafMesh, crown, records);
     }
-    setTriangles(bark, barkIndices);
-    setTriangles(leaves, leafIndices);
+    setLeafState(*leafState, model, records);
+    leaves.geometry = new SceneGeometry;
+    leaves.geometry->setName("leaves");
+    leaves.geometry->addPrimitiveSet(triangles(leafIndices(model.leaves.size()), // the most of all tiers
+                                               verticesPerLeafCluster * model.leaves.size()));
 }
 
 namespace {
@@ -118,6 +143,7 @@ void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
          {_meshes->bark.geometry.get(), _meshes->leaves.geometry.get(), hostBark(), hostLeaves()})
         if (geometry)
             objects.push_back(geometry);
+    objects.push_back(_meshes->leafState);
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
             objects.insert(objects.end(),

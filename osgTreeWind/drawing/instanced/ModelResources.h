@@ -16,7 +16,8 @@
 namespace osgTreeWind {
 
 /// The bark or the leaves of a model: vertices and triangle indices of all tiers with branches, and the parts
-/// of each tier. Tiers may share parts. The geometry is null without vertices.
+/// of each tier. Tiers may share parts. Leaves have no vertices, but records in a texture of their state. The
+/// geometry is null without triangles.
 struct TierMeshes {
     osg::ref_ptr<osg::Geometry> geometry;
     std::vector<MeshPart> parts[branchTiers];
@@ -27,8 +28,9 @@ struct ModelMeshes : osg::Referenced {
     ModelMeshes(const TreeModel& model, const Appearance& appearance);
 
     TierMeshes bark, leaves;
-    float leafBrightness[branchTiers]; ///< Factors that give each tier the brightness of the full one.
-    LeafStencils::Atlas stencils;      ///< Kept alive for further models and for impostors.
+    osg::ref_ptr<osg::StateSet> leafState; ///< shaders/leaf_corner.glsl
+    float leafBrightness[branchTiers];     ///< Factors that give each tier the brightness of the full one.
+    LeafStencils::Atlas stencils;          ///< Kept alive for further models and for impostors.
 };
 
 /// Geometry and state of one model in a forest, at each tier. Forests share meshes and impostors.

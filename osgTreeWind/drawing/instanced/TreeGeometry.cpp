@@ -105,38 +105,27 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skele
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves, const Skeleton& skeleton,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown) {
-    return makeLeafGeometry(thinnedLeaves(leaves, mesh, TreeDetail::full()), skeleton, mesh, crown);
-}
-
-osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const Skeleton& skeleton,
-                                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const CrownShade& crown) {
-    const ThinWood thinWood(skeleton);
-    const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads());
+    const ThinnedLeaves whole = thinnedLeaves(leaves, mesh, TreeDetail::full());
+    std::vector<glm::vec4> records;
+    addLeafRecords(whole, skeleton, mesh, crown, records);
     osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
                                  orientations = new osg::Vec4Array, normals = new osg::Vec4Array,
                                  crowns = new osg::Vec4Array;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
-        const LeafCluster& leaf = leaves.clusters[i];
-        const std::uint32_t index = leaves.indices[i];
-        const int quad = leaves.firstQuad(i);
-        const glm::vec3 outward = crown.outward(leaf.anchor), middle = middleOf(mesh, quad, leaves.quads());
-        const float unit = thinWood.unitAndReach(leaf.unit, leaf.anchor);
-        const glm::vec2 shade = packed(crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle)));
-        for (std::size_t corner = 0; corner < cornerCount; ++corner) {
-            const LeafVertex& v = mesh[static_cast<std::size_t>(4 * quad) + corner];
-            anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const glm::vec4* record = &records[leafRecordTexels * i];
+        for (std::size_t corner = 0; corner < mesh.size(); ++corner) {
+            const LeafVertex& v = mesh[corner];
+            const glm::vec2 uv = LeafAtlas::sprayCoordinate(i, corner / 4, v.uv);
+            anchors->push_back({record[0].x, record[0].y, record[0].z, record[0].w});
             corners->push_back(toOsg(v.corner));
-            const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::boughCoordinate(leaves.bough, index, v.uv)
-                                                  : LeafAtlas::sprayCoordinate(index, corner / 4, v.uv);
-            ids->push_back({uv.x, uv.y, unit, static_cast<float>(index)});
-            orientations->push_back(toOsg(leaf.orientation).asVec4());
-            normals->push_back({v.normal.x, v.normal.y, v.normal.z, shade.x});
-            crowns->push_back({outward.x, outward.y, outward.z, shade.y});
+            ids->push_back({uv.x, uv.y, record[2].w, static_cast<float>(i)});
+            orientations->push_back({record[1].x, record[1].y, record[1].z, record[1].w});
+            normals->push_back({v.normal.x, v.normal.y, v.normal.z, record[3].x});
+            crowns->push_back({record[2].x, record[2].y, record[2].z, record[3].y});
         }
     }
-    const std::vector<unsigned> indices = leafIndices(leaves.clusters.size(), leaves.quads());
+    const std::vector<unsigned> indices = leafIndices(leaves.size());
     osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("leaves");
     geometry->setVertexArray(anchors);
     geometry->setNormalArray(corners, osg::Array::BIND_PER_VERTEX);
@@ -148,6 +137,22 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const 
         new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
     makeArraysDistinct(*geometry);
     return geometry;
+}
+
+void addLeafRecords(const ThinnedLeaves& leaves, const Skeleton& skeleton,
+                    const std::array<LeafVertex, verticesPerLeafCluster>& mesh, const CrownShade& crown,
+                    std::vector<glm::vec4>& records) {
+    const ThinWood thinWood(skeleton);
+    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
+        const LeafCluster& leaf = leaves.clusters[i];
+        const glm::vec3 middle = middleOf(mesh, leaves.firstQuad(i), leaves.quads());
+        const glm::vec2 shade = packed(crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle)));
+        const glm::quat& turn = leaf.orientation;
+        records.emplace_back(leaf.anchor, leaf.size);
+        records.emplace_back(turn.x, turn.y, turn.z, turn.w);
+        records.emplace_back(crown.outward(leaf.anchor), thinWood.unitAndReach(leaf.unit, leaf.anchor));
+        records.emplace_back(shade, static_cast<float>(leaves.indices[i]), static_cast<float>(leaves.bough));
+    }
 }
 
 int appendVertices(osg::Geometry& whole, const osg::Geometry& more) {
