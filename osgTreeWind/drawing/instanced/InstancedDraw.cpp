@@ -106,16 +106,15 @@ GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
     if (buffer->isDirty())
         buffer->compileBuffer();
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
-    for (unsigned i = 0; isNew && i < instanceAttributes; ++i) {
-        gl.glEnableVertexAttribArray(treePlaceLocation + i);
-        gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
-    }
     const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
-    if (!_geometry->getVertexArray()) { // some drivers draw nothing without attribute 0
-        gl.glEnableVertexAttribArray(0);
-        gl.glVertexAttribDivisor(0, 1);
-        gl.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance), inBuffer(instances));
+    const bool lacksVertices = !_geometry->getVertexArray(); // some drivers draw nothing without attribute 0
+    for (unsigned i = 0; isNew && i < instanceAttributes + lacksVertices; ++i) {
+        const unsigned location = i < instanceAttributes ? treePlaceLocation + i : 0;
+        gl.glEnableVertexAttribArray(location);
+        gl.glVertexAttribDivisor(location, 1);
     }
+    if (lacksVertices)
+        gl.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance), inBuffer(instances));
     return instances;
 }
 

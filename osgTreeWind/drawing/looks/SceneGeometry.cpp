@@ -5,7 +5,6 @@
 #include <osgTreeWind/gpu/OpenGLProfile.h>
 
 #include <osg/GLExtensions>
-#include <osg/VertexArrayState>
 
 namespace osgTreeWind {
 
@@ -33,7 +32,7 @@ void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
 
 bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
-    osg::ref_ptr<osg::VertexArrayState>& arrays = _vertexArrayStateList[state.getContextID()];
+    osg::ref_ptr<osg::VertexArrayState>& arrays = _vertices[state.getContextID()];
     const bool isNew = !arrays;
     if (isNew) {
         arrays = createVertexArrayState(renderInfo);
@@ -45,6 +44,20 @@ bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
     if (isNew)
         drawVertexArraysImplementation(renderInfo);
     return isNew;
+}
+
+void SceneGeometry::resizeGLObjectBuffers(unsigned maxSize) {
+    osg::Geometry::resizeGLObjectBuffers(maxSize);
+    _vertices.resize(maxSize);
+}
+
+void SceneGeometry::releaseGLObjects(osg::State* state) const {
+    osg::Geometry::releaseGLObjects(state);
+    for (unsigned context = 0; context < _vertices.size(); ++context)
+        if (_vertices[context] && (!state || state->getContextID() == context)) {
+            _vertices[context]->release();
+            _vertices[context] = nullptr;
+        }
 }
 
 void SceneGeometry::unbindVertices(osg::State& state) {

@@ -3,6 +3,8 @@
 
 #include <osg/Geometry>
 #include <osg/Program>
+#include <osg/VertexArrayState>
+#include <osg/buffered_value>
 
 namespace osgTreeWind {
 
@@ -21,11 +23,15 @@ public:
     bool bindVertices(osg::RenderInfo& renderInfo) const;
     static void unbindVertices(osg::State& state);
 
+    void resizeGLObjectBuffers(unsigned maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
 protected:
     ~SceneGeometry() override = default;
 
 private:
     osg::ref_ptr<osg::Program> _program;
+    mutable osg::buffered_object<osg::ref_ptr<osg::VertexArrayState>> _vertices; ///< Of bindVertices().
 };
 
 } // namespace osgTreeWind
