@@ -2,24 +2,20 @@
 #include <osgTreeWind/growth/FormCache.h>
 
 #include <osgTreeWind/base/SharedValues.h>
-#include <osgTreeWind/growth/FormDiskCache.h>
+#include <osgTreeWind/base/SourceHashes.h>
+#include <osgTreeWind/base/UserCache.h>
 #include <osgTreeWind/growth/GrowTree.h>
 #include <osgTreeWind/growth/GrowthKeys.h>
-#include <osgTreeWind/growth/GrowthSourceHash.h>
 #include <osgTreeWind/growth/PackedForm.h>
 
-#include <cstdint>
-#include <cstdlib>
 #include <deque>
-#include <filesystem>
 #include <mutex>
 #include <utility>
 
 namespace osgTreeWind {
 namespace {
 
-constexpr std::uint64_t maxDiskBytes = 256'000'000; // bytes
-constexpr std::size_t maxHeldMetamers = 400'000;    // metamers
+constexpr std::size_t maxHeldMetamers = 400'000; // metamers
 
 /// Forms by their keys. It holds the latest ones, so that counting a tree's parts and then building the tree
 /// grows it only once.
@@ -52,7 +48,7 @@ private:
 };
 
 GrownForm loadOrGrow(const GrowthParameters& parameters, const std::string& key) {
-    const FormDiskCache cache(formCacheFolder(), maxDiskBytes);
+    const DiskCache cache = userCache();
     if (const auto bytes = cache.find(key))
         if (auto form = unpackedForm(*bytes))
             return std::move(*form);
@@ -61,26 +57,7 @@ GrownForm loadOrGrow(const GrowthParameters& parameters, const std::string& key)
     return form;
 }
 
-/// Folder named by an environment variable. Empty if it is unset, or relative and so depends on the current
-/// folder.
-std::filesystem::path absoluteFolder(const char* variable) {
-    const char* value = std::getenv(variable);
-    const std::filesystem::path folder = value ? value : "";
-    return folder.is_absolute() ? folder : std::filesystem::path();
-}
-
 } // namespace
-
-std::string formCacheFolder() {
-    if (const char* wanted = std::getenv("OSGTREEWIND_FORM_CACHE"); wanted && *wanted)
-        return std::string(wanted) == "off" ? std::string() : wanted;
-    std::filesystem::path caches = absoluteFolder("XDG_CACHE_HOME");
-    if (caches.empty() && !absoluteFolder("HOME").empty())
-        caches = absoluteFolder("HOME") / ".cache";
-    if (caches.empty())
-        caches = absoluteFolder("LOCALAPPDATA");
-    return caches.empty() ? std::string() : (caches / "osgtreewind").string();
-}
 
 std::string formKey(const GrowthParameters& parameters) {
     GrowthParameters shape = parameters;

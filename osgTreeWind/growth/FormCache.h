@@ -10,15 +10,11 @@
 namespace osgTreeWind {
 
 /// Result of growTree(), from a cache where possible. The process holds its latest forms in memory, and all
-/// programs share a folder of forms (see formCacheFolder()). Thread-safe: if several threads request the same
-/// form, one of them grows it and the others wait.
+/// programs share the forms in the user's cache (base/UserCache.h). Thread-safe: if several threads request
+/// the same form, one of them grows it and the others wait.
 std::shared_ptr<const GrownForm> grownForm(const GrowthParameters& parameters);
 
 /// Key of a form: binary, equal only for parameters and sources that grow the same form.
 std::string formKey(const GrowthParameters& parameters);
-
-/// Folder of the shared cache: the environment variable OSGTREEWIND_FORM_CACHE, or `osgtreewind` in the
-/// user's cache (`XDG_CACHE_HOME`, or `~/.cache`). Empty if the variable is `off` or there is no such folder.
-std::string formCacheFolder();
 
 } // namespace osgTreeWind

@@ -5,8 +5,8 @@
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 
+#include <osgTreeWind/base/DiskCache.h>
 #include <osgTreeWind/growth/FormCache.h>
-#include <osgTreeWind/growth/FormDiskCache.h>
 #include <osgTreeWind/growth/PackedForm.h>
 
 #include <gtest/gtest.h>
@@ -27,10 +27,6 @@ GrowthParameters smallOak(std::uint32_t seed) {
     return parameters;
 }
 
-std::size_t countFiles(const std::string& folder) {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
-}
-
 } // namespace
 
 TEST(FormCache, ReturnsAndStoresTheGrownForm) {
@@ -39,7 +35,7 @@ TEST(FormCache, ReturnsAndStoresTheGrownForm) {
     const auto form = grownForm(smallOak(101));
     EXPECT_TRUE(sameBits(*form, growTree(smallOak(101))));
     EXPECT_EQ(form, grownForm(smallOak(101))) << "from memory";
-    const auto stored = FormDiskCache(folder.path(), 1'000'000).find(formKey(smallOak(101)));
+    const auto stored = DiskCache(folder.path(), 1'000'000).find(formKey(smallOak(101)));
     ASSERT_TRUE(stored);
     EXPECT_TRUE(sameBits(*form, *unpackedForm(*stored)));
 }
@@ -49,7 +45,7 @@ TEST(FormCache, ReadsStoredFormsAndReplacesDamagedOnes) {
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     GrownForm other = growTree(smallOak(102));
     other.years = 12345;
-    const FormDiskCache disk(folder.path(), 1'000'000);
+    const DiskCache disk(folder.path(), 1'000'000);
     disk.store(formKey(smallOak(102)), packedForm(other));
     EXPECT_EQ(grownForm(smallOak(102))->years, 12345);
     disk.store(formKey(smallOak(103)), "no form at all");
@@ -93,24 +89,6 @@ TEST(FormCache, KeyDependsOnEveryParameterOfTheShape) {
     differs(site, "another side");
 }
 
-TEST(FormCache, FolderFollowsTheEnvironment) {
-    {
-        const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", "off");
-        EXPECT_EQ(formCacheFolder(), "");
-    }
-    const EnvironmentVariable none("OSGTREEWIND_FORM_CACHE", "");
-    const EnvironmentVariable home("HOME", "/home/user");
-    {
-        const EnvironmentVariable caches("XDG_CACHE_HOME", "/var/caches");
-        EXPECT_EQ(formCacheFolder(), "/var/caches/osgtreewind");
-    }
-    const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
-    EXPECT_EQ(formCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
-    const EnvironmentVariable noHome("HOME", "");
-    const EnvironmentVariable local("LOCALAPPDATA", "");
-    EXPECT_EQ(formCacheFolder(), "");
-}
-
 TEST(FormCache, GrowsTreesWithoutAFolder) {
     for (const char* place : {"off", "/proc/no/such", "/dev/full"}) {
         const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", place);
@@ -131,7 +109,7 @@ TEST(FormCache, ConcurrentThreadsShareOneForm) {
         thread.join();
     for (std::size_t i = 2; i < forms.size(); ++i)
         EXPECT_EQ(forms[i], forms[i % 2]);
-    EXPECT_EQ(countFiles(folder.path()), 2u);
+    EXPECT_EQ(folder.countFiles(), 2u);
 }
 
 } // namespace osgTreeWind

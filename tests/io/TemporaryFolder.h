@@ -24,6 +24,10 @@ public:
 
     const std::string& path() const { return _path; }
 
+    std::size_t countFiles() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(_path), {}));
+    }
+
     /// Writes a file and returns its path.
     std::string write(const std::string& name, const std::string& content) const {
         const std::string file = _path + '/' + name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/ModelResources.h>
 
+#include <osgTreeWind/drawing/impostors/ImpostorCache.h>
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
@@ -159,7 +160,7 @@ osg::ref_ptr<ImpostorStrip> sharedImpostor(const TreeModel& model, const Appeara
         ImpostorSettings settings;
         settings.leaves = shownLeafShare(tier);
         osg::ref_ptr<ImpostorStrip> impostor =
-            new ImpostorStrip(paintImpostor(model, appearance, settings), program);
+            new ImpostorStrip(cachedImpostor(model, appearance, settings), program);
         impostor->stateSet()->addUniform(new osg::Uniform("tierColor", tierColor(tier)));
         return impostor;
     };

@@ -4,10 +4,13 @@
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
+#include <osgTreeWind/drawing/looks/PictureCache.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
+
+#include <osgDB/FileNameUtils>
 
 #include <array>
 #include <mutex>
@@ -35,33 +38,53 @@ private:
 using SharedImages = SharedObjects<std::string, osg::Image>; ///< By path.
 using SharedTextures = SharedObjects<const osg::Image*, osg::Texture2D>;
 
+/// A picture of the user's as a texture, from the cache while the file and its extension, which tells how to
+/// read it, are the same.
+osg::ref_ptr<osg::Image> cachedPicture(const std::string& kind, const std::string& path,
+                                       osg::ref_ptr<osg::Image> (*read)(const std::string&)) {
+    const std::string content = digestOfFile(path);
+    if (content.empty())
+        return read(path);
+    return cachedImage(kind + ' ' + osgDB::getLowerCaseFileExtension(path) + ' ' + content,
+                       [&] { return read(path); });
+}
+
+osg::ref_ptr<osg::Image> paintLeaves(LeafForm form) {
+    constexpr float sparse = 0.6f; // makes single sprays unrecognizable on a bough
+    const auto card = [&](int variant, float share) {
+        return paintSpray(form, growSpray(form, variant, share));
+    };
+    const bool onRibs = form == LeafForm::Frond;
+    const float share = onRibs ? 1.0f : sparse;
+    return makeLeafAtlas({card(0, 1.0f), card(1, 1.0f), card(2, 1.0f)}, {card(0, share), card(3, share)},
+                         onRibs);
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
     static SharedImages pictures;
     if (const std::string& path = appearance.leafImage; !path.empty())
-        if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readLeafPicture(path); }))
+        if (osg::ref_ptr<osg::Image> picture =
+                pictures.get(path, [&] { return cachedPicture("leaf picture", path, readLeafPicture); }))
             return picture;
-    constexpr float sparse = 0.6f; // makes single sprays unrecognizable on a bough
     static ImageCache<LeafForm, leafFormCount> images;
     return images.image(appearance.leafForm, [](LeafForm form) {
-        const auto card = [&](int variant, float share) {
-            return paintSpray(form, growSpray(form, variant, share));
-        };
-        const bool onRibs = form == LeafForm::Frond;
-        const float share = onRibs ? 1.0f : sparse;
-        return makeLeafAtlas({card(0, 1.0f), card(1, 1.0f), card(2, 1.0f)}, {card(0, share), card(3, share)},
-                             onRibs);
+        return cachedImage("leaves " + std::to_string(static_cast<int>(form)),
+                           [&] { return paintLeaves(form); });
     });
 }
 
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
     static SharedImages pictures;
     if (const std::string& path = appearance.barkImage; !path.empty())
-        if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readBarkPicture(path); }))
+        if (osg::ref_ptr<osg::Image> picture =
+                pictures.get(path, [&] { return cachedPicture("bark picture", path, readBarkPicture); }))
             return picture;
     static ImageCache<BarkForm, static_cast<std::size_t>(BarkForm::Scaly) + 1> images;
-    return images.image(appearance.barkForm, paintBark);
+    return images.image(appearance.barkForm, [](BarkForm form) {
+        return cachedImage("bark " + std::to_string(static_cast<int>(form)), [&] { return paintBark(form); });
+    });
 }
 
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,

@@ -10,11 +10,11 @@ namespace osgTreeWind {
 /// Key-value cache in a folder of files, which evicts the least recently used ones. Threads and programs may
 /// use one folder at the same time. It reports no errors: an unreadable entry counts as absent, and an entry
 /// that cannot be written is dropped.
-class FormDiskCache {
+class DiskCache {
 public:
     /// @param path created when the first entry is stored; empty disables the cache.
     /// @param maxBytes limit of the total file size.
-    FormDiskCache(std::string path, std::uint64_t maxBytes) : _path(std::move(path)), _maxBytes(maxBytes) {}
+    DiskCache(std::string path, std::uint64_t maxBytes) : _path(std::move(path)), _maxBytes(maxBytes) {}
 
     /// Value of a key; nullopt if it is absent or damaged.
     std::optional<std::string> find(const std::string& key) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/growth/FormDiskCache.h>
+#include <osgTreeWind/base/DiskCache.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/TextHash.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr char extension[] = ".form";
+constexpr char extension[] = ".cache";
 /// Extension of a file that is being written; it stays if the program ends meanwhile.
 constexpr char partExtension[] = ".part";
 constexpr std::chrono::hours staleAge{1};
@@ -28,7 +28,7 @@ constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 28;
 
 /// Start of a file; the key and the value follow.
 struct FileHeader {
-    char magic[8] = {'T', 'r', 'e', 'e', 'F', 'o', 'r', 'm'};
+    char magic[8] = {'T', 'r', 'e', 'e', 'W', 'i', 'n', 'd'};
     std::uint32_t byteOrder = 0x01020304;
     std::uint32_t checksum = 0; ///< Of the key and the value.
     std::uint64_t keySize = 0, size = 0;
@@ -62,13 +62,13 @@ std::string readFile(const std::string& path) {
 
 } // namespace
 
-std::string FormDiskCache::filePath(const std::string& key) const {
+std::string DiskCache::filePath(const std::string& key) const {
     char name[17];
     std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOf(key)));
     return _path + '/' + name + extension;
 }
 
-std::optional<std::string> FormDiskCache::find(const std::string& key) const {
+std::optional<std::string> DiskCache::find(const std::string& key) const {
     if (_path.empty())
         return std::nullopt;
     const std::string path = filePath(key), content = readFile(path);
@@ -87,7 +87,7 @@ std::optional<std::string> FormDiskCache::find(const std::string& key) const {
     return content.substr(sizeof head + key.size());
 }
 
-void FormDiskCache::store(const std::string& key, const std::string& bytes) const {
+void DiskCache::store(const std::string& key, const std::string& bytes) const {
     std::error_code problem;
     if (_path.empty() || bytes.size() > _maxBytes)
         return;
@@ -96,7 +96,7 @@ void FormDiskCache::store(const std::string& key, const std::string& bytes) cons
         evictOldest();
 }
 
-void FormDiskCache::evictOldest() const {
+void DiskCache::evictOldest() const {
     struct File {
         files::file_time_type used;
         std::uint64_t size;

@@ -2,7 +2,7 @@
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 
-#include <osgTreeWind/growth/FormDiskCache.h>
+#include <osgTreeWind/base/DiskCache.h>
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ std::string keyOf(int key) {
 }
 
 /// Stores and finds a few hundred values. @return whether each value found belongs to its key.
-bool storeAndFind(const FormDiskCache& cache) {
+bool storeAndFind(const DiskCache& cache) {
     bool right = true;
     for (int i = 0; i < 400; ++i) {
         cache.store(keyOf(i % 23), valueOf(i % 23));
@@ -61,10 +61,10 @@ bool storeAndFind(const FormDiskCache& cache) {
 
 } // namespace
 
-TEST(FormDiskCache, FindsStoredValues) {
+TEST(DiskCache, FindsStoredValues) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/new/one";
-    const FormDiskCache cache(path, plenty);
+    const DiskCache cache(path, plenty);
     EXPECT_FALSE(cache.find("a"));
     const std::string binary("\0\xff\n", 3);
     cache.store("a", "first");
@@ -74,13 +74,13 @@ TEST(FormDiskCache, FindsStoredValues) {
     EXPECT_EQ(cache.find(binary), binary);
     EXPECT_EQ(cache.find("empty"), "");
     cache.store("a", "second");
-    EXPECT_EQ(FormDiskCache(path, plenty).find("a"), "second");
+    EXPECT_EQ(DiskCache(path, plenty).find("a"), "second");
     EXPECT_EQ(entriesOf(path).size(), 3u);
 }
 
-TEST(FormDiskCache, IgnoresAndReplacesDamagedFiles) {
+TEST(DiskCache, IgnoresAndReplacesDamagedFiles) {
     const TemporaryFolder folder;
-    const FormDiskCache cache(folder.path(), plenty);
+    const DiskCache cache(folder.path(), plenty);
     cache.store("key", "a value");
     const std::string file = entriesOf(folder.path()).front().string(), whole = bytesOf(file);
     const auto holds = [&](const std::string& content) {
@@ -99,9 +99,9 @@ TEST(FormDiskCache, IgnoresAndReplacesDamagedFiles) {
     EXPECT_EQ(cache.find("key"), "another value");
 }
 
-TEST(FormDiskCache, IgnoresTheFileOfAnotherKey) {
+TEST(DiskCache, IgnoresTheFileOfAnotherKey) {
     const TemporaryFolder folder;
-    const FormDiskCache cache(folder.path(), plenty);
+    const DiskCache cache(folder.path(), plenty);
     cache.store("one", "1");
     const files::path first = entriesOf(folder.path()).front();
     files::copy_file(first, folder.path() + "/kept");
@@ -113,9 +113,9 @@ TEST(FormDiskCache, IgnoresTheFileOfAnotherKey) {
     EXPECT_EQ(cache.find("one"), "1");
 }
 
-TEST(FormDiskCache, StaysBelowItsLimitAndEvictsTheLeastRecentlyUsed) {
+TEST(DiskCache, StaysBelowItsLimitAndEvictsTheLeastRecentlyUsed) {
     const TemporaryFolder folder;
-    const FormDiskCache cache(folder.path(), 10'000);
+    const DiskCache cache(folder.path(), 10'000);
     const std::string foreign = folder.write("foreign.txt", std::string(20'000, 'x'));
     const auto storeUsedAgo = [&](const std::string& key, int hours) {
         cache.store(key, std::string(3000, 'x'));
@@ -143,18 +143,18 @@ TEST(FormDiskCache, StaysBelowItsLimitAndEvictsTheLeastRecentlyUsed) {
     EXPECT_TRUE(files::exists(foreign));
 }
 
-TEST(FormDiskCache, RemovesStaleTemporaryFiles) {
+TEST(DiskCache, RemovesStaleTemporaryFiles) {
     const TemporaryFolder folder;
-    const std::string young = folder.write("a.form.1.part", "x"), old = folder.write("b.form.2.part", "x");
+    const std::string young = folder.write("a.cache.1.part", "x"), old = folder.write("b.cache.2.part", "x");
     files::last_write_time(old, files::file_time_type::clock::now() - std::chrono::hours(2));
-    FormDiskCache(folder.path(), plenty).store("key", "value");
+    DiskCache(folder.path(), plenty).store("key", "value");
     EXPECT_TRUE(files::exists(young)) << "another program may be writing it";
     EXPECT_FALSE(files::exists(old));
 }
 
-TEST(FormDiskCache, ServesManyThreadsAndProgramsAtOnce) {
+TEST(DiskCache, ServesManyThreadsAndProgramsAtOnce) {
     const TemporaryFolder folder;
-    const FormDiskCache cache(folder.path(), 20'000); // small, so that files are evicted all the time
+    const DiskCache cache(folder.path(), 20'000); // small, so that files are evicted all the time
     std::vector<pid_t> programs;
     for (int i = 0; i < 3; ++i)
         if (const pid_t program = fork(); program == 0)
@@ -174,24 +174,24 @@ TEST(FormDiskCache, ServesManyThreadsAndProgramsAtOnce) {
     }
     EXPECT_EQ(right, std::vector<char>(3, true));
     for (const files::path& file : entriesOf(folder.path()))
-        EXPECT_EQ(file.extension(), ".form") << file;
+        EXPECT_EQ(file.extension(), ".cache") << file;
 }
 
-TEST(FormDiskCache, StoresNothingInAnUnwritableFolder) {
+TEST(DiskCache, StoresNothingInAnUnwritableFolder) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "x");
     for (const std::string& path :
          {std::string(), file, file + "/below", std::string("/proc/no"), std::string("/dev/full")}) {
-        const FormDiskCache cache(path, plenty);
+        const DiskCache cache(path, plenty);
         cache.store("key", "value");
         EXPECT_FALSE(cache.find("key")) << path;
     }
     EXPECT_EQ(bytesOf(file), "x");
 }
 
-TEST(FormDiskCache, LeavesNoPartialFileOnAFullDisk) {
+TEST(DiskCache, LeavesNoPartialFileOnAFullDisk) {
     const TemporaryFolder folder;
-    const FormDiskCache cache(folder.path(), plenty);
+    const DiskCache cache(folder.path(), plenty);
     // A child process with a limited file size.
     const pid_t program = fork();
     if (program == 0) {

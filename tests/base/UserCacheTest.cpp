@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <tests/EnvironmentVariable.h>
+
+#include <osgTreeWind/base/UserCache.h>
+
+#include <gtest/gtest.h>
+
+namespace osgTreeWind {
+
+TEST(UserCache, FolderFollowsTheEnvironment) {
+    {
+        const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", "off");
+        EXPECT_EQ(userCacheFolder(), "");
+    }
+    const EnvironmentVariable none("OSGTREEWIND_FORM_CACHE", "");
+    const EnvironmentVariable home("HOME", "/home/user");
+    {
+        const EnvironmentVariable caches("XDG_CACHE_HOME", "/var/caches");
+        EXPECT_EQ(userCacheFolder(), "/var/caches/osgtreewind");
+    }
+    const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
+    EXPECT_EQ(userCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
+    const EnvironmentVariable noHome("HOME", "");
+    const EnvironmentVariable local("LOCALAPPDATA", "");
+    EXPECT_EQ(userCacheFolder(), "");
+}
+
+} // namespace osgTreeWind
