@@ -8,23 +8,36 @@
 
 namespace osgTreeWind {
 
-/// A random number in [0, 1) for a point of a grid that repeats after `period` columns and rows.
-inline float randomAt(const glm::ivec2& point, const glm::ivec2& period, std::uint32_t stream) {
-    const glm::uvec2 wrapped((point % period + period) % period);
-    std::uint32_t n = wrapped.x * 0x9e3779b9u ^ wrapped.y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
+/// A random number in [0, 1) for a point with coordinates from 0.
+inline float randomAt(std::uint32_t x, std::uint32_t y, std::uint32_t stream) {
+    std::uint32_t n = x * 0x9e3779b9u ^ y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
     n = (n ^ (n >> 16)) * 0x7feb352du;
     n = (n ^ (n >> 15)) * 0x846ca68bu;
     return static_cast<float>((n ^ (n >> 16)) >> 8) * (1.0f / 16777216.0f);
 }
 
+/// The coordinate in [0, period) of which `place` is a repetition.
+inline std::uint32_t wrapped(int place, int period) {
+    const int rest = place % period;
+    return static_cast<std::uint32_t>(rest < 0 ? rest + period : rest);
+}
+
+/// A random number in [0, 1) for a point of a grid that repeats after `period` columns and rows.
+inline float randomAt(const glm::ivec2& point, const glm::ivec2& period, std::uint32_t stream) {
+    return randomAt(wrapped(point.x, period.x), wrapped(point.y, period.y), stream);
+}
+
 /// Value noise in [0, 1]: a smooth interpolation of randomAt() between grid points.
 inline float valueNoise(const glm::vec2& place, const glm::ivec2& period, std::uint32_t stream) {
     const glm::vec2 cell = glm::floor(place), part = glm::smoothstep(0.0f, 1.0f, place - cell);
-    const auto corner = [&](int i, int j) {
-        return randomAt(glm::ivec2(cell) + glm::ivec2(i, j), period, stream);
+    const std::uint32_t left = wrapped(static_cast<int>(cell.x), period.x),
+                        low = wrapped(static_cast<int>(cell.y), period.y);
+    const auto next = [](std::uint32_t place, int end) {
+        return place + 1 < static_cast<std::uint32_t>(end) ? place + 1 : 0;
     };
-    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), part.x),
-                    glm::mix(corner(0, 1), corner(1, 1), part.x), part.y);
+    const std::uint32_t right = next(left, period.x), high = next(low, period.y);
+    return glm::mix(glm::mix(randomAt(left, low, stream), randomAt(right, low, stream), part.x),
+                    glm::mix(randomAt(left, high, stream), randomAt(right, high, stream), part.x), part.y);
 }
 
 /// Fractal noise in [0, 1]: octaves of value noise with doubled frequency and halved amplitude.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/PackedForm.h>
 
-#include <osgTreeWind/base/Deflate.h>
+#include <zlib.h>
 
 #include <array>
 #include <cmath>
@@ -14,6 +14,7 @@ namespace {
 using Word = std::uint32_t;
 
 constexpr std::size_t headerWords = 4, metamerWords = 11;
+constexpr std::size_t maxPackedMetamers = 1 << 22;
 
 template <typename T>
 Word wordOf(T value) {
@@ -76,10 +77,6 @@ public:
         return sizeof(Word) * (headerWords + metamerWords * metamers);
     }
 
-    static std::size_t metamersIn(std::size_t size) {
-        return (size / sizeof(Word) - headerWords) / metamerWords;
-    }
-
     void putHeader(std::size_t i, Word word) { put(sizeof(Word) * i, 1, word); }
     Word header(std::size_t i) const { return get(sizeof(Word) * i, 1); }
     void put(std::size_t metamer, const std::array<Word, metamerWords>& words) {
@@ -113,7 +110,7 @@ private:
 } // namespace
 
 std::string packedForm(const GrownForm& form) {
-    const std::size_t count = form.metamers.size();
+    const auto count = static_cast<Word>(form.metamers.size()); // precedes the compressed bytes
     std::string plain(Columns::sizeFor(count), '\0');
     Columns columns(plain, count);
     columns.putHeader(0, wordOf(form.years));
@@ -125,18 +122,30 @@ std::string packedForm(const GrownForm& form) {
         columns.put(i, wordsOf(form.metamers[i], i, axis));
         axis = form.metamers[i].axis;
     }
-    return deflated(plain);
+    uLongf size = compressBound(plain.size());
+    std::string packed(sizeof count + size, '\0');
+    std::memcpy(packed.data(), &count, sizeof count);
+    compress2(reinterpret_cast<Bytef*>(packed.data() + sizeof count), &size,
+              reinterpret_cast<const Bytef*>(plain.data()), plain.size(), Z_BEST_SPEED);
+    packed.resize(sizeof count + size);
+    return packed;
 }
 
 std::optional<GrownForm> unpackedForm(const std::string& bytes) {
-    constexpr std::size_t maxMetamers = 1 << 22;
-    std::optional<std::string> plain = inflated(bytes, Columns::sizeFor(maxMetamers));
-    if (!plain || plain->size() < Columns::sizeFor(1))
+    Word count = 0;
+    if (bytes.size() < sizeof count)
         return std::nullopt;
-    const std::size_t count = Columns::metamersIn(plain->size());
-    if (plain->size() != Columns::sizeFor(count))
+    std::memcpy(&count, bytes.data(), sizeof count);
+    if (count == 0 || count > maxPackedMetamers)
         return std::nullopt;
-    const Columns columns(*plain, count);
+    std::string plain(Columns::sizeFor(count), '\0');
+    uLongf size = plain.size();
+    if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &size,
+                   reinterpret_cast<const Bytef*>(bytes.data() + sizeof count),
+                   bytes.size() - sizeof count) != Z_OK ||
+        size != plain.size())
+        return std::nullopt;
+    const Columns columns(plain, count);
     GrownForm form;
     set(form.years, columns.header(0));
     set(form.spread, columns.header(1));

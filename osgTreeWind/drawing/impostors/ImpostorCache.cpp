@@ -13,8 +13,6 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t maxBytes = std::size_t(1) << 28;
-
 /// Precedes the extents, the colours and the normals.
 struct Header {
     std::int32_t azimuths, elevations, pixels;
@@ -85,7 +83,7 @@ std::optional<ImpostorPictures> picturesOf(const std::string& bytes, const Impos
 ImpostorPictures cachedImpostor(const TreeModel& model, const Appearance& appearance,
                                 const ImpostorSettings& settings) {
     const PaintedBytes cached = cacheOf(model, appearance, settings);
-    if (const auto bytes = cached.find(maxBytes))
+    if (const auto bytes = cached.find())
         if (auto pictures = picturesOf(*bytes, settings))
             return std::move(*pictures);
     ImpostorPictures pictures = paintImpostor(model, appearance, settings);

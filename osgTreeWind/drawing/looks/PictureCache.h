@@ -18,8 +18,8 @@ public:
     /// @param work name of what is painted, and all that it is painted from. Sources are part of the key.
     explicit PaintedBytes(const std::string& work);
 
-    /// Nullopt if they are not in the cache or damaged, or more than `maxSize`.
-    std::optional<std::string> find(std::size_t maxSize) const;
+    /// Nullopt if they are not in the cache or damaged.
+    std::optional<std::string> find() const;
     void store(const std::string& bytes) const;
 
 private:
@@ -31,7 +31,7 @@ private:
 osg::ref_ptr<osg::Image> cachedImage(const std::string& work,
                                      const std::function<osg::ref_ptr<osg::Image>()>& paint);
 
-/// Appends an RGBA8 image with its mipmap levels.
+/// Appends an RGBA8 image with its mipmap levels, losslessly compressed.
 void appendImage(const osg::Image& image, std::string& bytes);
 /// Reads what appendImage() wrote at a place, and moves the place behind it. Null if the bytes are not an
 /// image.

@@ -21,12 +21,14 @@ namespace {
 
 namespace files = std::filesystem;
 
-/// An image with mipmaps, filled with one value.
+/// An image with mipmaps, of runs of equal texels and others.
 osg::ref_ptr<osg::Image> imageOf(unsigned char value) {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     const unsigned bytes = 4 * (8 * 4 + 4 * 2 + 2 * 1 + 1);
     auto* texels = new unsigned char[bytes];
     std::memset(texels, value, bytes);
+    for (unsigned i = 20; i < 100; ++i)
+        texels[i] = static_cast<unsigned char>(i / 3 % 16 * value);
     image->setImage(8, 4, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, texels, osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels({128, 160, 168});
     return image;
@@ -107,7 +109,7 @@ TEST(PictureCache, RefusesBytesThatAreNoImage) {
         place = 0;
         EXPECT_FALSE(takeImage(bytes.substr(0, size), place)) << size;
     }
-    for (const std::size_t field : {0, 4, 8}) {
+    for (const std::size_t field : {0, 4, 8, 12, 20}) {
         std::string damaged = bytes;
         damaged.replace(field, 4, "\xff\xff\xff\x7f");
         place = 0;
