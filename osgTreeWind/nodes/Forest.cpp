@@ -7,6 +7,7 @@
 #include <osgTreeWind/drawing/ground/GroundTile.h>
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -206,6 +207,9 @@ void Forest::replaceTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
 }
 
 void Forest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
+    std::vector<osg::ref_ptr<osg::Image>> painted; // held until the technique has them
+    if (!movingForest(*simulation).models().empty())
+        painted = paintImages(simulation->description().species, simulation->executor());
     osg::ref_ptr<ForestTechnique> technique = _technique;
     const bool isModal = simulation->description().law == MotionLaw::Modal;
     if (technique && (_isHostTechnique || isModal == (getInstanced() != nullptr)))

@@ -56,6 +56,7 @@ SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(ca
         map.camera->setViewport(0, 0, shadowTexels, shadowTexels);
         map.camera->setClearMask(GL_DEPTH_BUFFER_BIT);
         map.camera->attach(osg::Camera::DEPTH_BUFFER, texture);
+        map.camera->setImplicitBufferAttachmentMask(0, 0); // no colour buffer of 64 MB
         map.camera->addChild(casters);
         osg::StateSet* state = map.camera->getOrCreateStateSet();
         constexpr auto overriding = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;

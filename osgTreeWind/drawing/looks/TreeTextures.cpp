@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 
+#include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
@@ -85,6 +86,17 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
     return images.image(appearance.barkForm, [](BarkForm form) {
         return cachedImage("bark " + std::to_string(static_cast<int>(form)), [&] { return paintBark(form); });
     });
+}
+
+std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
+                                                  const Executor& executor) {
+    std::vector<osg::ref_ptr<osg::Image>> images(2 * species.size());
+    runJobs(executor, images.size(), [&](std::size_t i) { // leaves first, which take longer
+        const bool isLeaf = i < species.size();
+        const Appearance& appearance = species[i % species.size()].appearance;
+        images[i] = isLeaf ? leafImage(appearance) : barkImage(appearance);
+    });
+    return images;
 }
 
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,

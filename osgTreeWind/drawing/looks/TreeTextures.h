@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/species/Appearance.h>
+#include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/species/Species.h>
 
 #include <osg/Image>
 #include <osg/Program>
 #include <osg/StateSet>
 #include <osg/Texture2D>
+
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -17,6 +20,11 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
 /// The bark texture of an appearance, with the channels of BarkRelief.h. It repeats along the branch and
 /// twice around it; images from files are mirrored.
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
+
+/// Paints the leaf and bark images of species, several at once. @return the images, which are shared while
+/// held.
+std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
+                                                  const Executor& executor);
 
 /// Makes a texture with mipmaps. @param along wrap mode along the branch (v). @param around the branch (u).
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
