@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 
+#include <osgTreeWind/drawing/looks/PaintedTexture.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
-#include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
@@ -26,9 +26,7 @@ osg::ref_ptr<osg::Geometry> strip(int segments) {
 }
 
 osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
-    osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture(name, image, osg::Texture::CLAMP_TO_EDGE);
-    texture->setResizeNonPowerOfTwoHint(false);
-    return texture;
+    return makePaintedTexture(name, image, nullptr, osg::Texture::CLAMP_TO_EDGE);
 }
 
 osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Program* program) {
@@ -56,6 +54,8 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
 
 ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program)
     : _pictures(std::move(pictures)), _coverage(_pictures), _geometry(strip(2)), _straight(strip(1)),
-      _stateSet(osgTreeWind::stateSet(_pictures, program)) {}
+      _stateSet(osgTreeWind::stateSet(_pictures, program)) {
+    _pictures.colors = _pictures.normals = nullptr; // the textures have them
+}
 
 } // namespace osgTreeWind

@@ -20,6 +20,7 @@ public:
     /// @param program sharedProgram("impostor", "impostor"), shared by all models.
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program);
 
+    /// Without images.
     const ImpostorPictures& pictures() const { return _pictures; }
     const ImpostorCoverage& coverage() const { return _coverage; }
     /// A strip of two segments, which can bend.

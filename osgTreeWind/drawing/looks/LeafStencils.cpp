@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include <cmath>
+#include <string>
 
 namespace osgTreeWind {
 namespace {
@@ -66,8 +67,8 @@ std::size_t LeafStencils::chooseLevel(const glm::vec3& across, const glm::vec3& 
 }
 
 LeafStencils::Atlas LeafStencils::ofAtlas(const osg::Image* texture) {
-    static SharedConstants<osg::ref_ptr<const osg::Image>, std::vector<LeafStencils>> all;
-    return all.get(texture, [&] {
+    static SharedConstants<std::string, std::vector<LeafStencils>> all;
+    return all.get(texture->getName(), [&] {
         auto stencils = std::make_shared<std::vector<LeafStencils>>();
         for (int i = 0; i < LeafAtlas::sprays; ++i)
             stencils->emplace_back(*texture, LeafAtlas::spray(i));

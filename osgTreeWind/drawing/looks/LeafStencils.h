@@ -22,7 +22,7 @@ public:
 
     /// @param texture result of makeLeafAtlas(). @param cell of a card.
     LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& cell);
-    /// Stencils of all sprays and boughs of a texture, shared while they are in use. Any thread.
+    /// Stencils of all sprays and boughs of a leafImage(), shared while they are in use. Any thread.
     using Atlas = std::shared_ptr<const std::vector<LeafStencils>>;
     static Atlas ofAtlas(const osg::Image* texture);
     /// Index into an Atlas. @param bough see TreeDetail. @param variant of LeafAtlas::choose().

@@ -122,17 +122,18 @@ void PaintedBytes::store(const std::string& bytes) const {
 osg::ref_ptr<osg::Image> cachedImage(const std::string& work,
                                      const std::function<osg::ref_ptr<osg::Image>()>& paint) {
     const PaintedBytes cached(work);
+    osg::ref_ptr<osg::Image> image;
     if (const auto bytes = cached.find()) {
         std::size_t place = 0;
-        if (osg::ref_ptr<osg::Image> image = takeImage(*bytes, place); image && place == bytes->size())
-            return image;
+        image = takeImage(*bytes, place);
     }
-    osg::ref_ptr<osg::Image> image = paint();
-    if (image) {
+    if (!image && (image = paint())) {
         std::string bytes;
         appendImage(*image, bytes);
         cached.store(bytes);
     }
+    if (image)
+        image->setName(work);
     return image;
 }
 
@@ -162,12 +163,6 @@ osg::ref_ptr<osg::Image> takeImage(const std::string& bytes, std::size_t& place)
                     osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels(offsets);
     return image;
-}
-
-std::string digestOf(const osg::Image& image) {
-    Digest digest;
-    digest.add(image.data(), sizeOf(headerOf(image)));
-    return digest.bytes();
 }
 
 std::string digestOfFile(const std::string& path) {

@@ -26,7 +26,8 @@ private:
     std::string _key;
 };
 
-/// An RGBA8 image from the cache; if absent, painted and stored. Null if `paint` returns null.
+/// An RGBA8 image from the cache; if absent, painted and stored. Its name is `work`. Null if `paint` returns
+/// null.
 /// @param work see PaintedBytes.
 osg::ref_ptr<osg::Image> cachedImage(const std::string& work,
                                      const std::function<osg::ref_ptr<osg::Image>()>& paint);
@@ -37,8 +38,6 @@ void appendImage(const osg::Image& image, std::string& bytes);
 /// image.
 osg::ref_ptr<osg::Image> takeImage(const std::string& bytes, std::size_t& place);
 
-/// A digest of the texels of an image with its mipmap levels; 16 bytes.
-std::string digestOf(const osg::Image& image);
 /// A digest of the content of a file; 16 bytes. Empty if it cannot be read.
 std::string digestOfFile(const std::string& path);
 

@@ -5,6 +5,7 @@
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
+#include <osgTreeWind/drawing/looks/PaintedTexture.h>
 #include <osgTreeWind/drawing/looks/PictureCache.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -13,41 +14,38 @@
 
 #include <osgDB/FileNameUtils>
 
-#include <array>
-#include <mutex>
+#include <functional>
 #include <string>
 
 namespace osgTreeWind {
 namespace {
 
-/// Images of `count` forms, each painted on first use. Any thread.
-template <typename Form, std::size_t count>
-class ImageCache {
-public:
-    template <typename Paint>
-    osg::ref_ptr<osg::Image> image(Form form, Paint paint) {
-        const auto index = static_cast<std::size_t>(form);
-        std::call_once(_painted[index], [&] { _images[index] = paint(form); });
-        return _images[index];
-    }
-
-private:
-    std::array<std::once_flag, count> _painted;
-    std::array<osg::ref_ptr<osg::Image>, count> _images;
-};
-
-using SharedImages = SharedObjects<std::string, osg::Image>; ///< By path.
-using SharedTextures = SharedObjects<const osg::Image*, osg::Texture2D>;
+using SharedImages = SharedObjects<std::string, osg::Image>;       ///< By path, or name of the form.
+using SharedTextures = SharedObjects<std::string, osg::Texture2D>; ///< By Image::getName().
 
 /// A picture of the user's as a texture, from the cache while the file and its extension, which tells how to
 /// read it, are the same.
 osg::ref_ptr<osg::Image> cachedPicture(const std::string& kind, const std::string& path,
                                        osg::ref_ptr<osg::Image> (*read)(const std::string&)) {
     const std::string content = digestOfFile(path);
-    if (content.empty())
-        return read(path);
+    if (content.empty()) {
+        const osg::ref_ptr<osg::Image> image = read(path);
+        if (image)
+            image->setName(kind + ' ' + path);
+        return image;
+    }
     return cachedImage(kind + ' ' + osgDB::getLowerCaseFileExtension(path) + ' ' + content,
                        [&] { return read(path); });
+}
+
+using ImageOf = osg::ref_ptr<osg::Image> (*)(const Appearance&);
+
+/// Makes the image of an appearance again. Null for a picture of the user's, whose file may have changed.
+std::function<osg::ref_ptr<osg::Image>()> again(ImageOf image, const Appearance& appearance,
+                                                const std::string& path) {
+    if (!path.empty())
+        return nullptr;
+    return [=] { return image(appearance); };
 }
 
 osg::ref_ptr<osg::Image> paintLeaves(LeafForm form) {
@@ -64,28 +62,25 @@ osg::ref_ptr<osg::Image> paintLeaves(LeafForm form) {
 } // namespace
 
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
-    static SharedImages pictures;
+    static SharedImages pictures, images;
     if (const std::string& path = appearance.leafImage; !path.empty())
         if (osg::ref_ptr<osg::Image> picture =
                 pictures.get(path, [&] { return cachedPicture("leaf picture", path, readLeafPicture); }))
             return picture;
-    static ImageCache<LeafForm, leafFormCount> images;
-    return images.image(appearance.leafForm, [](LeafForm form) {
-        return cachedImage("leaves " + std::to_string(static_cast<int>(form)),
-                           [&] { return paintLeaves(form); });
-    });
+    const LeafForm form = appearance.leafForm;
+    const std::string name = "leaves " + std::to_string(static_cast<int>(form));
+    return images.get(name, [&] { return cachedImage(name, [&] { return paintLeaves(form); }); });
 }
 
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
-    static SharedImages pictures;
+    static SharedImages pictures, images;
     if (const std::string& path = appearance.barkImage; !path.empty())
         if (osg::ref_ptr<osg::Image> picture =
                 pictures.get(path, [&] { return cachedPicture("bark picture", path, readBarkPicture); }))
             return picture;
-    static ImageCache<BarkForm, static_cast<std::size_t>(BarkForm::Scaly) + 1> images;
-    return images.image(appearance.barkForm, [](BarkForm form) {
-        return cachedImage("bark " + std::to_string(static_cast<int>(form)), [&] { return paintBark(form); });
-    });
+    const BarkForm form = appearance.barkForm;
+    const std::string name = "bark " + std::to_string(static_cast<int>(form));
+    return images.get(name, [&] { return cachedImage(name, [&] { return paintBark(form); }); });
 }
 
 std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
@@ -99,22 +94,12 @@ std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& sp
     return images;
 }
 
-osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
-                                             osg::Texture::WrapMode along, osg::Texture::WrapMode around) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setName(name);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, around);
-    texture->setWrap(osg::Texture::WRAP_T, along);
-    return texture;
-}
-
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
     static SharedTextures textures;
     const osg::ref_ptr<osg::Image> image = leafImage(appearance);
-    return textures.get(image, [&] {
-        osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+    return textures.get(image->getName(), [&] {
+        osg::ref_ptr<osg::Texture2D> texture = makePaintedTexture(
+            "leaves", image, again(leafImage, appearance, appearance.leafImage), osg::Texture::CLAMP_TO_EDGE);
         texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // faster
         return texture;
     });
@@ -123,9 +108,11 @@ osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
 osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance) {
     static SharedTextures textures;
     const osg::ref_ptr<osg::Image> image = barkImage(appearance);
-    return textures.get(image, [&] {
-        return makeTreeTexture("bark", image, osg::Texture::REPEAT,
-                               appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR);
+    return textures.get(image->getName(), [&] {
+        const osg::Texture::WrapMode wrap =
+            appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR;
+        return makePaintedTexture("bark", image, again(barkImage, appearance, appearance.barkImage),
+                                  osg::Texture::REPEAT, wrap);
     });
 }
 

@@ -13,9 +13,11 @@
 
 namespace osgTreeWind {
 
-// Images are painted or read on the first call, by any thread. They are shared; do not modify them.
+// Images are painted, or read from the user's cache or a file, by any thread. They are shared while held; do
+// not modify them.
 
-/// The leaf texture of an appearance: layout of LeafAtlas.h, channels of LeafTexels.h.
+/// The leaf texture of an appearance, with a name of its content: layout of LeafAtlas.h, channels of
+/// LeafTexels.h.
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
 /// The bark texture of an appearance, with the channels of BarkRelief.h. It repeats along the branch and
 /// twice around it; images from files are mirrored.
@@ -25,11 +27,6 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
 /// held.
 std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
                                                   const Executor& executor);
-
-/// Makes a texture with mipmaps. @param along wrap mode along the branch (v). @param around the branch (u).
-osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
-                                             osg::Texture::WrapMode along,
-                                             osg::Texture::WrapMode around = osg::Texture::CLAMP_TO_EDGE);
 
 /// A texture of leafImage(), shared while it is in use. Any thread.
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance);
