@@ -528,6 +528,16 @@ void addPrism(const Shoot& shoot, const std::vector<glm::vec3>& course, BranchSk
     addRingTriangles(skin, first, static_cast<int>(course.size()) - 1, shootSides, true);
 }
 
+/// Numbers of what addShootSkin() adds at full detail.
+SkinSize sizeOfShootSkin(const Skeleton& skeleton) {
+    SkinSize size;
+    for (const Shoot& shoot : skeleton.shoots) {
+        size.vertices += shootSides * (shoot.count - 1) + 1;
+        size.triangles += 2 * shootSides * (shoot.count - 2) + shootSides;
+    }
+    return size;
+}
+
 /// Adds the bark of a skeleton's shoots to that of its units, after the vertices of the unit that bears them:
 /// three-sided prisms that close to a point.
 /// @param tolerance allowed error of their course, metres. @param thinnest smallest base radius, metres.
@@ -535,6 +545,11 @@ void addShootSkin(const Skeleton& skeleton, float tolerance, float thinnest, Bra
     if (skeleton.shoots.empty())
         return;
     BranchSkin whole;
+    if (tolerance == 0.0f && thinnest == 0.0f) {
+        const SkinSize shoots = sizeOfShootSkin(skeleton);
+        whole.vertices.reserve(skin.vertices.size() + shoots.vertices);
+        whole.indices.reserve(skin.indices.size() + 3 * shoots.triangles);
+    }
     auto shoot = skeleton.shoots.begin();
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
         const std::uint32_t before = skin.firstVertices[unit], now = whole.firstVertices.back();
@@ -551,16 +566,6 @@ void addShootSkin(const Skeleton& skeleton, float tolerance, float thinnest, Bra
     skin = std::move(whole);
 }
 
-/// Numbers of what addShootSkin() adds at full detail.
-SkinSize sizeOfShootSkin(const Skeleton& skeleton) {
-    SkinSize size;
-    for (const Shoot& shoot : skeleton.shoots) {
-        size.vertices += shootSides * (shoot.count - 1) + 1;
-        size.triangles += 2 * shootSides * (shoot.count - 2) + shootSides;
-    }
-    return size;
-}
-
 } // namespace
 
 std::vector<SkinVertex> BranchSkin::drawOrder() const {
@@ -575,6 +580,8 @@ BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance, float thinn
     BranchSkin skin =
         skeleton.joined ? JoinedSkin(skeleton, tolerance).make() : openTubes(skeleton, tolerance);
     addShootSkin(skeleton, tolerance, thinnestShoot, skin);
+    skin.vertices.shrink_to_fit();
+    skin.indices.shrink_to_fit();
     return skin;
 }
 

@@ -6,8 +6,12 @@
 namespace osgTreeWind {
 
 osg::ref_ptr<osg::Image> attachFrameImage(osg::Camera& camera, osg::GraphicsContext& context, int samples) {
-    const int width = context.getTraits()->width;
-    const int height = context.getTraits()->height;
+    const osg::GraphicsContext::Traits& traits = *context.getTraits();
+    return attachFrameImage(camera, context, traits.width, traits.height, samples);
+}
+
+osg::ref_ptr<osg::Image> attachFrameImage(osg::Camera& camera, osg::GraphicsContext& context, int width,
+                                          int height, int samples) {
     const unsigned int multisamples = samples > 1 ? samples : 0;
 
     osg::ref_ptr<osg::Image> image = new osg::Image;

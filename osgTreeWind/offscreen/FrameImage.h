@@ -16,5 +16,9 @@ namespace osgTreeWind {
 /// after frame() of a viewer with the threading model SingleThreaded, and copy it before the next frame.
 osg::ref_ptr<osg::Image> attachFrameImage(osg::Camera& camera, osg::GraphicsContext& context,
                                           int samples = 0);
+/// The same with a viewport and an image of the given size. It may differ from that of the context, whose own
+/// buffers stay unused.
+osg::ref_ptr<osg::Image> attachFrameImage(osg::Camera& camera, osg::GraphicsContext& context, int width,
+                                          int height, int samples);
 
 } // namespace osgTreeWind

@@ -126,3 +126,18 @@ TEST_F(FrameImageGlTest, EachFrameUpdatesTheImage) {
         EXPECT_EQ(pixel(0, 0), osg::Vec4ub(red, 0, 0, 255));
     }
 }
+
+TEST_F(FrameImageGlTest, MayBeLargerThanTheContext) {
+    open(1, 1);
+    const osg::ref_ptr<osg::Image> drawn =
+        osgTreeWind::attachFrameImage(*viewer().getCamera(), context(), 300, 20, 0);
+    viewer().getCamera()->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
+    viewer().getCamera()->setProjectionMatrixAsOrtho(0, 300, 0, 20, -1, 1);
+    viewer().setSceneData(redShape({{250, 5, 0}, {300, 5, 0}, {300, 20, 0}, {250, 20, 0}}));
+    frame(0);
+    ASSERT_EQ(drawn->s(), 300);
+    ASSERT_EQ(drawn->t(), 20);
+    for (unsigned y = 0; y < 20; ++y)
+        for (unsigned x = 0; x < 300; ++x)
+            ASSERT_EQ(drawn->data(x, y)[0], x >= 250 && y >= 5 ? 255 : 0) << x << ", " << y;
+}

@@ -45,12 +45,12 @@ OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross,
                                  osgTreeWind::ContextProfile profile)
     : _samplesAcross(samplesAcross), _image(new osg::Image) {
     _image->allocateImage(width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    const auto context = valueOrThrow(
-        osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross, profile), Failed);
+    const auto context = valueOrThrow(osgTreeWind::createOffscreenContext(1, 1, profile), Failed);
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setKeyEventSetsDone(0);
     _viewer.setLightingMode(osg::View::NO_LIGHT);
-    _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context);
+    _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context, width * samplesAcross,
+                                           height * samplesAcross, 0);
     _viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     _viewer.getCamera()->setNearFarRatio(1e-5); // near plane 6 cm away with the edge of the ground at 6 km
     // Levels of detail count picture pixels, not samples.

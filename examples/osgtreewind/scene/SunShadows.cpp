@@ -43,11 +43,14 @@ osg::BoundingSphered sphereOf(const osg::CullStack& view, double reach) {
 SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(casters), _toSun(toSun) {
     _toSun.normalize();
     constexpr double reaches[] = {120.0, 2500.0};
-    for (std::size_t i = 0; i < _maps.size(); ++i) {
+    _isSmall = casters->getBound().radius() < 0.5 * reaches[0]; // the least radius of sphereOf()
+    osg::ref_ptr<osg::Texture2D> texture;
+    for (std::size_t i = _maps.size(); i-- > 0;) {
         Map& map = _maps[i];
         map.reach = reaches[i];
         const int unit = firstUnit + static_cast<int>(i);
-        const osg::ref_ptr<osg::Texture2D> texture = depthTexture();
+        if (!texture || !_isSmall)
+            texture = depthTexture(); // 64 MB
         map.camera->setName("sun shadows");
         map.camera->setReferenceFrame(osg::Camera::ABSOLUTE_RF);
         map.camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
@@ -56,7 +59,7 @@ SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(ca
         map.camera->setViewport(0, 0, shadowTexels, shadowTexels);
         map.camera->setClearMask(GL_DEPTH_BUFFER_BIT);
         map.camera->attach(osg::Camera::DEPTH_BUFFER, texture);
-        map.camera->setImplicitBufferAttachmentMask(0, 0); // no colour buffer of 64 MB
+        map.camera->setImplicitBufferAttachmentMask(0, 0); // no colours, which take 64 MB
         map.camera->addChild(casters);
         osg::StateSet* state = map.camera->getOrCreateStateSet();
         constexpr auto overriding = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
@@ -102,7 +105,8 @@ void SunShadows::traverse(osg::NodeVisitor& visitor) {
     if (auto* cull = visitor.asCullVisitor(); cull && _casters->getBound().valid())
         for (std::size_t i = 0; i < _maps.size(); ++i) {
             const bool holdsAll = follow(_maps[i], *cull);
-            if (holdsAll && i + 1 < _maps.size()) // the next map is the same: everything is outside this one
+            // The next map is the same: everything is outside this one.
+            if ((holdsAll || _isSmall) && i + 1 < _maps.size())
                 _maps[i].planes->setPlanesFromMatrix(osg::Matrixd::scale(0.0, 0.0, 0.0) *
                                                      osg::Matrixd::translate(2.0, 2.0, 2.0));
             else

@@ -36,4 +36,6 @@ private:
     osg::ref_ptr<osg::Node> _casters;
     osg::Vec3d _toSun;
     std::array<Map, 2> _maps;
+    bool _isSmall =
+        false; ///< The casters fit into the nearest map in all views, so only the last one is drawn.
 };
