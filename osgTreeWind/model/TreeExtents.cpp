@@ -7,7 +7,9 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
 
 namespace osgTreeWind {
 namespace {
@@ -16,8 +18,33 @@ bool turnsRight(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x);
 }
 
+/// Removes most points that are not the highest so far in the order of outerHull(), so that few are sorted.
+void removeHidden(TreeExtents::Hull& points) {
+    constexpr int levels = 32;
+    float high = 0.0f;
+    for (const glm::vec2& point : points)
+        high = std::max(high, point.y);
+    const auto levelOf = [&](float y) { // of the last height that y reaches
+        return y > 0.0f && high > 0.0f ? std::min(static_cast<int>(y / high * levels), levels - 1) : 0;
+    };
+    std::array<float, levels + 1> farthest{}; // largest x of the points at or above the next level
+    farthest.fill(std::numeric_limits<float>::lowest());
+    for (const glm::vec2& point : points) {
+        float& x = farthest[static_cast<std::size_t>(levelOf(point.y))];
+        x = std::max(x, point.x);
+    }
+    for (std::size_t level = levels; level-- > 0;)
+        farthest[level] = std::max(farthest[level], farthest[level + 1]);
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [&](const glm::vec2& point) {
+                                    return point.x < farthest[static_cast<std::size_t>(levelOf(point.y)) + 1];
+                                }),
+                 points.end());
+}
+
 /// Corners of the convex hull on the side of positive x and y, from the largest `along` on.
 TreeExtents::Hull outerHull(TreeExtents::Hull points) {
+    removeHidden(points);
     std::sort(points.begin(), points.end(),
               [](const glm::vec2& a, const glm::vec2& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
     TreeExtents::Hull hull;

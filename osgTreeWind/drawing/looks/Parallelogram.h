@@ -12,13 +12,6 @@ namespace osgTreeWind {
 struct Ramp {
     float start, step;
 
-    /// Clips [first, last) to the pixels whose coordinate is in [0, cells).
-    void narrow(int cells, float& first, float& last) const {
-        const float perStep = 1.0f / step, zero = -start * perStep,
-                    end = zero + static_cast<float>(cells) * perStep;
-        first = std::max(first, std::min(zero, end));
-        last = std::min(last, std::max(zero, end));
-    }
     /// @param cells a power of two.
     int cell(float x, int cells) const { return static_cast<int>(start + step * x) & (cells - 1); }
 };
@@ -46,23 +39,32 @@ void visitParallelogram(const glm::vec2& corner, const glm::vec2& a, const glm::
     const float det = a.x * b.y - a.y * b.x;
     if (!(std::abs(det) > 1e-6f) || !std::isfinite(det + corner.x + corner.y))
         return;
+    const auto width = static_cast<float>(size);
+    const auto up = [](float place) { // std::ceil() of a number that is not negative, which calls no function
+        const int whole = static_cast<int>(place);
+        return static_cast<float>(whole) < place ? whole + 1 : whole;
+    };
+    const auto row = [&](float y) { return up(std::clamp(y - 0.5f, 0.0f, width)); };
+    const int low = row(corner.y + std::min(a.y, 0.0f) + std::min(b.y, 0.0f)),
+              top = row(corner.y + std::max(a.y, 0.0f) + std::max(b.y, 0.0f));
+    if (low >= top)
+        return;
     const auto sloped = [](float step) {
         return std::abs(step) < 1e-9f ? 1e-9f : step;
     }; // avoids division by 0
-    const auto all = static_cast<float>(cells), width = static_cast<float>(size);
+    const auto all = static_cast<float>(cells);
     const float ux = sloped(all * b.y / det), uy = -all * b.x / det;
     const float vx = sloped(-all * a.y / det), vy = all * a.x / det;
-    const auto row = [&](float y) { return static_cast<int>(std::clamp(std::ceil(y - 0.5f), 0.0f, width)); };
-    const int top = row(corner.y + std::max(a.y, 0.0f) + std::max(b.y, 0.0f));
-    for (int y = row(corner.y + std::min(a.y, 0.0f) + std::min(b.y, 0.0f)); y < top; ++y) {
+    const float perU = 1.0f / ux, perV = 1.0f / vx, widthOfU = all * perU, widthOfV = all * perV; // pixels
+    for (int y = low; y < top; ++y) {
         const float dx = 0.5f - corner.x, dy = static_cast<float>(y) + 0.5f - corner.y;
         const Ramp u{ux * dx + uy * dy, ux}, v{vx * dx + vy * dy, vx};
-        float first = 0.0f, end = width;
-        u.narrow(cells, first, end);
-        v.narrow(cells, first, end);
+        const float zeroOfU = -u.start * perU, endOfU = zeroOfU + widthOfU;
+        const float zeroOfV = -v.start * perV, endOfV = zeroOfV + widthOfV;
+        const float first = std::max(std::max(0.0f, std::min(zeroOfU, endOfU)), std::min(zeroOfV, endOfV));
+        const float end = std::min(std::min(width, std::max(zeroOfU, endOfU)), std::max(zeroOfV, endOfV));
         if (first < end)
-            visit(ParallelogramRow{y, static_cast<int>(std::ceil(first)), static_cast<int>(std::ceil(end)), u,
-                                   v, cells});
+            visit(ParallelogramRow{y, up(first), up(end), u, v, cells});
     }
 }
 
