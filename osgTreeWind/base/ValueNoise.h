@@ -18,6 +18,8 @@ inline float randomAt(std::uint32_t x, std::uint32_t y, std::uint32_t stream) {
 
 /// The coordinate in [0, period) of which `place` is a repetition.
 inline std::uint32_t wrapped(int place, int period) {
+    if ((period & (period - 1)) == 0) // a power of two
+        return static_cast<std::uint32_t>(place & (period - 1));
     const int rest = place % period;
     return static_cast<std::uint32_t>(rest < 0 ? rest + period : rest);
 }
@@ -27,11 +29,17 @@ inline float randomAt(const glm::ivec2& point, const glm::ivec2& period, std::ui
     return randomAt(wrapped(point.x, period.x), wrapped(point.y, period.y), stream);
 }
 
+/// The largest integer not above a number, without a call of std::floor().
+inline int wholeBelow(float place) {
+    const int whole = static_cast<int>(place);
+    return static_cast<float>(whole) > place ? whole - 1 : whole;
+}
+
 /// Value noise in [0, 1]: a smooth interpolation of randomAt() between grid points.
 inline float valueNoise(const glm::vec2& place, const glm::ivec2& period, std::uint32_t stream) {
-    const glm::vec2 cell = glm::floor(place), part = glm::smoothstep(0.0f, 1.0f, place - cell);
-    const std::uint32_t left = wrapped(static_cast<int>(cell.x), period.x),
-                        low = wrapped(static_cast<int>(cell.y), period.y);
+    const glm::ivec2 cell(wholeBelow(place.x), wholeBelow(place.y));
+    const glm::vec2 part = glm::smoothstep(0.0f, 1.0f, place - glm::vec2(cell));
+    const std::uint32_t left = wrapped(cell.x, period.x), low = wrapped(cell.y, period.y);
     const auto next = [](std::uint32_t place, int end) {
         return place + 1 < static_cast<std::uint32_t>(end) ? place + 1 : 0;
     };

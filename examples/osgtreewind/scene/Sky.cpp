@@ -15,6 +15,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace {
 
@@ -95,33 +96,59 @@ osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, fl
     return color;
 }
 
+/// What all texels of a row have in common.
+struct SkyRow {
+    float elevation;     ///< Degrees.
+    float level, height; ///< Cosine and sine of the elevation.
+    osg::Vec3 clear;     ///< Display colour away from the sun.
+    float hazy, cloudy;  ///< Weights of the haze, and of the clouds.
+
+    SkyRow(const Daylight& day, float part) {
+        const auto radians = osg::DegreesToRadians(elevationAt(part));
+        elevation = osg::RadiansToDegrees(radians);
+        level = std::cos(radians);
+        height = std::sin(radians);
+        const float up = std::clamp(height, 0.0f, 1.0f);
+        clear = mix(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
+        hazy = std::pow(1.0f - up, 12.0f);
+        cloudy = smoothstep(0.015f, 0.14f, height);
+    }
+};
+
 /// Display colour of the sky in a direction.
-osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& direction) {
-    const float up = std::clamp(direction.z(), 0.0f, 1.0f), toSun = std::max(direction * day.toSun, 0.0f);
-    osg::Vec3 color = mix(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
-    const osg::Vec3 light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
-    color += light;
+osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const SkyRow& row, const osg::Vec3& direction) {
+    const float toSun = std::max(direction * day.toSun, 0.0f);
+    osg::Vec3 color = row.clear, light;
+    if (toSun > 0.0f) {
+        light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
+        color += light;
+    }
     color = mix(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
     if (direction.z() > 0.0f) {
         const auto [hidden, lit] = clouds.toward(direction);
         const osg::Vec3 cloud = mix(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
-        color = mix(color, cloud, hidden * smoothstep(0.015f, 0.14f, direction.z()));
+        color = mix(color, cloud, hidden * row.cloudy);
     }
-    return mix(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
+    return mix(color, day.haze + light * 0.5f, row.hazy);
 }
 
 osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
     const Clouds clouds(day);
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(texelsAround, texelsUp, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    std::vector<osg::Vec3> columns; // azimuth, and its cosine and sine
+    for (int x = 0; x < texelsAround; ++x) {
+        const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
+        columns.emplace_back(azimuth, std::cos(azimuth), std::sin(azimuth));
+    }
     osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
-        const float part = (static_cast<float>(row) + 0.5f) / texelsUp;
-        const auto elevation = osg::DegreesToRadians(elevationAt(part));
+        const SkyRow common(day, (static_cast<float>(row) + 0.5f) / texelsUp);
         unsigned char* texel = image->data(0, static_cast<int>(row)); // osg::Image::data() is slow per texel
         for (int x = 0; x < texelsAround; ++x) {
-            const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
-            const osg::Vec3 color = withHills(skyColor(day, clouds, directionAt(azimuth, elevation)), day,
-                                              azimuth, static_cast<float>(osg::RadiansToDegrees(elevation)));
+            const osg::Vec3& column = columns[static_cast<std::size_t>(x)];
+            const osg::Vec3 direction(column.y() * common.level, column.z() * common.level, common.height);
+            const osg::Vec3 color =
+                withHills(skyColor(day, clouds, common, direction), day, column.x(), common.elevation);
             // Noise of one step avoids visible bands.
             const float rough = valueNoise(glm::vec2(x, row), everywhere, 3);
             for (int i = 0; i < 3; ++i)
