@@ -48,6 +48,13 @@ std::string fileContent(const std::string& key, const std::string& bytes) {
     return std::string(reinterpret_cast<const char*>(&head), sizeof head) + content;
 }
 
+/// Whether no program has written to a file for a while.
+bool isStale(const files::path& path) {
+    std::error_code problem;
+    const files::file_time_type written = files::last_write_time(path, problem);
+    return !problem && written < files::file_time_type::clock::now() - staleAge;
+}
+
 /// Content of a file; empty if it cannot be read or is larger than any entry.
 std::string readFile(const std::string& path) {
     std::error_code problem;
@@ -98,30 +105,29 @@ void DiskCache::store(const std::string& key, const std::string& bytes) const {
 
 void DiskCache::evictOldest() const {
     struct File {
-        files::file_time_type used;
-        std::uint64_t size;
         files::path path;
+        std::uint64_t size;
+        files::file_time_type used;
     };
     std::vector<File> all;
     std::uint64_t sum = 0;
-    std::error_code problem, ignored;
+    std::error_code problem, ignored; // another program may remove files meanwhile
     for (files::directory_iterator i(_path, problem), end; !problem && i != end; i.increment(problem)) {
-        File file{i->last_write_time(ignored), 0, i->path()};
-        if (ignored)
-            continue; // another program removed it
-        if (file.path.extension() == partExtension &&
-            file.used < files::file_time_type::clock::now() - staleAge)
-            files::remove(file.path, ignored);
-        if (file.path.extension() != extension)
+        const files::path& path = i->path();
+        if (path.extension() == partExtension && isStale(path))
+            files::remove(path, ignored);
+        if (path.extension() != extension)
             continue;
-        file.size = i->file_size(ignored);
+        const std::uint64_t size = files::file_size(path, ignored);
         if (ignored)
             continue;
-        sum += file.size;
-        all.push_back(std::move(file));
+        sum += size;
+        all.push_back({path, size, {}});
     }
     if (sum <= _maxBytes)
         return;
+    for (File& file : all)
+        file.used = files::last_write_time(file.path, ignored);
     std::sort(all.begin(), all.end(), [](const File& a, const File& b) { return a.used < b.used; });
     for (const File& file : all) {
         if (sum <= _maxBytes)

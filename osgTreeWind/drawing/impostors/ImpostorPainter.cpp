@@ -202,8 +202,12 @@ private:
     void resolve(int row, int column) {
         const int n = _settings.samples;
         const float weight = 1.0f / static_cast<float>(n * n);
-        for (int y = 0; y < _settings.pixels; ++y)
-            for (int x = 0; x < _settings.pixels; ++x) {
+        const auto left = static_cast<unsigned>(column * _settings.pixels);
+        for (int y = 0; y < _settings.pixels; ++y) {
+            const auto t = static_cast<unsigned>(row * _settings.pixels + y);
+            unsigned char* colors = _pictures.colors->data(left, t); // osg::Image::data() is slow per texel
+            unsigned char* normals = _pictures.normals->data(left, t);
+            for (int x = 0; x < _settings.pixels; ++x, colors += 4, normals += 4) {
                 Sum sum;
                 for (int i = 0; i < n * n; ++i)
                     add(_raster.sample(n * x + i % n, n * y + i / n), sum);
@@ -211,12 +215,12 @@ private:
                     continue;
                 const glm::vec4 color = weight * sum.color,
                                 normal = weight * sum.color.a / sum.strength * sum.light;
-                const int s = column * _settings.pixels + x, t = row * _settings.pixels + y;
                 for (int c = 0; c < 4; ++c) {
-                    _pictures.colors->data(s, t)[c] = byteOf(color[c]);
-                    _pictures.normals->data(s, t)[c] = byteOf(normal[c]);
+                    colors[c] = byteOf(color[c]);
+                    normals[c] = byteOf(normal[c]);
                 }
             }
+        }
     }
 
     struct Sum {

@@ -5,6 +5,7 @@
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/drawing/impostors/ImpostorCache.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/SpeciesKeys.h>
 
@@ -24,6 +25,21 @@ namespace files = std::filesystem;
 
 constexpr ImpostorSettings quick{4, 2, 32, 1, 1.0f};
 
+constexpr int otherForm = 3;
+
+/// The textures of the default appearance and of the other forms, so that the cache stores only impostors.
+struct HeldTextures {
+    HeldTextures() {
+        Appearance other;
+        other.leafForm = static_cast<LeafForm>(otherForm);
+        other.barkForm = static_cast<BarkForm>(otherForm);
+        for (const Appearance& appearance : {Appearance(), other})
+            for (const osg::ref_ptr<osg::Image>& image : {leafImage(appearance), barkImage(appearance)})
+                images.push_back(image);
+    }
+    std::vector<osg::ref_ptr<osg::Image>> images;
+};
+
 const TreeModel& shape() {
     static const TreeModel model = makeTreeModel({});
     return model;
@@ -39,7 +55,7 @@ bool isEqual(const ImpostorPictures& a, const ImpostorPictures& b) {
 
 TEST(ImpostorCache, ReadsWhatWasPainted) {
     const TemporaryFolder folder, aside;
-    cachedImpostor(shape(), {}, quick); // paints textures
+    const HeldTextures textures;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     const ImpostorPictures painted = paintImpostor(shape(), {}, quick);
     EXPECT_TRUE(isEqual(cachedImpostor(shape(), {}, quick), painted));
@@ -52,11 +68,10 @@ TEST(ImpostorCache, ReadsWhatWasPainted) {
 
 TEST(ImpostorCache, PaintsDamagedFilesAnew) {
     const TemporaryFolder folder;
+    const HeldTextures textures;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     TreeModel other = shape();
     other.leaves.resize(other.leaves.size() / 2);
-    cachedImpostor(other, {}, quick); // paints textures
-    files::remove_all(folder.path());
     const ImpostorPictures painted = cachedImpostor(other, {}, quick);
     const std::string file = files::directory_iterator(folder.path())->path().string(), whole = bytesOf(file);
     for (const double part : {0.0, 0.1, 0.5, 0.99}) {
@@ -74,7 +89,7 @@ TEST(ImpostorCache, PaintsDamagedFilesAnew) {
 
 TEST(ImpostorCache, KeyDependsOnAppearanceShapeAndSettings) {
     const TemporaryFolder folder, pictures;
-    cachedImpostor(shape(), {}, quick); // paints textures
+    const HeldTextures textures;
     const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", folder.path().c_str());
     std::size_t entries = 0;
     const auto addsEntry = [&](const TreeModel& model, const Appearance& appearance,
@@ -94,7 +109,7 @@ TEST(ImpostorCache, KeyDependsOnAppearanceShapeAndSettings) {
         else if (const auto* number = std::get_if<float*>(&member))
             **number += 0.125f;
         else if (const auto* form = std::get_if<EnumMember>(&member))
-            form->set(form->object, 3);
+            form->set(form->object, otherForm);
         else
             continue; // optional values, and files
         EXPECT_TRUE(addsEntry(shape(), changed, quick)) << key.name;
