@@ -8,7 +8,7 @@
 
 namespace osgTreeWind {
 
-/// A random number in [0, 1) for a point with coordinates from 0.
+/// A random number in [0, 1) for a point of a grid.
 inline float randomAt(std::uint32_t x, std::uint32_t y, std::uint32_t stream) {
     std::uint32_t n = x * 0x9e3779b9u ^ y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
     n = (n ^ (n >> 16)) * 0x7feb352du;
@@ -22,11 +22,6 @@ inline std::uint32_t wrapped(int place, int period) {
         return static_cast<std::uint32_t>(place & (period - 1));
     const int rest = place % period;
     return static_cast<std::uint32_t>(rest < 0 ? rest + period : rest);
-}
-
-/// A random number in [0, 1) for a point of a grid that repeats after `period` columns and rows.
-inline float randomAt(const glm::ivec2& point, const glm::ivec2& period, std::uint32_t stream) {
-    return randomAt(wrapped(point.x, period.x), wrapped(point.y, period.y), stream);
 }
 
 /// The largest integer not above a number, without a call of std::floor().

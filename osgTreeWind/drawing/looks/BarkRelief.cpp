@@ -13,6 +13,7 @@
 #include <glm/vec4.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {
@@ -36,18 +37,24 @@ struct Plate {
     float own;  ///< Random number of the plate, [0, 1).
 };
 Plate plateAt(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
-    const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);
+    const glm::vec2 place = at * glm::vec2(grid);
+    const glm::ivec2 cell(wholeBelow(place.x), wholeBelow(place.y));
+    std::uint32_t columns[3], rows[3]; // around the cell
+    for (int i = 0; i < 3; ++i) {
+        columns[i] = wrapped(cell.x + i - 1, grid.x);
+        rows[i] = wrapped(cell.y + i - 1, grid.y);
+    }
     float nearest = 9.0f, next = 9.0f, own = 0.0f;
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) {
-            const glm::ivec2 near = glm::ivec2(cell) + glm::ivec2(i, j);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
             const glm::vec2 point =
-                glm::vec2(near) + glm::vec2(randomAt(near, grid, stream), randomAt(near, grid, stream + 1));
+                glm::vec2(cell + glm::ivec2(i - 1, j - 1)) +
+                glm::vec2(randomAt(columns[i], rows[j], stream), randomAt(columns[i], rows[j], stream + 1));
             const float away = glm::distance(place, point);
             next = glm::min(next, glm::max(away, nearest));
             if (away < nearest) {
                 nearest = away;
-                own = randomAt(near, grid, stream + 2);
+                own = randomAt(columns[i], rows[j], stream + 2);
             }
         }
     return {next - nearest, own};
