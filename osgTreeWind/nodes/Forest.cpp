@@ -207,9 +207,9 @@ void Forest::replaceTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
 }
 
 void Forest::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
-    std::vector<osg::ref_ptr<osg::Image>> painted; // held until the technique has them
+    std::vector<osg::ref_ptr<osg::Texture2D>> textures; // held until the technique has them
     if (!movingForest(*simulation).models().empty())
-        painted = paintImages(simulation->description().species, simulation->executor());
+        textures = treeTextures(simulation->description().species, simulation->executor());
     osg::ref_ptr<ForestTechnique> technique = _technique;
     const bool isModal = simulation->description().law == MotionLaw::Modal;
     if (technique && (_isHostTechnique || isModal == (getInstanced() != nullptr)))

@@ -16,12 +16,13 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
 
-using SharedImages = SharedObjects<std::string, osg::Image>;       ///< By path, or name of the form.
-using SharedTextures = SharedObjects<std::string, osg::Texture2D>; ///< By Image::getName().
+using SharedImages = SharedObjects<std::string, osg::Image>; ///< By path, or name of the form.
+using SharedTextures = SharedObjects<std::pair<std::string, int>, osg::Texture2D>; ///< By path and form.
 
 /// A picture of the user's as a texture, from the cache while the file and its extension, which tells how to
 /// read it, are the same.
@@ -83,23 +84,12 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
     return images.get(name, [&] { return cachedImage(name, [&] { return paintBark(form); }); });
 }
 
-std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
-                                                  const Executor& executor) {
-    std::vector<osg::ref_ptr<osg::Image>> images(2 * species.size());
-    runJobs(executor, images.size(), [&](std::size_t i) { // leaves first, which take longer
-        const bool isLeaf = i < species.size();
-        const Appearance& appearance = species[i % species.size()].appearance;
-        images[i] = isLeaf ? leafImage(appearance) : barkImage(appearance);
-    });
-    return images;
-}
-
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
     static SharedTextures textures;
-    const osg::ref_ptr<osg::Image> image = leafImage(appearance);
-    return textures.get(image->getName(), [&] {
-        osg::ref_ptr<osg::Texture2D> texture = makePaintedTexture(
-            "leaves", image, again(leafImage, appearance, appearance.leafImage), osg::Texture::CLAMP_TO_EDGE);
+    return textures.get({appearance.leafImage, static_cast<int>(appearance.leafForm)}, [&] {
+        const osg::ref_ptr<osg::Texture2D> texture = makePaintedTexture(
+            "leaves", leafImage(appearance), again(leafImage, appearance, appearance.leafImage),
+            osg::Texture::CLAMP_TO_EDGE);
         texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // faster
         return texture;
     });
@@ -107,13 +97,22 @@ osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
 
 osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance) {
     static SharedTextures textures;
-    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
-    return textures.get(image->getName(), [&] {
-        const osg::Texture::WrapMode wrap =
-            appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR;
-        return makePaintedTexture("bark", image, again(barkImage, appearance, appearance.barkImage),
-                                  osg::Texture::REPEAT, wrap);
+    return textures.get({appearance.barkImage, static_cast<int>(appearance.barkForm)}, [&] {
+        return makePaintedTexture("bark", barkImage(appearance),
+                                  again(barkImage, appearance, appearance.barkImage), osg::Texture::REPEAT,
+                                  appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR);
     });
+}
+
+std::vector<osg::ref_ptr<osg::Texture2D>> treeTextures(const std::vector<Species>& species,
+                                                       const Executor& executor) {
+    std::vector<osg::ref_ptr<osg::Texture2D>> textures(2 * species.size());
+    runJobs(executor, textures.size(), [&](std::size_t i) { // leaves first, which take longer
+        const bool isLeaf = i < species.size();
+        const Appearance& appearance = species[i % species.size()].appearance;
+        textures[i] = isLeaf ? leafTexture(appearance) : barkTexture(appearance);
+    });
+    return textures;
 }
 
 void configureBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {

@@ -23,15 +23,13 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
 /// twice around it; images from files are mirrored.
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
 
-/// Paints the leaf and bark images of species, several at once. @return the images, which are shared while
-/// held.
-std::vector<osg::ref_ptr<osg::Image>> paintImages(const std::vector<Species>& species,
-                                                  const Executor& executor);
-
 /// A texture of leafImage(), shared while it is in use. Any thread.
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance);
 /// A texture of barkImage(), shared while it is in use. Any thread.
 osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance);
+/// The leaf and bark textures of species, several painted at once.
+std::vector<osg::ref_ptr<osg::Texture2D>> treeTextures(const std::vector<Species>& species,
+                                                       const Executor& executor);
 
 /// Sets program, texture and uniforms for drawing bark.
 void configureBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);

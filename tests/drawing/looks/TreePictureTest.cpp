@@ -66,6 +66,14 @@ TEST(TreePicture, IsReadOnceAndShared) {
     const osg::ref_ptr<osg::Texture2D> texture = leafTexture(appearance);
     EXPECT_EQ(texture, leafTexture(appearance));
     EXPECT_NE(texture, leafTexture({}));
+    std::vector<Species> species(2);
+    species[1].appearance = appearance;
+    const std::vector<osg::ref_ptr<osg::Texture2D>> all = treeTextures(species, runInTurn);
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_EQ(all[0], leafTexture({}));
+    EXPECT_EQ(all[1], texture);
+    EXPECT_EQ(all[2], barkTexture({}));
+    EXPECT_EQ(all[3], all[2]);
 }
 
 TEST(TreePicture, UnreadableFileIsReportedAndReplaced) {
