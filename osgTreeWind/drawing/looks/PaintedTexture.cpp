@@ -34,10 +34,8 @@ public:
                 image = _again();
             if (!image)
                 return;
-            const unsigned levels = image->getNumMipmapLevels();
-            texture.setNumMipmapLevels(levels);
             texture.applyTexImage2D_load(state, GL_TEXTURE_2D, image, image->s(), image->t(),
-                                         static_cast<GLsizei>(levels));
+                                         static_cast<GLsizei>(image->getNumMipmapLevels()));
         });
     }
     void subload(const osg::Texture2D&, osg::State&) const override {}
@@ -63,6 +61,7 @@ osg::ref_ptr<osg::Texture2D> makePaintedTexture(const char* name, osg::Image* im
     texture->setName(name);
     texture->setInternalFormat(GL_RGBA);
     texture->setTextureSize(image->s(), image->t());
+    texture->setNumMipmapLevels(image->getNumMipmapLevels());
     texture->setSubloadCallback(new ImageLoader(image, std::move(again)));
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
