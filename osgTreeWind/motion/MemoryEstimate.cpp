@@ -18,7 +18,8 @@ constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
 // Nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which the
 // graphics driver may hold a second time. Under `modal`, a tree in its cell and pose inputs for two frames.
 constexpr std::uint64_t instanceBytes = 1000, posesInTexture = 4096,
-                        unitPoseBytes = 2 * 4 * sizeof(glm::vec4), impostorBytes = 8000000;
+                        unitPoseBytes = 2 * 4 * sizeof(glm::vec4), impostorBytes = 2000000;
+constexpr std::uint64_t skinVertexBytes = 48, leafVertexBytes = 92, leafRecordBytes = 64;
 constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexelBytes = 2 * 16;
 
 std::uint64_t shapeBytes(const TreeCounts& counts) {
@@ -53,9 +54,9 @@ MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeF
             shapes * shapeBytes(counts) +
             trees[i] * (modal ? simulatedTreeBytes(ModalLevel::Near)
                               : sizeof(PlacedTree) + counts.units * unitBytes + leaves * leafBytes);
-        if (modal) // geometry counts twice: the coarser tiers add up to at most the finest one
+        if (modal)
             memory.nodes += trees[i] * instanceBytes +
-                            shapes * (2 * geometryBytes(counts) + impostorBytes +
+                            shapes * (2 * meshBytes(counts) + impostorBytes + // OpenGL has a copy
                                       std::min(trees[i], posesInTexture) * counts.units * unitPoseBytes);
         else
             memory.nodes +=
@@ -66,9 +67,18 @@ MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeF
 }
 
 std::uint64_t geometryBytes(const TreeCounts& counts) {
-    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
-    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
-           3 * index * counts.totalTriangles();
+    return counts.skinVertices * skinVertexBytes + counts.leafVertices * leafVertexBytes +
+           3 * sizeof(std::uint32_t) * counts.totalTriangles();
+}
+
+std::uint64_t meshBytes(const TreeCounts& counts) {
+    constexpr double barkTiers = 2.0; // the coarser ones add up to at most the finest
+    constexpr double leafTiers = 1.0 + 1.0 + 0.62 + 0.42 + 0.27; // shares of the clusters
+    const auto clusters = static_cast<double>(counts.leafVertices / verticesPerLeafCluster);
+    const auto bark = static_cast<double>(counts.skinVertices * skinVertexBytes +
+                                          3 * sizeof(std::uint32_t) * counts.skinTriangles);
+    return static_cast<std::uint64_t>(barkTiers * bark + leafTiers * clusters * leafRecordBytes) +
+           3 * sizeof(std::uint32_t) * counts.leafTriangles;
 }
 
 std::size_t simulatedTreeBytes(ModalLevel level) {

@@ -24,8 +24,10 @@ MemoryEstimate estimateMemory(const ForestDescription& description);
 MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeFamilies& families,
                               const std::vector<TreeCounts>& largest);
 
-/// Vertices and indices of a tree's bark and leaves at full detail.
+/// Vertices and indices of a tree's bark and leaves at full detail, under a branchwise law.
 std::uint64_t geometryBytes(const TreeCounts& counts);
+/// Vertices, indices and leaf records of a tree at all tiers under `modal`; at most, for bark and indices.
+std::uint64_t meshBytes(const TreeCounts& counts);
 
 /// Simulation memory per tree under `modal`: 262 bytes far, 421 near.
 std::size_t simulatedTreeBytes(ModalLevel level);

@@ -140,9 +140,9 @@ Json windOf(const ForestDescription& forest) {
 
 /// Bytes of vertex and index buffers (which grow with the shapes) and of state textures (which grow with the
 /// trees).
-Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
+Json memoryOf(MotionLaw law, const TreeCounts& shapes, const TreeCounts& all) {
     constexpr std::uint64_t unitTexels = 32, leafTexel = 16;
-    return {{"shapeBytes", geometryBytes(shapes)},
+    return {{"shapeBytes", law == MotionLaw::Modal ? meshBytes(shapes) : geometryBytes(shapes)},
             {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
 }
 
@@ -220,7 +220,7 @@ Json describe(const ForestFile& forest) {
         info["motion"]["noise"] = "1/f";
         info["motion"]["noiseExponent"] = *forest.noiseExponent;
     }
-    info["memory"] = memoryOf(shapes, all);
+    info["memory"] = memoryOf(forest.law, shapes, all);
     return info;
 }
 

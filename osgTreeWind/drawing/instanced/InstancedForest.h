@@ -36,7 +36,7 @@ public:
     bool setLeafState(std::size_t species, osg::StateSet* state);
     /// Replaces the geometry of a model (ForestSimulation::modelOf()) at every tier with branches; null draws
     /// nothing. Geometry has buffer objects and the arrays of shaders/instance_bark.vert and
-    /// instance_leaf.vert, which include the index of the unit that moves a vertex. Not during a traversal.
+    /// leaf_corner.glsl, which include the index of the unit that moves a vertex. Not during a traversal.
     /// @return false if there is no such model.
     bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
 
