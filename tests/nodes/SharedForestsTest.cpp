@@ -71,7 +71,7 @@ TEST(SharedForests, DoNotShareDifferentLooksOrMotion) {
     EXPECT_EQ(movingForest(one->getSimulation()).models(), movingForest(brown->getSimulation()).models());
     EXPECT_NE(resourcesOf(*one).models[0]->impostor(Tier::Impostor),
               resourcesOf(*brown).models[0]->impostor(Tier::Impostor));
-    EXPECT_EQ(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*brown).models[0]->bark(Tier::Full));
+    EXPECT_EQ(&resourcesOf(*one).models[0]->meshes(), &resourcesOf(*brown).models[0]->meshes());
     description.species[0].wood.density *= 2.0f;
     const osg::ref_ptr<Forest> heavy = new Forest(description);
     EXPECT_NE(&movingForest(one->getSimulation()).modal()->archetype(0),
@@ -88,8 +88,10 @@ TEST(SharedForests, ShareRegardlessOfTheSpeciesName) {
 TEST(SharedForests, DoNotShareTheHostsGeometry) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
     one->getInstanced()->setGeometry(0, new osg::Geometry, nullptr);
-    EXPECT_NE(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*other).models[0]->bark(Tier::Full));
-    EXPECT_NE(resourcesOf(*other).models[0]->leaves(Tier::Full, 0), nullptr);
+    EXPECT_TRUE(resourcesOf(*one).models[0]->usesHostGeometry());
+    EXPECT_NE(resourcesOf(*one).models[0]->hostBark(), nullptr);
+    EXPECT_FALSE(resourcesOf(*other).models[0]->usesHostGeometry());
+    EXPECT_EQ(resourcesOf(*other).models[0]->hostBark(), nullptr);
 }
 
 TEST(SharedForests, HaveTheirOwnSeasons) {
@@ -105,7 +107,7 @@ TEST(SharedForests, KeepNothingAfterTheLastForest) {
     {
         const osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
         model = movingForest(forest->getSimulation()).models()[0];
-        bark = resourcesOf(*forest).models[0]->bark(Tier::Full);
+        bark = resourcesOf(*forest).models[0]->meshes().bark.geometry;
     }
     EXPECT_TRUE(model.expired());
     EXPECT_FALSE(bark.valid());

@@ -106,3 +106,47 @@ TEST(OcclusionBufferTest, FindsTheMinimumInARectangle) {
     EXPECT_FLOAT_EQ(buffer.minTransmittance({0.1f, -9.0f}, {9.0f, 9.0f}), 1.0f);
     EXPECT_FLOAT_EQ(buffer.minTransmittance({-9.0f, 2.0f}, {9.0f, 3.0f}), 1.0f);
 }
+
+TEST(OcclusionBufferTest, PartsHideWhatIsBehindTheirCores) {
+    const OcclusionBuffer::Rectangle leaves{{-0.8f, -0.8f}, {0.8f, 0.8f}, {-0.5f, -0.5f}, {0.5f, 0.5f}, 0.9f},
+        behind{{-0.3f, -0.3f}, {0.3f, 0.3f}, {}, {}, 0.0f},
+        beside{{0.55f, -0.3f}, {0.75f, 0.3f}, {}, {}, 0.0f};
+    OcclusionBuffer buffer;
+    EXPECT_FALSE(buffer.isHidden(behind));
+    buffer.add(leaves);
+    EXPECT_NEAR(buffer.minTransmittance(behind.low, behind.high), 0.1f, 1e-6f);
+    EXPECT_FALSE(buffer.isHidden(behind)) << "a tenth of it shows";
+    buffer.add(leaves);
+    EXPECT_TRUE(buffer.isHidden(behind));
+    EXPECT_FALSE(buffer.isHidden(beside)) << "within the bounds of the leaves, but not behind their core";
+}
+
+TEST(OcclusionBufferTest, PartWithAGapInFrontOfItIsVisible) {
+    const auto rectangle = [](float left, float right, float coverage) {
+        const osg::Vec2 low(left, -1.0f), high(right, 1.0f);
+        return OcclusionBuffer::Rectangle{low, high, low, high, coverage};
+    };
+    const float cell = 2.0f / OcclusionBuffer::columns; // at 0, a cell begins
+    OcclusionBuffer buffer;
+    buffer.add(rectangle(-1.0f, 0.0f, 0.999f));
+    buffer.add(rectangle(cell, 1.0f, 0.999f));
+    const OcclusionBuffer::Rectangle wide = rectangle(-0.9f, 0.9f, 0.0f);
+    EXPECT_FALSE(buffer.isHidden(wide)) << "one of 173 columns is empty";
+    buffer.add(rectangle(0.0f, cell, 0.85f));
+    EXPECT_FALSE(buffer.isHidden(wide)) << "15 % of a column show";
+    buffer.add(rectangle(0.0f, cell, 0.5f));
+    EXPECT_TRUE(buffer.isHidden(wide));
+    EXPECT_FALSE(buffer.isHidden(rectangle(-cell, 2.0f * cell, 0.0f))) << "2.6 % of it show";
+}
+
+TEST(OcclusionBufferTest, PartsMayExtendBeyondTheScreen) {
+    const auto square = [](float x, float half) {
+        const osg::Vec2 low(x - half, -half), high(x + half, half);
+        return OcclusionBuffer::Rectangle{low, high, low, high, 0.99f};
+    };
+    OcclusionBuffer buffer;
+    EXPECT_FALSE(buffer.isHidden(square(1.5f, 1.0f)));
+    buffer.add(square(1.0e30f, 1.0e30f)); // the right half
+    EXPECT_TRUE(buffer.isHidden(square(1.5f, 1.0f)));
+    EXPECT_FALSE(buffer.isHidden(square(-1.5f, 1.0f)));
+}
