@@ -20,7 +20,7 @@ public:
                 const glm::vec2& lean, float height);
 
     /// Sets the scale of what the next parts bear around branches: of radii or of leaves.
-    void setReachScale(float scale) { _beyond = glm::max(scale - _leastScale, 0.0f); }
+    void setReachScale(float scale) { _beyond = glm::max(scale - _leastScale, _scale - scale); }
 
     /// Whether a swaying part may be in view; conservative.
     bool isInView(const MeshPart& part) const;
@@ -45,7 +45,7 @@ private:
     std::size_t _planeCount = 0;
     std::array<glm::vec3, 3> _extents; ///< Of the three axes of the unscaled tree in clip space: x, y, w.
     float _leastScale, _scale;         ///< Smallest and largest scale of the tree.
-    float _beyond = 0.0f; ///< How much farther than the tree's axes a part may reach, over its reach.
+    float _beyond = 0.0f; ///< How far parts may leave their scaled boxes, over their reach.
 };
 
 } // namespace osgTreeWind
