@@ -84,7 +84,7 @@ bool OcclusionBuffer::isHidden(const Rectangle& part) const {
         area += overlap;
         most = std::max(most, _transmittance[cell]);
     });
-    return isNegligible(shown, area, most);
+    return area > 0.0f && isNegligible(shown, area, most);
 }
 
 void OcclusionBuffer::add(const Rectangle& part) {

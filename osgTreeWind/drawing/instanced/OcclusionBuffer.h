@@ -44,7 +44,7 @@ public:
     /// Adds a tree in front of everything that is tested from now on.
     void add(const Billboard& billboard);
 
-    /// Likewise, but true off the screen.
+    /// Likewise. Off the screen, a part may sway into the view.
     bool isHidden(const Rectangle& part) const;
     /// Adds the core of a part in front of everything that is tested from now on.
     void add(const Rectangle& part);
