@@ -21,6 +21,14 @@ const char* inBuffer(GLsizeiptr offset) {
     return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
 }
 
+/// Whether there are indirect draws with base instances.
+bool hasIndirectDraws(const osg::State& state) {
+    const unsigned context = state.getContextID();
+    return state.get<osg::GLExtensions>()->glMultiDrawElementsIndirect &&
+           osg::isGLExtensionOrVersionSupported(context, "GL_ARB_multi_draw_indirect", 4.3f) &&
+           osg::isGLExtensionOrVersionSupported(context, "GL_ARB_base_instance", 4.2f);
+}
+
 constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float));
 
 } // namespace
@@ -154,8 +162,7 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
         osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
         const GLsizeiptr indices = bindIndices(elements);
         const auto* commands = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer());
-        if (indices == 0 &&
-            osg::isGLExtensionOrVersionSupported(state.getContextID(), "GL_ARB_multi_draw_indirect", 4.3f)) {
+        if (indices == 0 && hasIndirectDraws(state)) {
             setInstances(0);
             gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
             const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
