@@ -117,14 +117,15 @@ void InstancedCull::visitTree(const FrontToBackQueue::Tree& seen) {
 }
 
 bool InstancedCull::visitPart(const FrontToBackQueue::Part& seen) {
-    if (seen.isTestable && lists.frontToBack().occlusion().isHidden(seen.place))
+    const bool isHidden = seen.isTestable && lists.frontToBack().occlusion().isHidden(seen.place);
+    if (isHidden && !scene.drawsHiddenParts)
         return false;
     const CullLists::DrawnTree& tree = lists.drawnTrees()[seen.tree];
     const std::size_t list =
         lists.list({CullLists::bandOf(seen.distance), tree.model}, tree.poses.passes, tree.poses.page);
     lists[list].poses.flutter = tree.poses.flutter;
     lists[list].draw(*seen.mesh, seen.isLeaf, tree.instance);
-    return seen.isTestable;
+    return seen.isTestable && !isHidden;
 }
 
 /// Trees that are seen through gaps in other trees need less detail.

@@ -24,6 +24,7 @@ struct InstancedScene {
     mutable TreeCells cells{};                    // they cache their bounds
     NeighbourShade shade{};
     std::vector<osg::Vec3> flutter{}; ///< By species: current phases.
+    bool drawsHiddenParts = false;    ///< For comparison: draws parts that others hide.
 };
 
 /// Culls a forest for one camera: finds the visible trees, chooses their tiers and submits their draws.

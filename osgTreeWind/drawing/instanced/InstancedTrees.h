@@ -53,6 +53,9 @@ public:
     /// tiers counts in both.
     std::array<std::size_t, tierCount> treesByTier() const;
 
+    /// For comparison: whether to draw parts of trees that others hide.
+    void setDrawsHiddenParts(bool draws) { _scene.drawsHiddenParts = draws; }
+
     using osg::Drawable::accept;
     void accept(osg::NodeVisitor& visitor) override;
     /// Bounds of the trees at rest. They are tight for headings that are multiples of a right angle.
