@@ -78,7 +78,7 @@ void main() {
     leafLight = own * (leafLight + (glint - 1.0) * sunLight);
     sunLight *= glint * own;
     leafCoord = leaf.coord;
-    leafCard = gl_VertexID / 4;
+    leafCard = leaf.card;
     passTree();
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

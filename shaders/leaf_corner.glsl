@@ -13,6 +13,7 @@ struct LeafCorner {
     vec2 coord;       // in the leaf texture
     float unit;       // unit and reach (instance.glsl)
     float leaf;       // index of the cluster in the full tree
+    int card;         // number of the card in the full tree
     vec3 outward;     // in the crown
     vec2 shade;       // law/shade.glsl
 };
@@ -21,8 +22,8 @@ struct LeafCorner {
 
 LeafCorner leafCorner() {
     return LeafCorner(osg_Vertex.xyz, osg_Vertex.w, osg_MultiTexCoord1, osg_Normal, osg_MultiTexCoord2.xyz,
-                      osg_MultiTexCoord0.xy, osg_MultiTexCoord0.z, osg_MultiTexCoord0.w, osg_MultiTexCoord3.xyz,
-                      vec2(osg_MultiTexCoord2.w, osg_MultiTexCoord3.w));
+                      osg_MultiTexCoord0.xy, osg_MultiTexCoord0.z, osg_MultiTexCoord0.w, gl_VertexID >> 2,
+                      osg_MultiTexCoord3.xyz, vec2(osg_MultiTexCoord2.w, osg_MultiTexCoord3.w));
 }
 
 #else
@@ -53,7 +54,7 @@ LeafCorner leafCorner() {
     vec2 onCard = vec2(corner == 1 || corner == 2, corner >= 2);
     return LeafCorner(place.xyz, place.w, dataTexel(leafRecords, 4 * record + 1), leafCorners[4 * part + corner],
                       leafNormals[part], leafCoordinate(leaf, bough == 1 ? part : 0, bough, onCard), about.w, more.z,
-                      about.xyz, more.xy);
+                      3 * leaf + part, about.xyz, more.xy);
 }
 
 #endif

@@ -8,7 +8,7 @@
 #include "dither.glsl"
 #include "law/tint.glsl"
 
-flat in int leafCard; // index of the card in the draw
+flat in int leafCard; // number of the card in the tree
 in vec2 leafFacing;   // facing.glsl
 uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of leaves and twigs
 uniform vec3 leafColor;

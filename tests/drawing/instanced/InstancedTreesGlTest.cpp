@@ -261,12 +261,10 @@ TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
     const SharedModels& models = movingForest(forest->getSimulation()).models();
     for (std::size_t model = 0; model < models.size(); ++model) {
         const TreeModel& shape = *models[model];
-        const float coverage = leafCoverage(LeafForm::Blade);
-        const CrownShade crown(shape.leaves, shape.leafMesh, coverage);
-        ThinnedLeaves leaves = thinnedLeaves(shape.leaves, shape.leafMesh, TreeDetail::full());
-        sortIntoParts(leaves, shape.leafMesh, coverage, 1.0f); // the dither of a card depends on its number
-        forest->getInstanced()->setGeometry(model, makeSkinGeometry(shape.skin, shape.skeleton, crown),
-                                            makeLeafGeometry(leaves, shape.skeleton, shape.leafMesh, crown));
+        const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
+        forest->getInstanced()->setGeometry(
+            model, makeSkinGeometry(shape.skin, shape.skeleton, crown),
+            makeLeafGeometry(shape.leaves, shape.skeleton, shape.leafMesh, crown));
     }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);

@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
 #include <gtest/gtest.h>
+#include <osg/Texture2D>
 
 using namespace osgTreeWind;
 
@@ -22,7 +23,7 @@ std::uint64_t arrayBytes(const osg::Geometry& geometry) {
 } // namespace
 
 TEST(ModelMeshesTest, EstimateOfMemoryFollowsTheArrays) {
-    for (const char* name : {"oak", "Norway spruce", "thesis"}) {
+    for (const char* name : {"oak", "Norway spruce", "Scots pine"}) {
         const Species species = *findSpecies(name);
         const TreeModel model = makeTreeModel(species.tree);
         const ModelMeshes meshes(model, species.appearance);
