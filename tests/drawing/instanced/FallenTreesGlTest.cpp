@@ -25,11 +25,17 @@ ForestDescription doomed(float pixels) {
 
 class FallenTreesGlTest : public GlTest {
 protected:
-    osg::ref_ptr<osg::Image> picture(Forest* forest, double until) {
+    /// @param zoom 2: only the lower right quarter of the view.
+    osg::ref_ptr<osg::Image> picture(Forest* forest, double until, int zoom = 1) {
         open(160, 120);
         viewer().setSceneData(forest);
-        viewer().getCamera()->setProjectionMatrixAsPerspective(40, 4.0 / 3.0, 1, 100);
-        viewer().getCamera()->setViewMatrixAsLookAt({3, -24, 5}, {3, 0, 4}, osg::Z_AXIS);
+        osg::Camera& camera = *viewer().getCamera();
+        camera.setProjectionMatrix(osg::Matrix::perspective(40, 4.0 / 3.0, 1, 100) *
+                                   osg::Matrix::scale(zoom, zoom, 1) *
+                                   osg::Matrix::translate(1 - zoom, zoom - 1, 0));
+        camera.setViewport(160 - 160 / zoom, 0, 160 / zoom, 120 / zoom);
+        camera.setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+        camera.setViewMatrixAsLookAt({3, -24, 5}, {3, 0, 4}, osg::Z_AXIS);
         for (double time = 0.0; time < until; time += 0.2)
             frame(time);
         return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
@@ -92,4 +98,17 @@ TEST_F(FallenTreesGlTest, DamageCallbackMayRemoveFallenTrees) {
     const osg::ref_ptr<osg::Image> empty = picture(forest, 40.0);
     EXPECT_EQ(forest->getNumTrees(), 0u);
     EXPECT_EQ(covered(*empty), 0.0);
+}
+
+TEST_F(FallenTreesGlTest, PartsAreDrawnWhereTheyLie) { // not where they stood
+    for (const double until : {20.4, 40.0}) {          // in the fall; afterwards
+        const osg::ref_ptr<osg::Image> wide = picture(new Forest(doomed(1.0f)), until),
+                                       crown = picture(new Forest(doomed(1.0f)), until, 2);
+        EXPECT_GT(covered(*crown), 0.02);
+        int different = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 80; ++x)
+                different += std::abs(int(crown->data(x, y)[1]) - int(wide->data(80 + x, y)[1])) > 2;
+        EXPECT_LT(different, 10);
+    }
 }
