@@ -115,6 +115,16 @@ TEST_P(CoreProfileGlTest, SamplesAreCoveredAlike) {
     expectSamePicture([](Forest& forest) { return &forest; }, 4);
 }
 
+TEST_P(CoreProfileGlTest, AllTiersAreDrawnAlike) {
+    expectSamePicture([](Forest&) {
+        ForestDescription description = forestUnder(GetParam());
+        description.drawing.full = 70.0f;
+        description.drawing.reduced = 58.0f;
+        description.drawing.impostor = 48.0f;
+        return new Forest(description);
+    });
+}
+
 TEST_P(CoreProfileGlTest, LampsFogAndClipPlanesAreThoseOfTheScene) {
     expectSamePicture([](Forest& forest) {
         osg::ref_ptr<osg::Group> root = new osg::Group;
