@@ -176,6 +176,8 @@ TEST_F(OutOfMemoryTest, AFailedCullRestoresItsVisitor) {
         return failed;
     });
     EXPECT_GT(times, 5);
-    const std::string warnings = messages.take();
-    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
+    const std::string warnings = messages.take(); // OSG may add that a buffer lacks an array
+    const std::string ours = "osgTreeWind: out of memory; trees of the forest may be missing in pictures\n";
+    EXPECT_NE(warnings.find(ours), std::string::npos) << warnings;
+    EXPECT_EQ(warnings.find("osgTreeWind"), warnings.rfind("osgTreeWind")) << warnings;
 }

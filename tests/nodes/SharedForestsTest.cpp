@@ -55,7 +55,7 @@ Species plainSpecies(const std::string& name) {
 TEST(SharedForests, ShareAllParts) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(4));
     const std::set<const void*> parts = partsOf(*one);
-    EXPECT_GE(parts.size(), 40u);
+    EXPECT_GE(parts.size(), 20u);
     Forests held;
     for (int i = 0; i < 50; ++i) {
         held.push_back(new Forest(smallForest(4)));
