@@ -31,7 +31,7 @@ void PoseRows::addPage() {
             break;
         }
     if (!fresh)
-        fresh = new PosePage;
+        fresh = makePage();
     fresh->requests.clear();
     fresh->generation = ++_generation;
     _pages.push_back(fresh);

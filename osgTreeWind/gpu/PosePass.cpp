@@ -170,13 +170,40 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
     }
 }
 
-void PosePass::apply(osg::State& state, const PosePage& page) const {
-    std::optional<PassState> passes;
-    const Context& context = preparePage(state, page, passes);
-    passes.reset();
-    state.applyTextureAttribute(rotationsUnit, context.rotations);
-    state.applyTextureAttribute(translationsUnit, context.translations);
-    state.applyTextureAttribute(pullsUnit, context.pulls);
+/// One of the textures of a page's poses, which differ between contexts.
+class PosePass::PoseTexture : public osg::Texture2D {
+public:
+    PoseTexture(const PosePass* pass, const PosePage* page, osg::ref_ptr<osg::Texture2D> Context::*texture)
+        : _pass(pass), _page(page), _texture(texture) {}
+    void apply(osg::State& state) const override {
+        osg::ref_ptr<const PosePass> pass;
+        osg::ref_ptr<const PosePage> page;
+        if (!_pass.lock(pass) || !_page.lock(page))
+            return;
+        std::optional<PassState> passes;
+        pass->prepare(state, *page, passes); // another page of the frame may have overwritten its poses
+        passes.reset();
+        if (const osg::ref_ptr<osg::Texture2D>& texture = pass->findContext(state).*_texture)
+            texture->apply(state);
+    }
+
+private:
+    osg::observer_ptr<const PosePass> _pass;
+    osg::observer_ptr<const PosePage> _page;
+    osg::ref_ptr<osg::Texture2D> Context::*_texture;
+};
+
+osg::ref_ptr<PosePage> PosePass::makePage() const {
+    osg::ref_ptr<PosePage> page = new PosePage;
+    page->state = new osg::StateSet;
+    const auto bind = [&](unsigned unit, osg::ref_ptr<osg::Texture2D> Context::*texture) {
+        page->state->setTextureAttribute(unit, new PoseTexture(this, page, texture),
+                                         osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
+    };
+    bind(rotationsUnit, &Context::rotations);
+    bind(translationsUnit, &Context::translations);
+    bind(pullsUnit, &Context::pulls);
+    return page;
 }
 
 PosePass::Context& PosePass::findContext(osg::State& state) const {
@@ -194,8 +221,7 @@ PosePass::Context& PosePass::findContext(osg::State& state) const {
     return *_contexts.back();
 }
 
-PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page,
-                                         std::optional<PassState>& passes) const {
+void PosePass::prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const {
     Context& context = findContext(state);
     const std::lock_guard<std::mutex> pageLock(page.mutex());
     const auto trees = static_cast<int>(page.requests.size());
@@ -207,7 +233,7 @@ PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page
         context.allocateRows(_layout.width, capacityFor(trees) * _layout.rows);
     const int first = context.posedTrees;
     if (first == trees)
-        return context;
+        return;
 
     const PassState& pass = passes ? *passes : passes.emplace(state);
     upload(state, context, page);
@@ -226,7 +252,6 @@ PosePass::Context& PosePass::preparePage(osg::State& state, const PosePage& page
     pass.bind(3, "unitWinds", context.winds);
     pass.draw();
     context.posedTrees = trees;
-    return context;
 }
 
 /// Uploads the input of the passes that this context does not have yet.

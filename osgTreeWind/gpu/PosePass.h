@@ -43,15 +43,11 @@ public:
     void fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
                      const Reconfiguration& foliage, PoseRequest& request);
 
-    /// Texture units that apply() binds.
+    /// Texture units of the state of a page.
     static constexpr unsigned rotationsUnit = 12, translationsUnit = 13, pullsUnit = 14;
-    /// Computes the poses of a page that this context does not have yet. In a draw, with the context current.
-    /// @param passes set if there are any; may serve several pages.
-    void prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const {
-        preparePage(state, page, passes);
-    }
-    /// As prepare(), and binds the textures of the poses.
-    void apply(osg::State& state, const PosePage& page) const;
+    /// Computes the poses of a page that this context does not have yet. In a draw, with the context current,
+    /// before the state of the page is applied. @param passes set if there are any; may serve several pages.
+    void prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const;
 
     void releaseGLObjects(osg::State* state) const;
 
@@ -62,9 +58,11 @@ private:
     /// Writes the location and row length of an archetype's matrix [Phi R], which the first call adds.
     void findMatrix(const ModalModel& model, PoseRequest& request);
 
+    osg::ref_ptr<PosePage> makePage() const override;
+
     struct Context;
+    class PoseTexture;
     Context& findContext(osg::State& state) const;
-    Context& preparePage(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const;
     void upload(osg::State& state, Context& context, const PosePage& page) const;
 
     osg::ref_ptr<PosePrograms> _programs;

@@ -46,7 +46,10 @@ public:
             const PoseLayout layout(units);
             if (row.page != _read) { // a page at a time: the next one overwrites its poses
                 _read = row.page;
-                _passes[placed.model]->apply(state, *row.page);
+                for (const unsigned unit :
+                     {PosePass::rotationsUnit, PosePass::translationsUnit, PosePass::pullsUnit})
+                    state.applyTextureAttribute(
+                        unit, row.page->state->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
                 _rotations = texels(state, PosePass::rotationsUnit);
                 _translations = texels(state, PosePass::translationsUnit);
                 _pulls = texels(state, PosePass::pullsUnit);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/instanced/CullLists.h>
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
+#include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
 #include <osgTreeWind/gpu/OpenGLProfile.h>
 
@@ -82,6 +83,7 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] {
+        const DrawTimer time(renderInfo, "Forest pose");
         std::optional<PassState> passes;
         for (std::size_t i = 0; i < _used; ++i)
             if (const DrawnPoses& poses = _lists[i].poses; poses.page)

@@ -229,7 +229,7 @@ void InstancedCull::submitDraws() {
         drawn = true;
         vertexCount += vertices;
         const bool flush = vertexCount > verticesPerFlush;
-        part.set(geometry, &buffer, poses, flush);
+        part.set(geometry, &buffer, poses.flutter, flush);
         if (flush)
             vertexCount = 0;
         int pushed = 0;
@@ -279,10 +279,10 @@ void InstancedCull::submitDraws() {
                       {inBand, impostor.stateSet(), leaves});
             continue;
         }
-        osg::StateSet* const records =
-            model.usesHostGeometry() ? scene.resources.leafArrays.get() : model.meshes().leafState.get();
-        const auto leafStates = {inBand, looks.leaves.get(), model.state(), records, looks.hostLeaves.get()};
-        const auto barkStates = {inBand, looks.bark.get(), model.state(), looks.hostBark.get()};
+        osg::StateSet* const arrays = model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
+        osg::StateSet *const poses = list.poses.page->state, *const shape = model.state();
+        const auto leafStates = {inBand, poses, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
+        const auto barkStates = {inBand, poses, shape, looks.bark.get(), looks.hostBark.get()};
         drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
         drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
         drawParts(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, leafStates);

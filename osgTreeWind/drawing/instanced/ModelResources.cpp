@@ -77,12 +77,12 @@ void setLeafState(osg::StateSet& state, const TreeModel& model, const std::vecto
 
 } // namespace
 
-ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance)
-    : leafState(new osg::StateSet) {
+ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) : state(new osg::StateSet) {
     const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
     const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
     bark = makeBarkMeshes(model, crown);
+    state->addUniform(new osg::Uniform("unitRows", PoseLayout(model.skeleton.units.size()).rows));
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
     if (model.leaves.empty())
         return;
@@ -103,7 +103,7 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance)
             part.firstVertex = static_cast<int>(4 * records.size() / leafRecordTexels);
         addLeafRecords(thinned, model.skeleton, model.leafMesh, crown, records);
     }
-    setLeafState(*leafState, model, records);
+    setLeafState(*state, model, records);
     leaves.geometry = new SceneGeometry;
     leaves.geometry->setName("leaves");
     leaves.geometry->addPrimitiveSet(triangles(leafIndices(model.leaves.size()), // the most of all tiers
@@ -125,13 +125,11 @@ osg::ref_ptr<ModelMeshes> sharedMeshes(const TreeModel& model, const Appearance&
 } // namespace
 
 ModelResources::ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance)
-    : _species(species), _meshes(sharedMeshes(model, appearance)), _state(new osg::StateSet) {
-    _state->addUniform(new osg::Uniform("unitRows", PoseLayout(model.skeleton.units.size()).rows));
-}
+    : _species(species), _meshes(sharedMeshes(model, appearance)) {}
 
 ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species), _usesHostGeometry(true), _meshes(other._meshes), _state(other._state),
-      _hostBark(bark), _hostLeaves(leaves) {
+    : _species(other._species), _usesHostGeometry(true), _meshes(other._meshes), _hostBark(bark),
+      _hostLeaves(leaves) {
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
@@ -144,7 +142,7 @@ void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
          {_meshes->bark.geometry.get(), _meshes->leaves.geometry.get(), hostBark(), hostLeaves()})
         if (geometry)
             objects.push_back(geometry);
-    objects.push_back(_meshes->leafState);
+    objects.push_back(_meshes->state);
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
             objects.insert(objects.end(),

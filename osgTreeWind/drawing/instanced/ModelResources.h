@@ -28,9 +28,9 @@ struct ModelMeshes : osg::Referenced {
     ModelMeshes(const TreeModel& model, const Appearance& appearance);
 
     TierMeshes bark, leaves;
-    osg::ref_ptr<osg::StateSet> leafState; ///< shaders/leaf_corner.glsl
-    float leafBrightness[branchTiers];     ///< Factors that give each tier the brightness of the full one.
-    LeafStencils::Atlas stencils;          ///< Kept alive for further models and for impostors.
+    osg::ref_ptr<osg::StateSet> state; ///< Of all tiers (shaders/instance.glsl, leaf_corner.glsl).
+    float leafBrightness[branchTiers]; ///< Factors that give each tier the brightness of the full one.
+    LeafStencils::Atlas stencils;      ///< Kept alive for further models and for impostors.
 };
 
 /// Geometry and state of one model in a forest, at each tier. Forests share meshes and impostors.
@@ -55,7 +55,7 @@ public:
 
     std::size_t species() const { return _species; }
     /// State of all tiers with branches.
-    osg::StateSet* state() const { return _state.get(); }
+    osg::StateSet* state() const { return _meshes->state.get(); }
 
     /// Appends all geometries and state sets that have OpenGL objects.
     void addGLObjects(std::vector<osg::Object*>& objects) const;
@@ -64,7 +64,6 @@ private:
     std::size_t _species;
     bool _usesHostGeometry = false;
     osg::ref_ptr<ModelMeshes> _meshes;
-    osg::ref_ptr<osg::StateSet> _state;
     osg::ref_ptr<osg::Geometry> _hostBark, _hostLeaves;
     osg::ref_ptr<ImpostorStrip> _impostors[impostorTiers];
 };

@@ -52,12 +52,24 @@ private:
     ExceptionGuard _guard;
 };
 
+/// OSG sets all parameters of a texture with a callback again at each use.
+class LoadedTexture : public osg::Texture2D {
+public:
+    void apply(osg::State& state) const override {
+        const unsigned context = state.getContextID();
+        TextureObject* loaded = getTextureObject(context);
+        if (!loaded || getTextureParameterDirty(context))
+            return osg::Texture2D::apply(state);
+        loaded->bind();
+    }
+};
+
 } // namespace
 
 osg::ref_ptr<osg::Texture2D> makePaintedTexture(const char* name, osg::Image* image,
                                                 std::function<osg::ref_ptr<osg::Image>()> again,
                                                 osg::Texture::WrapMode along, osg::Texture::WrapMode around) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    osg::ref_ptr<osg::Texture2D> texture = new LoadedTexture;
     texture->setName(name);
     texture->setInternalFormat(GL_RGBA);
     texture->setTextureSize(image->s(), image->t());

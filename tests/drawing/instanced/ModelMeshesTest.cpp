@@ -28,7 +28,7 @@ TEST(ModelMeshesTest, EstimateOfMemoryFollowsTheArrays) {
         const TreeModel model = makeTreeModel(species.tree);
         const ModelMeshes meshes(model, species.appearance);
         const auto* records = dynamic_cast<const osg::Texture2D*>(
-            meshes.leafState->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
+            meshes.state->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
         ASSERT_NE(records, nullptr) << name;
         const std::uint64_t bytes = arrayBytes(*meshes.bark.geometry) + arrayBytes(*meshes.leaves.geometry) +
                                     records->getImage()->getTotalSizeInBytes();
@@ -44,7 +44,7 @@ TEST(ModelMeshesTest, LeavesOfTheFullTierTakeAFractionOfTheirCorners) {
     const TreeCounts counts = countTree(model);
     const ModelMeshes meshes(model, oak.appearance);
     const auto* records = dynamic_cast<const osg::Texture2D*>(
-        meshes.leafState->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
+        meshes.state->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
     EXPECT_LT(records->getImage()->getTotalSizeInBytes(), counts.leafVertices * 92 / 4);
     EXPECT_EQ(meshes.leaves.geometry->getVertexArray(), nullptr);
 }
