@@ -12,14 +12,12 @@ namespace osgTreeWind {
 
 PlacedParts::PlacedParts(const ViewFrustum& view, const ImpostorProjection& projection,
                          const PlacedTree& tree, const glm::vec2& lean, float height)
-    : _projection(projection), _foot(tree.position), _lean(lean, 0.0f) {
-    const glm::vec3 axes = tree.scale.axes;
+    : _projection(projection), _foot(tree.position), _lean(lean, 0.0f), _axes(tree.scale.axes) {
+    const glm::vec3& axes = _axes;
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     _toForest = glm::mat3(axes.x * glm::vec3(cosine, sine, 0.0f), axes.y * glm::vec3(-sine, cosine, 0.0f),
                           glm::vec3(0.0f, 0.0f, axes.z));
-    _leastScale = glm::min(glm::min(axes.x, axes.y), axes.z);
-    _scale = glm::max(glm::max(axes.x, axes.y), axes.z);
-    const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * height;
+    const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.02f * height;
     for (const osg::Vec4& plane : view) {
         const glm::vec3 normal(plane.x(), plane.y(), plane.z());
         _planes[_planeCount++] = {normal * _toForest, glm::dot(normal, _foot) + plane.w() + sway};
@@ -35,7 +33,7 @@ PlacedParts::PlacedParts(const ViewFrustum& view, const ImpostorProjection& proj
 }
 
 glm::vec3 PlacedParts::halfExtentOf(const MeshPart& part) const {
-    return part.halfExtent + _beyond * part.reach / _leastScale;
+    return part.halfExtent + part.reach * _beyond;
 }
 
 bool PlacedParts::isInView(const MeshPart& part) const {
@@ -52,12 +50,12 @@ glm::vec3 PlacedParts::centreOf(const MeshPart& part) const {
 }
 
 float PlacedParts::distance(const MeshPart& part) const {
-    return _projection.distance(toOsg(centreOf(part))) - _scale * glm::length(halfExtentOf(part));
+    return _projection.distance(toOsg(centreOf(part))) - glm::length(_axes * halfExtentOf(part));
 }
 
 bool PlacedParts::project(const MeshPart& part, float cover, OcclusionBuffer::Rectangle& place) const {
     const osg::Vec4 centre = osg::Vec4(toOsg(centreOf(part)), 1.0f) * _projection.toClip();
-    const glm::vec3 extent = halfExtentOf(part);
+    const glm::vec3 extent = halfExtentOf(part), &box = part.halfExtent;
     const glm::vec3 half = extent.x * _extents[0] + extent.y * _extents[1] + extent.z * _extents[2];
     if (!(half.z < 0.25f * centre.w()))
         return false;
@@ -69,9 +67,8 @@ bool PlacedParts::project(const MeshPart& part, float cover, OcclusionBuffer::Re
         place.high[axis] = high * (high > 0.0f ? nearest : farthest);
         // In each direction, 0.7 sqrt(3) standard deviations of points that are evenly distributed in the
         // box.
-        const float core =
-            0.7f * glm::length(glm::vec3(extent.x * _extents[0][axis], extent.y * _extents[1][axis],
-                                         extent.z * _extents[2][axis]));
+        const float core = 0.7f * glm::length(glm::vec3(box.x * _extents[0][axis], box.y * _extents[1][axis],
+                                                        box.z * _extents[2][axis]));
         place.coreLow[axis] = perW * (centre[axis] - core);
         place.coreHigh[axis] = perW * (centre[axis] + core);
     }

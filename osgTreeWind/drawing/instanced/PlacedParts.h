@@ -20,7 +20,7 @@ public:
                 const glm::vec2& lean, float height);
 
     /// Sets the scale of what the next parts bear around branches: of radii or of leaves.
-    void setReachScale(float scale) { _beyond = glm::max(scale - _leastScale, _scale - scale); }
+    void setReachScale(float scale) { _beyond = glm::abs(scale - _axes) / _axes; }
 
     /// Whether a swaying part may be in view; conservative.
     bool isInView(const MeshPart& part) const;
@@ -44,8 +44,8 @@ private:
     std::array<Plane, 32> _planes; ///< In the frame of the unscaled tree.
     std::size_t _planeCount = 0;
     std::array<glm::vec3, 3> _extents; ///< Of the three axes of the unscaled tree in clip space: x, y, w.
-    float _leastScale, _scale;         ///< Smallest and largest scale of the tree.
-    float _beyond = 0.0f;              ///< How far parts may leave their scaled boxes, over their reach.
+    glm::vec3 _axes;                   ///< Scale of the tree.
+    glm::vec3 _beyond{0.0f};           ///< How far parts may leave their boxes, over their reach.
 };
 
 } // namespace osgTreeWind

@@ -176,7 +176,7 @@ TEST_F(CulledPartsGlTest, AThicketLooksAsIfNothingWereHidden) {
         const osg::ref_ptr<osg::Image> fewer = picture(new Forest(description));
         EXPECT_GT(covered(*expected), 0.6);
         EXPECT_LT(difference(*fewer, *expected).mean, 0.3);
-        EXPECT_LT(difference(*fewer, *expected).outliers, 0.004);
+        EXPECT_LT(difference(*fewer, *expected).outliers, 0.006);
         EXPECT_LT(triangles, 0.95 * trianglesOfAll) << "the test hides nothing";
     }
 }
