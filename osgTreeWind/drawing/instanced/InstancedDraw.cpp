@@ -31,6 +31,15 @@ bool hasIndirectDraws(const osg::State& state) {
 
 constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float));
 
+/// Attributes with a value per instance; 0 in place of vertices, as some drivers draw nothing without it.
+std::vector<unsigned> instanceLocations(const osg::Geometry& geometry) {
+    std::vector<unsigned> locations{treePlaceLocation, treeSizeLocation, treeStateLocation,
+                                    treeLightLocation};
+    if (!geometry.getVertexArray())
+        locations.push_back(0);
+    return locations;
+}
+
 } // namespace
 
 DrawBuffer::DrawBuffer() {
@@ -84,13 +93,14 @@ void InstancedDraw::drawCommands(std::uint32_t first, std::uint32_t count) {
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
+    const bool usesObject = withVertexArrayObject(state);
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    if (!isBuiltIn())
-        for (unsigned i = 0; i < instanceAttributes; ++i) {
-            gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
-            gl.glDisableVertexAttribArray(treePlaceLocation + i);
+    if (!usesObject)
+        for (const unsigned location : instanceLocations(*_geometry)) {
+            gl.glVertexAttribDivisor(location, 0);
+            gl.glDisableVertexAttribArray(location);
         }
     SceneGeometry::unbindVertices(state);
     state.unbindElementBufferObject();
@@ -98,13 +108,19 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         glFlush();
 }
 
+/// Null for geometry of hosts, and where the geometry has no vertex array object.
+const SceneGeometry* InstancedDraw::withVertexArrayObject(const osg::State& state) const {
+    const auto* geometry = dynamic_cast<const SceneGeometry*>(_geometry.get());
+    return geometry && geometry->canBindVertices(state) ? geometry : nullptr;
+}
+
 /// Binds the vertices, and leaves the buffer of the instances bound. @return offset of the first instance.
 GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     bool isNew = true;
-    if (isBuiltIn()) {
-        isNew = static_cast<const SceneGeometry&>(*_geometry).bindVertices(renderInfo);
+    if (const SceneGeometry* geometry = withVertexArrayObject(state)) {
+        isNew = geometry->bindVertices(renderInfo);
     } else {
         state.setCurrentToGlobalVertexArrayState(); // that of the previous draw belongs to its geometry
         state.bindVertexArrayObject(state.getCurrentVertexArrayState());
@@ -115,13 +131,12 @@ GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
         buffer->compileBuffer();
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
     const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
-    const bool lacksVertices = !_geometry->getVertexArray(); // some drivers draw nothing without attribute 0
-    for (unsigned i = 0; isNew && i < instanceAttributes + lacksVertices; ++i) {
-        const unsigned location = i < instanceAttributes ? treePlaceLocation + i : 0;
-        gl.glEnableVertexAttribArray(location);
-        gl.glVertexAttribDivisor(location, 1);
-    }
-    if (lacksVertices)
+    if (isNew)
+        for (const unsigned location : instanceLocations(*_geometry)) {
+            gl.glEnableVertexAttribArray(location);
+            gl.glVertexAttribDivisor(location, 1);
+        }
+    if (!_geometry->getVertexArray())
         gl.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance), inBuffer(instances));
     return instances;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/PosePass.h>
 
 #include <osg/Geometry>
@@ -29,6 +28,8 @@ struct DrawCommand {
     std::int32_t firstVertex;
     std::uint32_t firstInstance;
 };
+
+class SceneGeometry;
 
 /// What one camera draws of a forest in a frame, in one buffer object: instances and commands. Filled during
 /// cull, then drawn, by one thread at a time.
@@ -76,7 +77,7 @@ protected:
 private:
     void drawTrees(osg::RenderInfo& renderInfo) const;
     GLsizeiptr bindArrays(osg::RenderInfo& renderInfo) const;
-    bool isBuiltIn() const { return dynamic_cast<const SceneGeometry*>(_geometry.get()); }
+    const SceneGeometry* withVertexArrayObject(const osg::State& state) const;
 
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<DrawBuffer> _buffer;

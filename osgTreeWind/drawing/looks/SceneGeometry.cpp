@@ -30,10 +30,15 @@ void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
     }
 }
 
+bool SceneGeometry::canBindVertices(const osg::State& state) const {
+    const osg::VertexArrayState* arrays = _vertices[state.getContextID()];
+    return !arrays || arrays->_state == &state || !arrays->_stateObserverSet->getObserverdObject();
+}
+
 bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     osg::ref_ptr<osg::VertexArrayState>& arrays = _vertices[state.getContextID()];
-    const bool isNew = !arrays;
+    const bool isNew = !arrays || !arrays->_stateObserverSet->getObserverdObject(); // its context is gone
     if (isNew) {
         arrays = createVertexArrayState(renderInfo);
         if (arrays->getVertexArrayObject() == 0)

@@ -17,6 +17,9 @@ public:
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
+    /// Whether bindVertices() works in a context: contexts do not share vertex array objects, but those that
+    /// share other objects have one number, so only the first of them has any.
+    bool canBindVertices(const osg::State& state) const;
     /// Binds a vertex array object with the vertices, for draws with further attributes. In a draw; end with
     /// unbindVertices().
     /// @return whether it is new, without the further attributes.
