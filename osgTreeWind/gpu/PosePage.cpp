@@ -31,7 +31,7 @@ void PoseRows::addPage() {
             break;
         }
     if (!fresh)
-        fresh = makePage();
+        fresh = new PosePage;
     fresh->requests.clear();
     fresh->generation = ++_generation;
     _pages.push_back(fresh);

@@ -5,7 +5,6 @@
 #include <osgTreeWind/motion/modal/TreeFall.h>
 
 #include <osg/Referenced>
-#include <osg/StateSet>
 #include <osg/ref_ptr>
 
 #include <algorithm>
@@ -56,7 +55,6 @@ public:
     std::mutex& mutex() const { return _mutex; }
     std::vector<PoseRequest> requests; ///< By row.
     std::uint64_t generation = 0;      ///< Differs each time the page is cleared for another frame.
-    osg::ref_ptr<osg::StateSet> state; ///< Binds the textures of its poses.
 
 private:
     mutable std::mutex _mutex;
@@ -86,10 +84,6 @@ public:
         }
         return row;
     }
-
-protected:
-    ~PoseRows() = default;
-    virtual osg::ref_ptr<PosePage> makePage() const { return new PosePage; }
 
 private:
     struct Entry {

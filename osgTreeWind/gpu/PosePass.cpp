@@ -102,6 +102,23 @@ struct PosePass::Context {
     }
 };
 
+/// One of the textures of poses, which differ between contexts.
+class PosePass::PoseTexture : public osg::Texture2D {
+public:
+    PoseTexture(const PosePass* pass, osg::ref_ptr<osg::Texture2D> Context::*texture)
+        : _pass(pass), _texture(texture) {}
+    void apply(osg::State& state) const override {
+        osg::ref_ptr<const PosePass> pass;
+        if (_pass.lock(pass))
+            if (const osg::ref_ptr<osg::Texture2D>& texture = pass->findContext(state).*_texture)
+                texture->apply(state);
+    }
+
+private:
+    osg::observer_ptr<const PosePass> _pass; // it owns the texture
+    osg::ref_ptr<osg::Texture2D> Context::*_texture;
+};
+
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
     : PoseRows(std::clamp<std::size_t>(
           static_cast<std::size_t>(DataTexture::maxRows / PoseLayout(skeleton.units.size()).rows), 1,
@@ -112,6 +129,13 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
         _unitTexels.emplace_back(unit.tip, 0.0f);
     }
+    const auto bind = [&](unsigned unit, osg::ref_ptr<osg::Texture2D> Context::*texture) {
+        _state->setTextureAttribute(unit, new PoseTexture(this, texture),
+                                    osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
+    };
+    bind(rotationsUnit, &Context::rotations);
+    bind(translationsUnit, &Context::translations);
+    bind(pullsUnit, &Context::pulls);
 }
 
 PosePass::~PosePass() = default;
@@ -170,40 +194,17 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
     }
 }
 
-/// One of the textures of a page's poses, which differ between contexts.
-class PosePass::PoseTexture : public osg::Texture2D {
-public:
-    PoseTexture(const PosePass* pass, const PosePage* page, osg::ref_ptr<osg::Texture2D> Context::*texture)
-        : _pass(pass), _page(page), _texture(texture) {}
-    void apply(osg::State& state) const override {
-        osg::ref_ptr<const PosePass> pass;
-        osg::ref_ptr<const PosePage> page;
-        if (!_pass.lock(pass) || !_page.lock(page))
-            return;
-        std::optional<PassState> passes;
-        pass->prepare(state, *page, passes); // another page of the frame may have overwritten its poses
-        passes.reset();
-        if (const osg::ref_ptr<osg::Texture2D>& texture = pass->findContext(state).*_texture)
-            texture->apply(state);
+void PosePass::prepareBound(osg::State& state, const PosePage& page) const {
+    std::optional<PassState> passes;
+    prepare(state, page, passes);
+    if (!passes)
+        return;
+    passes.reset();
+    for (const unsigned unit : {rotationsUnit, translationsUnit, pullsUnit}) {
+        state.setActiveTextureUnit(unit);
+        static_cast<const osg::Texture*>(_state->getTextureAttribute(unit, osg::StateAttribute::TEXTURE))
+            ->apply(state);
     }
-
-private:
-    osg::observer_ptr<const PosePass> _pass;
-    osg::observer_ptr<const PosePage> _page;
-    osg::ref_ptr<osg::Texture2D> Context::*_texture;
-};
-
-osg::ref_ptr<PosePage> PosePass::makePage() const {
-    osg::ref_ptr<PosePage> page = new PosePage;
-    page->state = new osg::StateSet;
-    const auto bind = [&](unsigned unit, osg::ref_ptr<osg::Texture2D> Context::*texture) {
-        page->state->setTextureAttribute(unit, new PoseTexture(this, page, texture),
-                                         osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
-    };
-    bind(rotationsUnit, &Context::rotations);
-    bind(translationsUnit, &Context::translations);
-    bind(pullsUnit, &Context::pulls);
-    return page;
 }
 
 PosePass::Context& PosePass::findContext(osg::State& state) const {

@@ -10,6 +10,7 @@
 
 #include <osg/Program>
 #include <osg/State>
+#include <osg/StateSet>
 #include <osg/Texture2D>
 
 #include <memory>
@@ -43,11 +44,15 @@ public:
     void fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
                      const Reconfiguration& foliage, PoseRequest& request);
 
-    /// Texture units of the state of a page.
+    /// Texture units of state().
     static constexpr unsigned rotationsUnit = 12, translationsUnit = 13, pullsUnit = 14;
-    /// Computes the poses of a page that this context does not have yet. In a draw, with the context current,
-    /// before the state of the page is applied. @param passes set if there are any; may serve several pages.
+    /// Binds the textures of the poses that a context computed last.
+    osg::StateSet* state() const { return _state.get(); }
+    /// Computes the poses of a page that this context does not have yet. In a draw, with the context current.
+    /// @param passes set if there are any; may serve several pages.
     void prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const;
+    /// Likewise, after the last poses were bound: binds those of this page if they differ.
+    void prepareBound(osg::State& state, const PosePage& page) const;
 
     void releaseGLObjects(osg::State* state) const;
 
@@ -58,14 +63,13 @@ private:
     /// Writes the location and row length of an archetype's matrix [Phi R], which the first call adds.
     void findMatrix(const ModalModel& model, PoseRequest& request);
 
-    osg::ref_ptr<PosePage> makePage() const override;
-
     struct Context;
     class PoseTexture;
     Context& findContext(osg::State& state) const;
     void upload(osg::State& state, Context& context, const PosePage& page) const;
 
     osg::ref_ptr<PosePrograms> _programs;
+    osg::ref_ptr<osg::StateSet> _state = new osg::StateSet;
     int _units;
     PoseLayout _layout;
     std::vector<glm::vec4> _unitTexels;

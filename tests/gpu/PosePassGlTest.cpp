@@ -46,10 +46,12 @@ public:
             const PoseLayout layout(units);
             if (row.page != _read) { // a page at a time: the next one overwrites its poses
                 _read = row.page;
+                const PosePass& pass = *_passes[placed.model];
                 for (const unsigned unit :
                      {PosePass::rotationsUnit, PosePass::translationsUnit, PosePass::pullsUnit})
                     state.applyTextureAttribute(
-                        unit, row.page->state->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
+                        unit, pass.state()->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
+                pass.prepareBound(state, *row.page);
                 _rotations = texels(state, PosePass::rotationsUnit);
                 _translations = texels(state, PosePass::translationsUnit);
                 _pulls = texels(state, PosePass::pullsUnit);

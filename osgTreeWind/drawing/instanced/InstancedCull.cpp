@@ -229,7 +229,7 @@ void InstancedCull::submitDraws() {
         drawn = true;
         vertexCount += vertices;
         const bool flush = vertexCount > verticesPerFlush;
-        part.set(geometry, &buffer, poses.flutter, flush);
+        part.set(geometry, &buffer, poses, flush);
         if (flush)
             vertexCount = 0;
         int pushed = 0;
@@ -280,7 +280,7 @@ void InstancedCull::submitDraws() {
             continue;
         }
         osg::StateSet* const arrays = model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
-        osg::StateSet *const poses = list.poses.page->state, *const shape = model.state();
+        osg::StateSet *const poses = list.poses.passes->state(), *const shape = model.state();
         const auto leafStates = {inBand, poses, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
         const auto barkStates = {inBand, poses, shape, looks.bark.get(), looks.hostBark.get()};
         drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);

@@ -72,10 +72,10 @@ InstancedDraw::InstancedDraw() {
     setCullingActive(false);
 }
 
-void InstancedDraw::set(osg::Geometry* geometry, DrawBuffer* buffer, const osg::Vec3& flutter, bool flush) {
+void InstancedDraw::set(osg::Geometry* geometry, DrawBuffer* buffer, const DrawnPoses& poses, bool flush) {
     _geometry = geometry;
     _buffer = buffer;
-    _flutter = flutter;
+    _poses = poses;
     _flush = flush;
 }
 
@@ -145,6 +145,10 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     const bool isCore = _buffer->isCore && prepareProfile(state);
+    if (_poses.page) {
+        const DrawTimer time(renderInfo, "Forest pose");
+        _poses.passes->prepareBound(state, *_poses.page);
+    }
     const DrawTimer time(renderInfo, "Forest draw");
     if (isCore)
         applySceneUniforms(renderInfo);
@@ -152,7 +156,7 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);
         if (location >= 0)
-            gl.glUniform3fv(location, 1, _flutter.ptr());
+            gl.glUniform3fv(location, 1, _poses.flutter.ptr());
     }
 
     const GLsizeiptr instances = bindArrays(renderInfo);

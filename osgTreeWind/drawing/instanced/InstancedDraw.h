@@ -60,10 +60,9 @@ public:
     InstancedDraw();
 
     /// @param geometry of one tree, with vertices in buffer objects.
-    /// @param flutter phases of the leaf flutter.
     /// @param flush whether to call glFlush() after the draw. A software driver would otherwise not start
     /// before the end of the frame.
-    void set(osg::Geometry* geometry, DrawBuffer* buffer, const osg::Vec3& flutter, bool flush);
+    void set(osg::Geometry* geometry, DrawBuffer* buffer, const DrawnPoses& poses, bool flush);
     /// Draws instances, each with all primitives of the geometry: DrawElements or DrawArrays.
     void drawInstances(std::uint32_t first, std::uint32_t count);
     /// Draws commands, whose indices are those of the geometry's first primitives, DrawElements.
@@ -81,7 +80,7 @@ private:
 
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<DrawBuffer> _buffer;
-    osg::Vec3 _flutter;
+    DrawnPoses _poses;
     bool _hasCommands = false, _flush = false;
     std::uint32_t _first = 0, _count = 0; ///< Instances or commands.
 };
