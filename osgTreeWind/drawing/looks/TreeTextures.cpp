@@ -21,7 +21,7 @@
 namespace osgTreeWind {
 namespace {
 
-using SharedImages = SharedObjects<std::string, osg::Image>; ///< By path, or name of the form.
+using SharedImages = SharedObjects<std::string, osg::Image>; ///< By kind and path, or by name.
 using SharedTextures = SharedObjects<std::pair<std::string, int>, osg::Texture2D>; ///< By path and form.
 
 /// A picture of the user's as a texture, from the cache while the file and its extension, which tells how to
@@ -37,6 +37,18 @@ osg::ref_ptr<osg::Image> cachedPicture(const std::string& kind, const std::strin
     }
     return cachedImage(kind + ' ' + osgDB::getLowerCaseFileExtension(path) + ' ' + content,
                        [&] { return read(path); });
+}
+
+/// The user's picture, else the painting. @param kind of pictures. @param name of the painting, in the cache.
+osg::ref_ptr<osg::Image> sharedImage(SharedImages& images, const std::string& kind, const std::string& path,
+                                     osg::ref_ptr<osg::Image> (*read)(const std::string&),
+                                     const std::string& name,
+                                     const std::function<osg::ref_ptr<osg::Image>()>& paint) {
+    if (!path.empty())
+        if (osg::ref_ptr<osg::Image> picture =
+                images.get(kind + ' ' + path, [&] { return cachedPicture(kind, path, read); }))
+            return picture;
+    return images.get(name, [&] { return cachedImage(name, paint); });
 }
 
 using ImageOf = osg::ref_ptr<osg::Image> (*)(const Appearance&);
@@ -63,25 +75,17 @@ osg::ref_ptr<osg::Image> paintLeaves(LeafForm form) {
 } // namespace
 
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
-    static SharedImages pictures, images;
-    if (const std::string& path = appearance.leafImage; !path.empty())
-        if (osg::ref_ptr<osg::Image> picture =
-                pictures.get(path, [&] { return cachedPicture("leaf picture", path, readLeafPicture); }))
-            return picture;
+    static SharedImages images;
     const LeafForm form = appearance.leafForm;
-    const std::string name = "leaves " + std::to_string(static_cast<int>(form));
-    return images.get(name, [&] { return cachedImage(name, [&] { return paintLeaves(form); }); });
+    return sharedImage(images, "leaf picture", appearance.leafImage, readLeafPicture,
+                       "leaves " + std::to_string(static_cast<int>(form)), [=] { return paintLeaves(form); });
 }
 
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
-    static SharedImages pictures, images;
-    if (const std::string& path = appearance.barkImage; !path.empty())
-        if (osg::ref_ptr<osg::Image> picture =
-                pictures.get(path, [&] { return cachedPicture("bark picture", path, readBarkPicture); }))
-            return picture;
+    static SharedImages images;
     const BarkForm form = appearance.barkForm;
-    const std::string name = "bark " + std::to_string(static_cast<int>(form));
-    return images.get(name, [&] { return cachedImage(name, [&] { return paintBark(form); }); });
+    return sharedImage(images, "bark picture", appearance.barkImage, readBarkPicture,
+                       "bark " + std::to_string(static_cast<int>(form)), [=] { return paintBark(form); });
 }
 
 osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
