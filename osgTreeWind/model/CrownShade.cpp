@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/CrownShade.h>
 
+#include <osgTreeWind/model/TreeDetail.h>
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -9,15 +11,6 @@
 
 namespace osgTreeWind {
 namespace {
-
-/// Area of the mesh, m^2.
-float areaOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
-    float area = 0.0f;
-    for (std::size_t i = 0; i < mesh.size(); i += 4)
-        area +=
-            glm::length(glm::cross(mesh[i + 1].corner - mesh[i].corner, mesh[i + 3].corner - mesh[i].corner));
-    return area;
-}
 
 /// A cell of a grid, and a position in it, [0, 1].
 struct GridPlace {
@@ -72,8 +65,8 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     _low = first;
     _cell = glm::max((last - first) / static_cast<float>(cells), glm::vec3(1e-3f));
 
-    std::vector<float> density(nodes * nodes * nodes, 0.0f); // m^2 per m^3
-    float size = 0.0f, area = coverage * areaOf(mesh);       // area of a cluster
+    std::vector<float> density(nodes * nodes * nodes, 0.0f);                   // m^2 per m^3
+    float size = 0.0f, area = coverage * areaOf(mesh, 0, quadsPerLeafCluster); // area of a cluster
     for (const LeafCluster& leaf : leaves)
         size += leaf.size * leaf.size;
     area = glm::min(area, maxLeafArea * glm::pi<float>() * _halfAxes.x * _halfAxes.y / size);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/model/TreeDetail.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <utility>
@@ -61,6 +62,21 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
         leaf.size *= growth;
     }
     return thinned;
+}
+
+glm::vec3 ThinnedLeaves::middle(std::size_t i,
+                                const std::array<LeafVertex, verticesPerLeafCluster>& mesh) const {
+    const LeafCluster& leaf = clusters[i];
+    return leaf.anchor + leaf.size * (leaf.orientation * middleOf(mesh, firstQuad(i), quads()));
+}
+
+float areaOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads) {
+    float area = 0.0f;
+    const auto end = static_cast<std::size_t>(4 * (firstQuad + quads));
+    for (auto i = static_cast<std::size_t>(4 * firstQuad); i < end; i += 4)
+        area +=
+            glm::length(glm::cross(mesh[i + 1].corner - mesh[i].corner, mesh[i + 3].corner - mesh[i].corner));
+    return area;
 }
 
 glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads) {

@@ -37,6 +37,8 @@ struct ThinnedLeaves {
     int firstQuad(std::size_t i) const {
         return bough > 1 ? static_cast<int>(indices[i] % quadsPerLeafCluster) : 0;
     }
+    /// Centre of the drawn quads of a cluster, metres, tree frame at rest.
+    glm::vec3 middle(std::size_t i, const std::array<LeafVertex, verticesPerLeafCluster>& mesh) const;
 };
 
 /// Selects clusters, evenly over the tree and over each unit; a larger share includes the clusters of a
@@ -48,6 +50,8 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
 
 /// Centre of some quads of a cluster.
 glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads);
+/// Their area, m².
+float areaOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads);
 
 /// The skin of a skeleton at a level of detail.
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail);

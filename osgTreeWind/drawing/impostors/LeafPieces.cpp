@@ -18,9 +18,8 @@ std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
         const std::size_t own = leaves.indices[i];
         const bool borne = isClusterBorne(own, share);
         const auto first = static_cast<std::size_t>(leaves.firstQuad(i));
-        const glm::vec3 outward = crown.outward(leaf.anchor),
-                        middle = middleOf(mesh, leaves.firstQuad(i), leaves.quads());
-        const CrownShade::Light light = crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle));
+        const glm::vec3 outward = crown.outward(leaf.anchor);
+        const CrownShade::Light light = crown.at(leaves.middle(i, mesh));
         const glm::vec3 color = borne ? Laws().clusterTint(0.0f, static_cast<float>(own)) * appearance.leaves
                                       : appearance.twigColor();
         for (std::size_t quad = first; quad < first + static_cast<std::size_t>(leaves.quads()); ++quad) {

@@ -70,11 +70,8 @@ std::vector<MeshPart> sortIntoParts(ThinnedLeaves& leaves,
                                     float coverage, float treeHeight) {
     const auto quads = static_cast<std::size_t>(leaves.quads());
     std::vector<glm::vec3> places;
-    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
-        const LeafCluster& leaf = leaves.clusters[i];
-        places.push_back(leaf.anchor + leaf.size * (leaf.orientation *
-                                                    middleOf(mesh, leaves.firstQuad(i), leaves.quads())));
-    }
+    for (std::size_t i = 0; i < leaves.clusters.size(); ++i)
+        places.push_back(leaves.middle(i, mesh));
     const NearGroups groups = groupNear(places, cardsPerPart / quads);
     const ThinnedLeaves before = leaves;
     std::vector<MeshPart> parts;
@@ -93,10 +90,8 @@ std::vector<MeshPart> sortIntoParts(ThinnedLeaves& leaves,
                 box.add(leaf.anchor + leaf.size * (leaf.orientation * mesh[corner].corner));
                 part.reach = glm::max(part.reach, leaf.size * glm::length(mesh[corner].corner));
             }
-            for (std::size_t quad = first; quad < first + 4 * quads; quad += 4)
-                part.area += 0.5f * coverage * leaf.size * leaf.size *
-                             glm::length(glm::cross(mesh[quad + 1].corner - mesh[quad].corner,
-                                                    mesh[quad + 3].corner - mesh[quad].corner));
+            part.area +=
+                0.5f * coverage * leaf.size * leaf.size * areaOf(mesh, leaves.firstQuad(i), leaves.quads());
         }
         setBounds(part, box, treeHeight);
         parts.push_back(part);

@@ -145,8 +145,7 @@ void addLeafRecords(const ThinnedLeaves& leaves, const Skeleton& skeleton,
     const ThinWood thinWood(skeleton);
     for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
         const LeafCluster& leaf = leaves.clusters[i];
-        const glm::vec3 middle = middleOf(mesh, leaves.firstQuad(i), leaves.quads());
-        const glm::vec2 shade = packed(crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle)));
+        const glm::vec2 shade = packed(crown.at(leaves.middle(i, mesh)));
         const glm::quat& turn = leaf.orientation;
         records.emplace_back(leaf.anchor, leaf.size);
         records.emplace_back(turn.x, turn.y, turn.z, turn.w);
@@ -169,8 +168,8 @@ int appendVertices(osg::Geometry& whole, const osg::Geometry& more) {
     return static_cast<int>(before);
 }
 
-std::vector<unsigned> leafIndices(std::size_t clusters, int quads) {
-    const std::size_t count = clusters * static_cast<std::size_t>(quads);
+std::vector<unsigned> leafIndices(std::size_t clusters) {
+    const std::size_t count = quadsPerLeafCluster * clusters;
     std::vector<unsigned> indices;
     indices.reserve(6 * count);
     for (unsigned quad = 0; quad < count; ++quad)

@@ -35,7 +35,7 @@ constexpr int leafRecordTexels = 4;
 /// Appends the vertices of a geometry with the same arrays. @return index of the first of them.
 int appendVertices(osg::Geometry& whole, const osg::Geometry& more);
 
-/// Triangle indices of `clusters` leaf clusters with `quads` quads each.
-std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);
+/// Triangle indices of `clusters` whole leaf clusters.
+std::vector<unsigned> leafIndices(std::size_t clusters);
 
 } // namespace osgTreeWind
