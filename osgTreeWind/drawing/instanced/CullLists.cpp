@@ -46,21 +46,20 @@ void CullLists::begin(unsigned frame, std::size_t models, osgUtil::RenderStage* 
     _currentLists.assign(bands * models * kinds, 0);
 }
 
-std::size_t CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
+CullLists::List& CullLists::list(const Kind& kind, const DrawnPoses& poses) {
     std::size_t& current = _currentLists[(kind.band * _models + kind.model) * kinds + kindIndex(kind)];
-    if (current != 0 && _lists[current - 1].poses.page == page)
-        return current - 1;
+    if (current != 0 && _lists[current - 1].poses.page == poses.page)
+        return _lists[current - 1];
     if (_used == _lists.size())
         _lists.emplace_back();
     List& list = _lists[_used++];
     current = _used;
     static_cast<Kind&>(list) = kind;
-    list.poses.passes = passes;
-    list.poses.page = page;
+    list.poses = poses;
     list.trees.clear();
     list.barkCommands.clear();
     list.leafCommands.clear();
-    return current - 1;
+    return list;
 }
 
 void CullLists::List::draw(const MeshPart& part, bool isLeaf, std::uint32_t instance) {
@@ -78,6 +77,7 @@ void CullLists::List::draw(const MeshPart& part, bool isLeaf, std::uint32_t inst
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
     _buffer->isCore = prepareProfile(*renderInfo.getState()); // before the textures of the trees are made
+    _buffer->isIndirect = hasIndirectDraws(*renderInfo.getState());
     osg::ref_ptr<osg::Camera> camera;
     setSceneDefines(*_shading, _stage->getStateSet(), _stateGraph,
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));

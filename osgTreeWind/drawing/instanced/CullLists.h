@@ -58,8 +58,8 @@ public:
     /// distance.
     static std::size_t bandOf(float distance);
 
-    /// Index of the list to add trees of this kind to. Trees with poses also share a pose page.
-    std::size_t list(const Kind& kind, const PosePass* passes = nullptr, PosePage* page = nullptr);
+    /// The list to add trees of this kind to, until the next call. Trees with poses also share a pose page.
+    List& list(const Kind& kind, const DrawnPoses& poses = {});
     /// Instances and commands of all lists.
     DrawBuffer& buffer() { return *_buffer; }
     /// Counts a tree that is drawn at a tier.

@@ -48,16 +48,16 @@ public:
     }
     /// Makes a tree that is being visited hide what follows, as a whole.
     void occludeBy(const OcclusionBuffer::Billboard& tree) { _current.trees.push_back(tree); }
-    /// @param distance of its nearest point from the eye, metres. What is nearer than the visited bins goes
-    /// to the next bin; parts may also go to the bin that is being visited.
+    /// What is nearer than the visited bins goes to the next bin. The visit of a tree may insert parts, also
+    /// into its own bin. @param distance of its nearest point from the eye, metres.
     void insert(const Tree& tree, float distance) {
         _bins[std::max(_nextBin, binOf(distance))].trees.push_back(tree);
     }
     void insert(const Part& part) { _bins[std::max(_nextBin, binOf(part.distance))].parts.push_back(part); }
 
     /// Calls visit(tree) and visit(part) once for each tree and part in the bins before `distance`, front to
-    /// back. During the call, occlusion() holds what is in front of it. A visit of a part returns whether the
-    /// part hides others.
+    /// back. During the call, occlusion() holds what is in front of it. visit(part) returns whether the part
+    /// hides others.
     template <typename Visit>
     void visitNearerThan(float distance, Visit visit) {
         visitBins(binOf(distance), visit);
@@ -86,8 +86,8 @@ private:
     void visitBins(std::size_t end, Visit visit) {
         for (; _nextBin < end; ++_nextBin) {
             Bin& bin = _bins[_nextBin];
-            for (std::size_t i = 0; i < bin.trees.size(); ++i)
-                visit(Tree(bin.trees[i]));
+            for (const Tree& tree : bin.trees)
+                visit(tree);
             for (const Part& part : bin.parts)
                 if (visit(part))
                     _current.parts.push_back(part.place);

@@ -39,11 +39,7 @@ void InstancedCull::run() {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
     });
-    struct Visit {
-        InstancedCull& cull;
-        void operator()(const FrontToBackQueue::Tree& tree) const { cull.visitTree(tree); }
-        bool operator()(const FrontToBackQueue::Part& part) const { return cull.visitPart(part); }
-    } const visit{*this};
+    const auto visit = [this](const auto& treeOrPart) { return this->visit(treeOrPart); };
     for (const CullLists::VisibleCell& each : seen) {
         lists.frontToBack().visitNearerThan(each.distance, visit);
         cullCell(each);
@@ -106,7 +102,7 @@ void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
     }
 }
 
-void InstancedCull::visitTree(const FrontToBackQueue::Tree& seen) {
+void InstancedCull::visit(const FrontToBackQueue::Tree& seen) {
     const OcclusionBuffer::Billboard billboard = projectImpostor(seen.slot);
     const OcclusionBuffer& occlusion = lists.frontToBack().occlusion();
     if (occlusion.isHidden(billboard))
@@ -116,15 +112,13 @@ void InstancedCull::visitTree(const FrontToBackQueue::Tree& seen) {
     addTree(seen, occlusion.visibleShare(billboard));
 }
 
-bool InstancedCull::visitPart(const FrontToBackQueue::Part& seen) {
+bool InstancedCull::visit(const FrontToBackQueue::Part& seen) {
     const bool isHidden = seen.isTestable && lists.frontToBack().occlusion().isHidden(seen.place);
     if (isHidden && !scene.drawsHiddenParts)
         return false;
     const CullLists::DrawnTree& tree = lists.drawnTrees()[seen.tree];
-    const std::size_t list =
-        lists.list({CullLists::bandOf(seen.distance), tree.model}, tree.poses.passes, tree.poses.page);
-    lists[list].poses.flutter = tree.poses.flutter;
-    lists[list].draw(*seen.mesh, seen.isLeaf, tree.instance);
+    lists.list({CullLists::bandOf(seen.distance), tree.model}, tree.poses)
+        .draw(*seen.mesh, seen.isLeaf, tree.instance);
     return seen.isTestable && !isHidden;
 }
 
@@ -163,13 +157,11 @@ void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, f
         {static_cast<float>(row.row), fade, treeRandom(tree.seed), tree.leaves},
         {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f),
          static_cast<float>(tier) + 0.125f * brightness}};
+    const DrawnPoses poses{&pass, row.page, scene.flutter[tree.species]};
     if (model.usesHostGeometry()) {
-        CullLists::List& list = lists[lists.list({seen.band, tree.model}, &pass, row.page)];
-        list.poses.flutter = scene.flutter[tree.species];
-        list.trees.push_back(instance);
+        lists.list({seen.band, tree.model}, poses).trees.push_back(instance);
     } else {
-        lists.drawnTrees().push_back(
-            {tree.model, lists.buffer().add(instance), {&pass, row.page, scene.flutter[tree.species]}});
+        lists.drawnTrees().push_back({tree.model, lists.buffer().add(instance), poses});
         queueParts(seen, tier, fade);
     }
 }
@@ -183,11 +175,11 @@ void InstancedCull::addImpostor(const FrontToBackQueue::Tree& seen, float fade) 
              : glm::vec3(0.0f);
     const NeighbourShade::Light light = scene.shade.light(seen.slot);
     const bool small = seen.pixels < ImpostorStrip::bendingPixels;
-    lists[lists.list({seen.band, tree.model, impostorTier(tree.leaves), small})].trees.push_back(
-        {{tree.position.x, tree.position.y, tree.position.z, tree.heading},
-         {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
-         {lean.x, lean.y, fade, treeRandom(tree.seed)},
-         {light.atFoot, light.atTop, 0.0f, 0.0f}});
+    lists.list({seen.band, tree.model, impostorTier(tree.leaves), small})
+        .trees.push_back({{tree.position.x, tree.position.y, tree.position.z, tree.heading},
+                          {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
+                          {lean.x, lean.y, fade, treeRandom(tree.seed)},
+                          {light.atFoot, light.atTop, 0.0f, 0.0f}});
 }
 
 /// Queues the parts that may be in view. Parts of fallen and breaking trees are anywhere: they are all drawn.

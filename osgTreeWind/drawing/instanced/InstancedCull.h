@@ -45,8 +45,8 @@ private:
     bool isTreeDown(std::uint32_t slot) const;
     OcclusionBuffer::Billboard projectImpostor(std::uint32_t slot) const;
     void cullCell(const CullLists::VisibleCell& seen);
-    void visitTree(const FrontToBackQueue::Tree& seen);
-    bool visitPart(const FrontToBackQueue::Part& seen);
+    void visit(const FrontToBackQueue::Tree& seen);
+    bool visit(const FrontToBackQueue::Part& seen);
     void addTree(const FrontToBackQueue::Tree& seen, float visibleShare);
     void addInstance(const FrontToBackQueue::Tree& seen, Tier tier, float fade);
     void addImpostor(const FrontToBackQueue::Tree& seen, float fade);

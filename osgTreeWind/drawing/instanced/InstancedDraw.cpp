@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 
+#include <osgTreeWind/base/Span.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
@@ -21,26 +22,31 @@ const char* inBuffer(GLsizeiptr offset) {
     return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
 }
 
-/// Whether there are indirect draws with base instances.
+constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float));
+
+/// Attributes with a value per instance; also 0 in place of vertices, as some drivers draw nothing without
+/// it.
+Span<unsigned> instanceLocations(const osg::Geometry& geometry) {
+    static constexpr unsigned locations[] = {treePlaceLocation, treeSizeLocation, treeStateLocation,
+                                             treeLightLocation, 0};
+    return {locations, instanceAttributes + !geometry.getVertexArray()};
+}
+
+/// Binds the indices of a geometry. @return offset of the first one.
+GLsizeiptr bindIndices(osg::State& state, osg::DrawElements& elements) {
+    osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
+    state.bindElementBufferObject(indices);
+    return indices->getOffset(elements.getBufferIndex());
+}
+
+} // namespace
+
 bool hasIndirectDraws(const osg::State& state) {
     const unsigned context = state.getContextID();
     return state.get<osg::GLExtensions>()->glMultiDrawElementsIndirect &&
            osg::isGLExtensionOrVersionSupported(context, "GL_ARB_multi_draw_indirect", 4.3f) &&
            osg::isGLExtensionOrVersionSupported(context, "GL_ARB_base_instance", 4.2f);
 }
-
-constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float));
-
-/// Attributes with a value per instance; 0 in place of vertices, as some drivers draw nothing without it.
-std::vector<unsigned> instanceLocations(const osg::Geometry& geometry) {
-    std::vector<unsigned> locations{treePlaceLocation, treeSizeLocation, treeStateLocation,
-                                    treeLightLocation};
-    if (!geometry.getVertexArray())
-        locations.push_back(0);
-    return locations;
-}
-
-} // namespace
 
 DrawBuffer::DrawBuffer() {
     osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
@@ -93,11 +99,13 @@ void InstancedDraw::drawCommands(std::uint32_t first, std::uint32_t count) {
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
-    const bool usesObject = withVertexArrayObject(state);
+    const auto* withObject = dynamic_cast<const SceneGeometry*>(_geometry.get()); // null for that of hosts
+    if (withObject && !withObject->canBindVertices(state))
+        withObject = nullptr;
     static const ExceptionGuard guard;
-    guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
+    guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo, withObject); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    if (!usesObject)
+    if (!withObject)
         for (const unsigned location : instanceLocations(*_geometry)) {
             gl.glVertexAttribDivisor(location, 0);
             gl.glDisableVertexAttribArray(location);
@@ -108,42 +116,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         glFlush();
 }
 
-/// Null for geometry of hosts, and where the geometry has no vertex array object.
-const SceneGeometry* InstancedDraw::withVertexArrayObject(const osg::State& state) const {
-    const auto* geometry = dynamic_cast<const SceneGeometry*>(_geometry.get());
-    return geometry && geometry->canBindVertices(state) ? geometry : nullptr;
-}
-
-/// Binds the vertices, and leaves the buffer of the instances bound. @return offset of the first instance.
-GLsizeiptr InstancedDraw::bindArrays(osg::RenderInfo& renderInfo) const {
+void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const {
     osg::State& state = *renderInfo.getState();
-    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    bool isNew = true;
-    if (const SceneGeometry* geometry = withVertexArrayObject(state)) {
-        isNew = geometry->bindVertices(renderInfo);
-    } else {
-        state.setCurrentToGlobalVertexArrayState(); // that of the previous draw belongs to its geometry
-        state.bindVertexArrayObject(state.getCurrentVertexArrayState());
-        _geometry->drawVertexArraysImplementation(renderInfo);
-    }
-    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
-    if (buffer->isDirty())
-        buffer->compileBuffer();
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
-    const GLsizeiptr instances = buffer->getOffset(_buffer->instances->getBufferIndex());
-    if (isNew)
-        for (const unsigned location : instanceLocations(*_geometry)) {
-            gl.glEnableVertexAttribArray(location);
-            gl.glVertexAttribDivisor(location, 1);
-        }
-    if (!_geometry->getVertexArray())
-        gl.glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance), inBuffer(instances));
-    return instances;
-}
-
-void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
-    osg::State& state = *renderInfo.getState();
-    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     const bool isCore = _buffer->isCore && prepareProfile(state);
     if (_poses.page) {
         const DrawTimer time(renderInfo, "Forest pose");
@@ -156,55 +130,86 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);
         if (location >= 0)
-            gl.glUniform3fv(location, 1, _poses.flutter.ptr());
+            state.get<osg::GLExtensions>()->glUniform3fv(location, 1, _poses.flutter.ptr());
     }
+    bindArrays(renderInfo, withObject);
+    if (_hasCommands)
+        drawParts(state);
+    else
+        drawWhole(state);
+}
 
-    const GLsizeiptr instances = bindArrays(renderInfo);
-    osg::GLBufferObject* buffer = _buffer->instances->getGLBufferObject(state.getContextID());
-    const auto setInstances = [&](std::uint32_t first) {
-        for (unsigned i = 0; i < instanceAttributes; ++i)
-            gl.glVertexAttribPointer(
-                treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
-                inBuffer(instances + first * sizeof(TreeInstance) + i * 4 * sizeof(float)));
-    };
-    const auto bindIndices = [&](osg::DrawElements& elements) {
-        osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
-        state.bindElementBufferObject(indices);
-        return static_cast<GLsizeiptr>(indices->getOffset(elements.getBufferIndex()));
-    };
+/// Binds the vertices, and leaves the buffer of the instances bound.
+void InstancedDraw::bindArrays(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const {
+    osg::State& state = *renderInfo.getState();
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    bool isNew = true;
+    if (withObject) {
+        isNew = withObject->bindVertices(renderInfo);
+    } else {
+        state.setCurrentToGlobalVertexArrayState(); // that of the previous draw belongs to its geometry
+        state.bindVertexArrayObject(state.getCurrentVertexArrayState());
+        _geometry->drawVertexArraysImplementation(renderInfo);
+    }
+    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
+    if (buffer->isDirty())
+        buffer->compileBuffer();
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
+    if (isNew)
+        for (const unsigned location : instanceLocations(*_geometry)) {
+            gl.glEnableVertexAttribArray(location);
+            gl.glVertexAttribDivisor(location, 1);
+        }
+}
 
-    if (_hasCommands) {
-        osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
-        const GLsizeiptr indices = bindIndices(elements);
-        const auto* commands = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer());
-        if (indices == 0 && hasIndirectDraws(state)) {
-            setInstances(0);
-            gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
-            const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
-            gl.glMultiDrawElementsIndirect(elements.getMode(), elements.getDataType(),
-                                           inBuffer(offset + _first * sizeof(DrawCommand)),
-                                           static_cast<GLsizei>(_count), 0);
-            gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-            return;
-        }
-        const GLsizeiptr indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
-        for (const DrawCommand* each = commands + _first; each != commands + _first + _count; ++each) {
-            if (each == commands + _first || each[-1].firstInstance != each->firstInstance)
-                setInstances(each->firstInstance);
-            gl.glDrawElementsInstancedBaseVertex(elements.getMode(), static_cast<GLsizei>(each->indices),
-                                                 elements.getDataType(),
-                                                 inBuffer(indices + each->firstIndex * indexSize),
-                                                 static_cast<GLsizei>(each->instances), each->firstVertex);
-        }
+/// Sets the first instance of the next draw.
+void InstancedDraw::setInstances(const osg::State& state, std::uint32_t first) const {
+    const osg::GLBufferObject* buffer = _buffer->instances->getGLBufferObject(state.getContextID());
+    const GLsizeiptr offset =
+        buffer->getOffset(_buffer->instances->getBufferIndex()) + first * sizeof(TreeInstance);
+    GLsizeiptr attribute = 0; // the one in place of vertices may have any value
+    for (const unsigned location : instanceLocations(*_geometry))
+        state.get<osg::GLExtensions>()->glVertexAttribPointer(
+            location, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+            inBuffer(offset + attribute++ % instanceAttributes * 4 * sizeof(float)));
+}
+
+void InstancedDraw::drawParts(osg::State& state) const {
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
+    const GLsizeiptr indices = bindIndices(state, elements);
+    if (indices == 0 && _buffer->isIndirect) {
+        setInstances(state, 0);
+        const osg::GLBufferObject* buffer = _buffer->commands->getGLBufferObject(state.getContextID());
+        gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
+        const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
+        gl.glMultiDrawElementsIndirect(elements.getMode(), elements.getDataType(),
+                                       inBuffer(offset + _first * sizeof(DrawCommand)),
+                                       static_cast<GLsizei>(_count), 0);
+        gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
         return;
     }
-    setInstances(_first);
+    const GLsizeiptr indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
+    const auto* first = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer()) + _first;
+    for (const DrawCommand* each = first; each != first + _count; ++each) {
+        if (each == first || each[-1].firstInstance != each->firstInstance)
+            setInstances(state, each->firstInstance);
+        gl.glDrawElementsInstancedBaseVertex(elements.getMode(), static_cast<GLsizei>(each->indices),
+                                             elements.getDataType(),
+                                             inBuffer(indices + each->firstIndex * indexSize),
+                                             static_cast<GLsizei>(each->instances), each->firstVertex);
+    }
+}
+
+void InstancedDraw::drawWhole(osg::State& state) const {
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    setInstances(state, _first);
     const auto count = static_cast<GLsizei>(_count);
     for (const osg::ref_ptr<osg::PrimitiveSet>& set : _geometry->getPrimitiveSetList()) {
         if (osg::DrawElements* elements = set->getDrawElements()) {
             const void* indices = elements->getDataPointer();
             if (elements->getOrCreateGLBufferObject(state.getContextID()))
-                indices = inBuffer(bindIndices(*elements));
+                indices = inBuffer(bindIndices(state, *elements));
             gl.glDrawElementsInstanced(elements->getMode(), static_cast<GLsizei>(elements->getNumIndices()),
                                        elements->getDataType(), indices, count);
         } else if (const auto* array = dynamic_cast<const osg::DrawArrays*>(set.get())) {

@@ -43,8 +43,13 @@ struct DrawBuffer : osg::Referenced {
 
     osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
     osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
-    bool isCore = false; ///< isCoreProfile(), set before the draws.
+    // Of the context, set before the draws.
+    bool isCore = false;     ///< isCoreProfile()
+    bool isIndirect = false; ///< hasIndirectDraws()
 };
+
+/// Whether a context has indirect draws with base instances.
+bool hasIndirectDraws(const osg::State& state);
 
 /// The poses that trees of a draw share.
 struct DrawnPoses {
@@ -74,9 +79,11 @@ protected:
     ~InstancedDraw() override = default;
 
 private:
-    void drawTrees(osg::RenderInfo& renderInfo) const;
-    GLsizeiptr bindArrays(osg::RenderInfo& renderInfo) const;
-    const SceneGeometry* withVertexArrayObject(const osg::State& state) const;
+    void drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const;
+    void bindArrays(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const;
+    void setInstances(const osg::State& state, std::uint32_t first) const;
+    void drawParts(osg::State& state) const;
+    void drawWhole(osg::State& state) const;
 
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<DrawBuffer> _buffer;

@@ -122,14 +122,8 @@ bool OcclusionBuffer::isHidden(const Billboard& billboard) const {
 }
 
 float OcclusionBuffer::minTransmittance(const osg::Vec2& low, const osg::Vec2& high) const {
-    const int left = clampToScreen(std::floor(columnAt(low.x())), columns),
-              right = clampToScreen(std::ceil(columnAt(high.x())), columns),
-              bottom = clampToScreen(std::floor(rowAt(low.y())), rows),
-              top = clampToScreen(std::ceil(rowAt(high.y())), rows);
     float least = 1.0f;
-    for (int row = bottom; row < top; ++row)
-        for (int column = left; column < right; ++column)
-            least = std::min(least, _transmittance[static_cast<std::size_t>(row * columns + column)]);
+    forEachCell(low, high, [&](std::size_t cell, float) { least = std::min(least, _transmittance[cell]); });
     return least;
 }
 

@@ -23,13 +23,12 @@ PlacedParts::PlacedParts(const ViewFrustum& view, const ImpostorProjection& proj
         _planes[_planeCount++] = {normal * _toForest, glm::dot(normal, _foot) + plane.w() + sway};
     }
     const osg::Matrixf& clip = projection.toClip();
-    for (int axis = 0; axis < 3; ++axis) {
-        const glm::vec3& way = _toForest[axis];
-        const auto along = [&](int column) {
-            return std::abs(way.x * clip(0, column) + way.y * clip(1, column) + way.z * clip(2, column));
-        };
-        _extents[static_cast<std::size_t>(axis)] = {along(0), along(1), along(3)};
+    constexpr int columns[] = {0, 1, 3};
+    for (std::size_t i = 0; i < _extents.size(); ++i) {
+        const int column = columns[i];
+        _extents[i] = glm::abs(glm::vec3(clip(0, column), clip(1, column), clip(2, column)) * _toForest);
     }
+    _squareMetre = std::sqrt(glm::dot(_extents[0], _extents[0]) * glm::dot(_extents[1], _extents[1]));
 }
 
 glm::vec3 PlacedParts::halfExtentOf(const MeshPart& part) const {
@@ -55,32 +54,27 @@ float PlacedParts::distance(const MeshPart& part) const {
 
 bool PlacedParts::project(const MeshPart& part, float cover, OcclusionBuffer::Rectangle& place) const {
     const osg::Vec4 centre = osg::Vec4(toOsg(centreOf(part)), 1.0f) * _projection.toClip();
-    const glm::vec3 extent = halfExtentOf(part), &box = part.halfExtent;
-    const glm::vec3 half = extent.x * _extents[0] + extent.y * _extents[1] + extent.z * _extents[2];
-    if (!(half.z < 0.25f * centre.w()))
+    const glm::vec3 extent = halfExtentOf(part);
+    const float depth = glm::dot(_extents[2], extent);
+    if (!(depth < 0.25f * centre.w()))
         return false;
-    const float nearest = 1.0f / (centre.w() - half.z), farthest = 1.0f / (centre.w() + half.z),
+    const float nearest = 1.0f / (centre.w() - depth), farthest = 1.0f / (centre.w() + depth),
                 perW = 1.0f / centre.w();
     for (int axis = 0; axis < 2; ++axis) {
-        const float low = centre[axis] - half[axis], high = centre[axis] + half[axis];
+        const glm::vec3& along = _extents[static_cast<std::size_t>(axis)];
+        const float half = glm::dot(along, extent), low = centre[axis] - half, high = centre[axis] + half;
         place.low[axis] = low * (low > 0.0f ? farthest : nearest);
         place.high[axis] = high * (high > 0.0f ? nearest : farthest);
         // In each direction, 0.7 sqrt(3) standard deviations of points that are evenly distributed in the
         // box.
-        const float core = 0.7f * glm::length(glm::vec3(box.x * _extents[0][axis], box.y * _extents[1][axis],
-                                                        box.z * _extents[2][axis]));
+        const float core = 0.7f * glm::length(along * part.halfExtent);
         place.coreLow[axis] = perW * (centre[axis] - core);
         place.coreHigh[axis] = perW * (centre[axis] + core);
     }
-    // 1 m² at this distance, in clip space; the axes across and upward may be scaled differently.
-    const float perArea =
-        std::sqrt(
-            (_extents[0].x * _extents[0].x + _extents[1].x * _extents[1].x + _extents[2].x * _extents[2].x) *
-            (_extents[0].y * _extents[0].y + _extents[1].y * _extents[1].y + _extents[2].y * _extents[2].y)) *
-        perW * perW;
     const osg::Vec2 core = place.coreHigh - place.coreLow;
     const float area = core.x() * core.y();
-    place.coverage = area > 0.0f ? 1.0f - std::exp(-cover * part.area * perArea / area) : 0.0f;
+    place.coverage =
+        area > 0.0f ? 1.0f - std::exp(-cover * part.area * _squareMetre * perW * perW / area) : 0.0f;
     return true;
 }
 

@@ -43,7 +43,8 @@ private:
     };
     std::array<Plane, 32> _planes; ///< In the frame of the unscaled tree.
     std::size_t _planeCount = 0;
-    std::array<glm::vec3, 3> _extents; ///< Of the three axes of the unscaled tree in clip space: x, y, w.
+    std::array<glm::vec3, 3> _extents; ///< In clip space along x, y and w: of each axis of the unscaled tree.
+    float _squareMetre;                ///< Area of 1 m² in clip space; a mean if the axes differ in scale.
     glm::vec3 _axes;                   ///< Scale of the tree.
     glm::vec3 _beyond{0.0f};           ///< How far parts may leave their boxes, over their reach.
 };
