@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Place, size and unit poses (unit_poses.frag) of a tree in an instanced draw.
 
+#include "data.glsl"
 #include "law/rotation.glsl"
 
 in vec4 treePlace; // foot; tangent of half the heading
 in vec4 treeSize;  // scales of lengths across and upward, of radii, of leaf clusters
-in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), number of the tree, share of leaves
+in vec4 treeState; // first block of its poses (PosePage), fade (dither.glsl, isLeftOut()), number of the tree, share of leaves
 in vec4 treeLight; // share of light that neighbours leave at the foot and at the top; inverse height; tier + brightness / 8
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; wind speed at the unit, m/s
 uniform sampler2D posePulls;        // foliagePull() on the unit's leaves, in its rest axes
-uniform int unitRows;               // rows per tree, with up to 2048 units each
 
 flat out float treeFade;
 #ifdef TIERS_COLORED
@@ -55,12 +55,12 @@ struct UnitPose {
 /// Distance of a vertex from thick wood along thin wood at rest, metres: the fraction of the unit's number.
 float reachOf(float unit) { return 4.0 * fract(unit) * treeSize.x; }
 
-ivec2 poseTexel(int unit) { return ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11)); }
+int poseTexel(int unit) { return (int(treeState.x) << 6) + unit; }
 
 UnitPose unitPose(int unit) {
-    ivec2 texel = poseTexel(unit);
-    vec4 moved = texelFetch(poseTranslations, texel, 0);
-    return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
+    int texel = poseTexel(unit);
+    vec4 moved = dataTexel(poseTranslations, texel);
+    return UnitPose(dataTexel(poseRotations, texel), moved.xyz, moved.w);
 }
 
 /// Cosine and sine of the heading.

@@ -44,7 +44,7 @@ void main() {
     vec3 rest = treeSize.xxy * leaf.anchor;
     rest += limberness * shootSway(rest, reachOf(leaf.unit), pose.wind, flutterPhases, treeState.z);
     leafBorne = fract(0.618034 * leaf.leaf) < treeState.w ? 1.0 : 0.0;
-    vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), texelFetch(posePulls, poseTexel(unit), 0), leafBorne);
+    vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), dataTexel(posePulls, poseTexel(unit)), leafBorne);
     float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, leaf.leaf);
     vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, leaf.leaf, flutterLimits);
     vec4 turn = turnAfter(leaf.orientation, leafRotation(flutter.x, flutter.y, flutter.z));

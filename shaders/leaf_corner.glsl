@@ -28,8 +28,6 @@ LeafCorner leafCorner() {
 
 #else
 
-#include "data.glsl"
-
 uniform sampler2D leafRecords; // addLeafRecords() in osgTreeWind/drawing/instanced/TreeGeometry.h
 uniform vec3 leafCorners[12];  // of the three cards of a cluster
 uniform vec3 leafNormals[3];

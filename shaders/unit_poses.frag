@@ -20,21 +20,24 @@ layout(location = 2) out vec4 posePull;
 
 void main() {
     ivec2 at = treeAndUnit();
-    if (at.y >= unitCount)
+    ivec2 units = unitsOf(at.x);
+    if (at.y >= units.y)
         discard;
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    int first = (texel.y << 11) + texel.x - at.y; // of the tree in unitTurns
     vec3 axes = axesOf(at.x);
     vec4 rotation = vec4(0.0, 0.0, 0.0, 1.0);
     vec3 translation = vec3(0.0);
     for (int unit = at.y; unit >= 0;) {
-        vec4 turn = texelFetch(unitTurns, texelOfUnit(at.x, unit), 0);
-        vec4 rest = dataTexel(treeUnits, 2 * unit);
+        vec4 turn = dataTexel(unitTurns, first + unit);
+        vec4 rest = dataTexel(treeUnits, 2 * (units.x + unit));
         vec3 base = axes * rest.xyz;
         rotation = turnAfter(turn, rotation);
         translation = turnVector(turn, translation - base) + base;
         unit = int(rest.w);
     }
     poseRotation = rotation;
-    vec3 wind = texelFetch(unitWinds, texelOfUnit(at.x, at.y), 0).xyz;
+    vec3 wind = texelFetch(unitWinds, texel, 0).xyz;
     poseTranslation = vec4(translation, length(wind));
     vec4 foliage = foliageOf(at.x);
     vec4 pull = foliagePull(wind, foliage.x, foliage.y, foliage.z, foliage.w);

@@ -14,7 +14,8 @@ layout(location = 1) out vec4 unitWind;
 
 void main() {
     ivec2 at = treeAndUnit();
-    if (at.y >= unitCount)
+    ivec2 units = unitsOf(at.x);
+    if (at.y >= units.y)
         discard;
     vec3 matrix = matrixOf(at.x);
     int length = int(matrix.y);
@@ -25,7 +26,8 @@ void main() {
         angles += vec2(dot(dataTexel(modalMatrices, texel + i), part),
                        dot(dataTexel(modalMatrices, texel + length + i), part));
     }
-    vec3 span = axesOf(at.x) * (dataTexel(treeUnits, 2 * at.y + 1).xyz - dataTexel(treeUnits, 2 * at.y).xyz);
+    int unit = 2 * (units.x + at.y);
+    vec3 span = axesOf(at.x) * (dataTexel(treeUnits, unit + 1).xyz - dataTexel(treeUnits, unit).xyz);
     vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
     unitTurn = swungRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
     for (int i = 0; i < mostFallen; ++i) {

@@ -23,12 +23,12 @@ public:
     /// Directs draw() to `height` rows of the target from `firstRow` on, with this program.
     void begin(osg::Program& program, osg::FrameBufferObject& target, int firstRow, int width,
                int height) const;
-    void bind(unsigned unit, const char* sampler, osg::Texture2D* texture) const; ///< @param unit below 4.
+    void bind(unsigned unit, const char* sampler, osg::Texture2D* texture) const; ///< @param unit below 5.
     void set(const char* uniform, int value) const;
     void draw() const;
 
 private:
-    static constexpr unsigned units = 4, targets = 3; ///< Those that the passes use.
+    static constexpr unsigned units = 5, targets = 3; ///< Those that the passes use.
 
     void disable(GLenum mode);
 

@@ -1,27 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/PosePage.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace osgTreeWind {
+namespace {
+
+std::size_t blocksOf(std::size_t units) {
+    return std::max<std::size_t>((units + PosePage::blockUnits - 1) / PosePage::blockUnits, 1);
+}
+
+} // namespace
 
 /// The entry of a tree in this frame, or the unused entry for it.
-PoseRows::Entry& PoseRows::findEntry(std::uint32_t tree) {
-    if (_entries.size() < 2 * (_rowCount + 1)) {
+PosePlaces::Entry& PosePlaces::findEntry(unsigned frame, std::uint32_t tree) {
+    if (frame != _frame) {
+        _frame = frame;
+        _trees = 0;
+        _freePages.insert(_freePages.end(), _pages.begin(), _pages.end());
+        _pages.clear();
+    }
+    if (_entries.size() < 2 * (_trees + 1)) {
         std::vector<Entry> before(std::max<std::size_t>(2 * _entries.size(), 64));
         before.swap(_entries);
         for (const Entry& kept : before)
-            if (kept.frame == _frame)
-                findEntry(kept.tree) = kept;
+            if (kept.frame == frame)
+                findEntry(frame, kept.tree) = kept;
     }
     const std::size_t mask = _entries.size() - 1;
     std::size_t at = (tree * 2654435761u >> 7u) & mask;
-    while (_entries[at].frame == _frame && _entries[at].tree != tree)
+    while (_entries[at].frame == frame && _entries[at].tree != tree)
         at = (at + 1) & mask;
     return _entries[at];
 }
 
-void PoseRows::addPage() {
+void PosePlaces::addPage() {
     osg::ref_ptr<PosePage> fresh;
     for (osg::ref_ptr<PosePage>& page : _freePages)
         if (page->referenceCount() == 1) { // no draw refers to it any more
@@ -33,27 +47,28 @@ void PoseRows::addPage() {
     if (!fresh)
         fresh = new PosePage;
     fresh->requests.clear();
+    fresh->blocks.clear();
     fresh->generation = ++_generation;
     _pages.push_back(fresh);
+    _pageTrees = _pageBlocks = 0;
 }
 
-PoseRows::Row PoseRows::findOrAddRow(unsigned frame, std::uint32_t tree, bool& isNew) {
-    if (frame != _frame) {
-        _frame = frame;
-        _rowCount = 0;
-        _freePages.insert(_freePages.end(), _pages.begin(), _pages.end());
-        _pages.clear();
-    }
-    Entry& known = findEntry(tree);
-    isNew = known.frame != frame;
-    if (isNew) {
-        known.tree = tree;
-        known.frame = frame;
-        known.place = _rowCount++;
-        if (known.place % _pageTrees == 0)
-            addPage();
-    }
-    return {_pages[known.place / _pageTrees], static_cast<int>(known.place % _pageTrees)};
+PosePlaces::Place PosePlaces::addBlocks(std::size_t units) {
+    const std::size_t added = blocksOf(units);
+    if (_pages.empty() || _pageTrees == PosePage::maxTrees || _pageBlocks + added > PosePage::maxBlocks)
+        addPage();
+    const Place place{_pages.back(), static_cast<std::uint32_t>(_pageBlocks)};
+    ++_trees;
+    ++_pageTrees;
+    _pageBlocks += added;
+    return place;
+}
+
+PoseRequest& PosePlaces::addRequest(const Place& place, std::size_t units) {
+    PosePage& page = *place.page;
+    for (std::size_t first = 0; first < std::max<std::size_t>(units, 1); first += PosePage::blockUnits)
+        page.blocks.push_back({static_cast<float>(page.requests.size()), static_cast<float>(first), {}});
+    return page.requests.emplace_back();
 }
 
 } // namespace osgTreeWind

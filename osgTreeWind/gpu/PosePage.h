@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/TreeFall.h>
 
 #include <osg/Referenced>
 #include <osg/ref_ptr>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,74 +32,78 @@ struct PoseRequest {
     float vector[maxColumns] = {};        ///< Modal amplitudes, forces on the patches, zeros.
     float patchWinds[maxPatches][4] = {}; ///< In the tree's axes, m/s; the fourth value is 0.
     float breezeStreamlining = 0.0f;      ///< Reconfiguration::breezeStreamlining.
-    float unused[3] = {};
+    float firstUnit = 0.0f;               ///< Of the model, in PosePass.
+    float units = 0.0f;                   ///< Of the model.
+    float unused = 0.0f;
     /// TreeFall::parts, each as turn, unit and 0; zeros for no part.
     std::array<std::array<float, 4>, TreeFall::maxParts> fallen{};
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 
-/// Size of the rectangle that the units of a tree occupy in textures of poses (shaders/pose_request.glsl).
-struct PoseLayout {
-    explicit PoseLayout(std::size_t units)
-        : width(static_cast<int>(std::clamp<std::size_t>(units, 1, 2048))),
-          rows(static_cast<int>((std::max<std::size_t>(units, 1) - 1) / static_cast<std::size_t>(width)) +
-               1) {}
-    int width; ///< Units per row.
-    int rows;  ///< Rows per tree.
-};
-
-/// Trees of one model that are drawn in a frame, as many as fit into one texture of poses. Cull traversals of
-/// several cameras fill it, under its lock; draws hold references to it.
+/// Trees that are drawn in a frame, as many as fit into one texture of poses. A tree occupies whole blocks of
+/// consecutive texels, one texel per unit. Cull traversals of several cameras fill the page, under its lock;
+/// draws hold references to it.
 class PosePage : public osg::Referenced {
 public:
+    static constexpr std::size_t blockUnits = 64, rowBlocks = DataTexture::width / blockUnits,
+                                 maxBlocks = rowBlocks * DataTexture::maxRows,
+                                 maxTrees = DataTexture::maxRows; // a row of `poseRequests` each
+
+    /// A texel of the texture `poseBlocks` (shaders/pose_request.glsl).
+    struct Block {
+        float request = 0.0f;   ///< Index.
+        float firstUnit = 0.0f; ///< Of the block, within the model.
+        float unused[2] = {};
+    };
+
     std::mutex& mutex() const { return _mutex; }
-    std::vector<PoseRequest> requests; ///< By row.
-    std::uint64_t generation = 0;      ///< Differs each time the page is cleared for another frame.
+    std::vector<PoseRequest> requests;
+    std::vector<Block> blocks;
+    std::uint64_t generation = 0; ///< Differs each time the page is cleared for another frame.
 
 private:
     mutable std::mutex _mutex;
 };
 
-/// Assigns rows in the pose pages of a frame to trees of one model. All requests for a tree in a frame get
-/// the same row. Any thread.
-class PoseRows {
+/// Assigns blocks in the pose pages of a frame to trees. All requests for a tree in a frame get the same
+/// ones. Any thread.
+class PosePlaces {
 public:
-    /// @param pageTrees maximum number of trees per page.
-    explicit PoseRows(std::size_t pageTrees) : _pageTrees(pageTrees) {}
-
-    struct Row {
-        PosePage* page;
-        int row;
+    struct Place {
+        PosePage* page = nullptr;
+        std::uint32_t block = 0; ///< The first one.
     };
-    /// @param tree a number that identifies the tree.
+    /// @param tree a number that identifies the tree. @param units number of its units.
     /// @param fill called with a PoseRequest& at the first request for the tree in a frame.
     template <typename Fill>
-    Row row(unsigned frame, std::uint32_t tree, const Fill& fill) {
+    Place place(unsigned frame, std::uint32_t tree, std::size_t units, const Fill& fill) {
         const std::lock_guard<std::mutex> lock(_mutex);
-        bool isNew = false;
-        const Row row = findOrAddRow(frame, tree, isNew);
-        if (isNew) {
-            const std::lock_guard<std::mutex> pageLock(row.page->mutex());
-            fill(row.page->requests.emplace_back());
+        Entry& entry = findEntry(frame, tree);
+        if (entry.frame != frame) {
+            entry = {tree, frame, addBlocks(units)};
+            const std::lock_guard<std::mutex> pageLock(entry.place.page->mutex());
+            fill(addRequest(entry.place, units));
         }
-        return row;
+        return entry.place;
     }
 
 private:
     struct Entry {
-        std::uint32_t tree = 0, frame = ~0u, place = 0;
+        std::uint32_t tree = 0;
+        unsigned frame = ~0u;
+        Place place;
     };
 
-    Row findOrAddRow(unsigned frame, std::uint32_t tree, bool& isNew);
-    Entry& findEntry(std::uint32_t tree);
+    Entry& findEntry(unsigned frame, std::uint32_t tree);
+    Place addBlocks(std::size_t units);
+    PoseRequest& addRequest(const Place& place, std::size_t units);
     void addPage();
 
-    const std::size_t _pageTrees;
     std::mutex _mutex; ///< Guards the members below; locked before the mutex of a page.
     unsigned _frame = ~0u;
-    std::uint64_t _generation = 0; ///< Of the last page.
-    std::uint32_t _rowCount = 0;
-    std::vector<Entry> _entries; ///< A hash table, a power of two long.
+    std::uint64_t _generation = 0;                           ///< Of the last page.
+    std::size_t _trees = 0, _pageTrees = 0, _pageBlocks = 0; ///< Of this frame; of its last page.
+    std::vector<Entry> _entries;                             ///< A hash table, a power of two long.
     std::vector<osg::ref_ptr<PosePage>> _pages, _freePages;
 };
 

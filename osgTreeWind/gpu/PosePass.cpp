@@ -17,8 +17,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t maxPageTrees = 4096;
-
 osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int height) {
     osg::ref_ptr<osg::Texture2D> texture = makeFloatTexture(name);
     texture->setTextureSize(width, height);
@@ -43,9 +41,9 @@ void uploadRows(const void* texels, int width, int firstRow, int rows) {
 }
 
 /// The next power of two, for few reallocations.
-int capacityFor(int rows) {
-    int capacity = 16;
-    while (capacity < rows)
+int capacityFor(std::size_t rows) {
+    int capacity = 1;
+    while (static_cast<std::size_t>(capacity) < rows)
         capacity *= 2;
     return capacity;
 }
@@ -55,22 +53,48 @@ int capacityFor(int rows) {
 PosePrograms::PosePrograms()
     : turns(sharedProgram("texels", "unit_turns")), poses(sharedProgram("texels", "unit_poses")) {}
 
+/// A texture with a copy of an array that grows.
+struct PosePass::GrowingTexture {
+    const char* name;
+    osg::ref_ptr<osg::Texture2D> texture{};
+    std::size_t uploaded = 0; ///< Texels.
+
+    void upload(osg::State& state, const std::vector<glm::vec4>& texels) {
+        constexpr auto width = static_cast<std::size_t>(DataTexture::width);
+        const int rows = DataTexture::rowsFor(texels.size());
+        if (!texture || texture->getTextureHeight() < rows) {
+            texture = floatTexture(name, DataTexture::width, capacityFor(static_cast<std::size_t>(rows)));
+            uploaded = 0;
+        }
+        if (uploaded == texels.size())
+            return;
+        texture->apply(state);
+        const std::size_t firstRow = uploaded / width;
+        std::vector<glm::vec4> added(texels.begin() + static_cast<std::ptrdiff_t>(firstRow * width),
+                                     texels.end());
+        added.resize((static_cast<std::size_t>(rows) - firstRow) * width);
+        uploadRows(added.data(), DataTexture::width, static_cast<int>(firstRow),
+                   rows - static_cast<int>(firstRow));
+        uploaded = texels.size();
+    }
+};
+
 /// The GL objects of a PosePass in one context. Contexts that share GL objects have separate ones, as frame
 /// buffer objects cannot be shared, and the contexts may draw at the same time.
 struct PosePass::Context {
     osg::observer_ptr<osg::State> state;
     unsigned id = 0;
-    osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, winds, rotations, translations, pulls;
+    GrowingTexture units{"tree units"}, matrices{"modal matrices"};
+    osg::ref_ptr<osg::Texture2D> requests, blocks, turns, winds, rotations, translations, pulls;
     osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
-    int matrixRows = 0, treeRows = 0; ///< Allocated rows.
-    std::size_t matrixTexels = 0;     ///< Uploaded texels.
-    std::uint64_t generation = 0;     ///< Of the page of these poses.
-    int posedTrees = 0;               ///< Trees of that page with poses.
+    std::uint64_t generation = 0;                ///< Of the page of these poses.
+    std::size_t posedTrees = 0, posedBlocks = 0; ///< Of that page.
 
     explicit Context(osg::State& drawn) : state(&drawn), id(drawn.getContextID()) {}
 
-    std::array<const osg::ref_ptr<osg::Texture2D>*, 8> textures() const {
-        return {&units, &matrices, &requests, &turns, &winds, &rotations, &translations, &pulls};
+    std::array<const osg::ref_ptr<osg::Texture2D>*, 9> textures() const {
+        return {&units.texture, &matrices.texture, &requests,     &blocks, &turns,
+                &winds,         &rotations,        &translations, &pulls};
     }
     /// Whether texture objects were released.
     bool isLost() const {
@@ -80,9 +104,10 @@ struct PosePass::Context {
         return false;
     }
 
-    void allocateRows(int width, int rows) {
-        treeRows = rows;
-        posedTrees = 0;
+    void allocateRows(int rows) {
+        constexpr int width = DataTexture::width;
+        posedTrees = posedBlocks = 0;
+        blocks = floatTexture("pose blocks", PosePage::rowBlocks, rows);
         turns = floatTexture("unit turns", width, rows);
         winds = floatTexture("unit winds", width, rows);
         rotations = floatTexture("pose rotations", width, rows);
@@ -119,16 +144,7 @@ private:
     osg::ref_ptr<osg::Texture2D> Context::*_texture;
 };
 
-PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
-    : PoseRows(std::clamp<std::size_t>(
-          static_cast<std::size_t>(DataTexture::maxRows / PoseLayout(skeleton.units.size()).rows), 1,
-          maxPageTrees)),
-      _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()) {
-    _unitTexels.reserve(2 * skeleton.units.size());
-    for (const BranchUnit& unit : skeleton.units) {
-        _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
-        _unitTexels.emplace_back(unit.tip, 0.0f);
-    }
+PosePass::PosePass(PosePrograms* programs) : _programs(programs) {
     const auto bind = [&](unsigned unit, osg::ref_ptr<osg::Texture2D> Context::*texture) {
         _state->setTextureAttribute(unit, new PoseTexture(this, texture),
                                     osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
@@ -140,10 +156,29 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
-                           const Reconfiguration& foliage, PoseRequest& request) {
+void PosePass::addModel(const Skeleton& skeleton) {
+    const std::lock_guard<std::mutex> lock(_texelMutex);
+    _models.push_back({_units.size() / 2, skeleton.units.size()});
+    for (const BranchUnit& unit : skeleton.units) {
+        _units.emplace_back(unit.base, static_cast<float>(unit.parent));
+        _units.emplace_back(unit.tip, 0.0f);
+    }
+}
+
+PosePlaces::Place PosePass::request(unsigned frame, const ModalMotion& motion, std::uint32_t tree,
+                                    std::size_t model, const TreeScale& scale,
+                                    const Reconfiguration& foliage) {
+    return _places.place(frame, tree, _models[model].count, [&](PoseRequest& request) {
+        fillRequest(motion, tree, model, scale, foliage, request);
+    });
+}
+
+void PosePass::fillRequest(const ModalMotion& motion, std::size_t tree, std::size_t treeModel,
+                           const TreeScale& scale, const Reconfiguration& foliage, PoseRequest& request) {
     const ModalModel& model = motion.model(tree);
     findMatrix(model, request);
+    request.firstUnit = static_cast<float>(_models[treeModel].first);
+    request.units = static_cast<float>(_models[treeModel].count);
     request.across = scale.axes.x;
     request.upward = scale.axes.z;
     if (const TreeFall* fall = motion.fall(tree)) {
@@ -169,16 +204,15 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
     const std::size_t columns = model.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);
     request.maxAngle = model.maxAngle;
-    const std::lock_guard<std::mutex> lock(_matrixMutex);
+    const std::lock_guard<std::mutex> lock(_texelMutex);
     const auto [found, isNew] = _firstTexels.try_emplace(&model, static_cast<int>(_matrices.size()));
     request.firstTexel = static_cast<float>(found->second);
     if (!isNew)
         return;
     const std::size_t size = model.joints / 2 * (2 * texels + 1);
-    if (_matrices.size() + size >
-        std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
-        OSG_WARN << "osgTreeWind: no texture space for more archetypes of one model; trees of further "
-                    "archetypes do not move"
+    if (_matrices.size() + size > DataTexture::maxTexels) {
+        OSG_WARN << "osgTreeWind: no texture space for more archetypes; trees of further archetypes do not "
+                    "move"
                  << std::endl;
         found->second = -1;
         request.firstTexel = -1.0f;
@@ -192,6 +226,8 @@ void PosePass::findMatrix(const ModalModel& model, PoseRequest& request) {
         if (joint % 2 == 1)
             _matrices.emplace_back(static_cast<float>(model.patchOfLink[joint / 2]), 0.0f, 0.0f, 0.0f);
     }
+    if (_matrices.size() % 2 == 1) // even numbers below 2^25 are exact as floats
+        _matrices.emplace_back();
 }
 
 void PosePass::prepareBound(osg::State& state, const PosePage& page) const {
@@ -225,70 +261,64 @@ PosePass::Context& PosePass::findContext(osg::State& state) const {
 void PosePass::prepare(osg::State& state, const PosePage& page, std::optional<PassState>& passes) const {
     Context& context = findContext(state);
     const std::lock_guard<std::mutex> pageLock(page.mutex());
-    const auto trees = static_cast<int>(page.requests.size());
     if (context.generation != page.generation) {
         context.generation = page.generation;
-        context.posedTrees = 0;
+        context.posedTrees = context.posedBlocks = 0;
     }
-    if (trees * _layout.rows > context.treeRows)
-        context.allocateRows(_layout.width, capacityFor(trees) * _layout.rows);
-    const int first = context.posedTrees;
-    if (first == trees)
+    const std::size_t blocks = page.blocks.size();
+    const auto rows = static_cast<int>((blocks + PosePage::rowBlocks - 1) / PosePage::rowBlocks);
+    if (!context.turns || rows > context.turns->getTextureHeight()) {
+        context.allocateRows(capacityFor(static_cast<std::size_t>(rows)));
+        for (const unsigned unit : {rotationsUnit, translationsUnit, pullsUnit})
+            state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE); // those of before
+    }
+    if (context.posedBlocks == blocks)
         return;
 
     const PassState& pass = passes ? *passes : passes.emplace(state);
-    upload(state, context, page);
+    const auto firstRow = static_cast<int>(context.posedBlocks / PosePage::rowBlocks);
+    upload(state, context, page, firstRow, rows);
     const auto begin = [&](osg::Program& program, osg::FrameBufferObject& target) {
-        pass.begin(program, target, first * _layout.rows, _layout.width, (trees - first) * _layout.rows);
+        pass.begin(program, target, firstRow, DataTexture::width, rows - firstRow);
         pass.bind(0, "poseRequests", context.requests);
-        pass.bind(1, "treeUnits", context.units);
-        pass.set("unitCount", _units);
-        pass.set("unitRows", _layout.rows);
+        pass.bind(1, "poseBlocks", context.blocks);
+        pass.bind(2, "treeUnits", context.units.texture);
     };
     begin(*_programs->turns, *context.turnTarget);
-    pass.bind(2, "modalMatrices", context.matrices);
+    pass.bind(3, "modalMatrices", context.matrices.texture);
     pass.draw();
     begin(*_programs->poses, *context.poseTarget);
-    pass.bind(2, "unitTurns", context.turns);
-    pass.bind(3, "unitWinds", context.winds);
+    pass.bind(3, "unitTurns", context.turns);
+    pass.bind(4, "unitWinds", context.winds);
     pass.draw();
-    context.posedTrees = trees;
+    context.posedTrees = page.requests.size();
+    context.posedBlocks = blocks;
 }
 
-/// Uploads the input of the passes that this context does not have yet.
-void PosePass::upload(osg::State& state, Context& context, const PosePage& page) const {
-    if (!context.units) {
-        context.units =
-            floatTexture("tree units", DataTexture::width, DataTexture::rowsFor(_unitTexels.size()));
-        context.units->apply(state);
-        std::vector<glm::vec4> texels = _unitTexels;
-        texels.resize(static_cast<std::size_t>(context.units->getTextureHeight()) * DataTexture::width);
-        uploadRows(texels.data(), DataTexture::width, 0, context.units->getTextureHeight());
-    }
+/// Uploads the input of the passes that this context does not have yet. @param firstRow of blocks.
+void PosePass::upload(osg::State& state, Context& context, const PosePage& page, int firstRow,
+                      int rows) const {
     const auto trees = static_cast<int>(page.requests.size());
     constexpr auto requestWidth = static_cast<int>(PoseRequest::texels);
-    if (!context.requests || context.requests->getTextureHeight() < trees)
-        context.requests = floatTexture("pose requests", requestWidth, capacityFor(trees));
+    if (!context.requests || context.requests->getTextureHeight() < trees) {
+        context.requests = floatTexture("pose requests", requestWidth, capacityFor(page.requests.size()));
+        context.posedTrees = 0;
+    }
     context.requests->apply(state);
-    uploadRows(page.requests.data(), requestWidth, 0, trees);
+    const auto firstTree = static_cast<int>(context.posedTrees);
+    uploadRows(&page.requests[context.posedTrees], requestWidth, firstTree, trees - firstTree);
 
-    const std::lock_guard<std::mutex> lock(_matrixMutex);
-    const int rows = DataTexture::rowsFor(_matrices.size());
-    if (rows > context.matrixRows) {
-        context.matrixRows = capacityFor(rows);
-        context.matrices = floatTexture("modal matrices", DataTexture::width, context.matrixRows);
-        context.matrixTexels = 0;
-    }
-    if (_matrices.size() > context.matrixTexels) {
-        context.matrices->apply(state);
-        const std::size_t firstRow = context.matrixTexels / DataTexture::width;
-        std::vector<glm::vec4> texels(
-            _matrices.begin() + static_cast<std::ptrdiff_t>(firstRow * DataTexture::width), _matrices.end());
-        texels.resize((static_cast<std::size_t>(rows) - firstRow) * DataTexture::width);
-        uploadRows(texels.data(), DataTexture::width, static_cast<int>(firstRow),
-                   rows - static_cast<int>(firstRow));
-        context.matrixTexels = _matrices.size();
-    }
+    constexpr std::size_t rowBlocks = PosePage::rowBlocks;
+    constexpr PosePage::Block unused{0.0f, 1e6f};
+    std::vector<PosePage::Block> blocks(
+        page.blocks.begin() + static_cast<std::ptrdiff_t>(firstRow * rowBlocks), page.blocks.end());
+    blocks.resize(static_cast<std::size_t>(rows - firstRow) * rowBlocks, unused);
+    context.blocks->apply(state);
+    uploadRows(blocks.data(), rowBlocks, firstRow, rows - firstRow);
+
+    const std::lock_guard<std::mutex> lock(_texelMutex);
+    context.units.upload(state, _units);
+    context.matrices.upload(state, _matrices);
 }
 
 void PosePass::releaseGLObjects(osg::State* state) const {

@@ -29,20 +29,24 @@ struct PosePrograms : osg::Referenced {
     osg::ref_ptr<osg::Program> turns, poses;
 };
 
-/// Computes the poses of the visible trees of one model on the GPU, under the law `modal`. The angle pass
+/// Computes the poses of the visible trees of a forest on the GPU, under the law `modal`. The angle pass
 /// computes the rotation of each branch unit from the tree's modal vector; the pose pass composes the
 /// rotations of the units that carry each unit.
 ///
-/// Cull traversals request rows of a PosePage, one per tree. The first draw of a frame in each context
-/// computes them; later draws compute the rows requested since. Any thread.
-class PosePass : public osg::Referenced, public PoseRows {
+/// Cull traversals request poses on a PosePage. The first draw of a frame in each context computes them;
+/// later draws compute those requested since. Any thread.
+class PosePass : public osg::Referenced {
 public:
-    PosePass(const Skeleton& skeleton, PosePrograms* programs);
+    explicit PosePass(PosePrograms* programs);
 
-    /// Writes the request of a swaying tree. If the textures have no space for its archetype, the tree is
-    /// posed at rest, with one warning per archetype.
-    void fillRequest(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
-                     const Reconfiguration& foliage, PoseRequest& request);
+    /// Adds the next model.
+    void addModel(const Skeleton& skeleton);
+    std::size_t modelCount() const { return _models.size(); }
+
+    /// Requests the pose of a swaying tree in a frame. If the textures have no space for its archetype, the
+    /// tree is posed at rest, with one warning per archetype.
+    PosePlaces::Place request(unsigned frame, const ModalMotion& motion, std::uint32_t tree,
+                              std::size_t model, const TreeScale& scale, const Reconfiguration& foliage);
 
     /// Texture units of state().
     static constexpr unsigned rotationsUnit = 12, translationsUnit = 13, pullsUnit = 14;
@@ -60,24 +64,29 @@ protected:
     ~PosePass() override;
 
 private:
+    void fillRequest(const ModalMotion& motion, std::size_t tree, std::size_t model, const TreeScale& scale,
+                     const Reconfiguration& foliage, PoseRequest& request);
     /// Writes the location and row length of an archetype's matrix [Phi R], which the first call adds.
     void findMatrix(const ModalModel& model, PoseRequest& request);
 
+    struct GrowingTexture;
     struct Context;
     class PoseTexture;
     Context& findContext(osg::State& state) const;
-    void upload(osg::State& state, Context& context, const PosePage& page) const;
+    void upload(osg::State& state, Context& context, const PosePage& page, int firstRow, int rows) const;
 
     osg::ref_ptr<PosePrograms> _programs;
     osg::ref_ptr<osg::StateSet> _state = new osg::StateSet;
-    int _units;
-    PoseLayout _layout;
-    std::vector<glm::vec4> _unitTexels;
+    PosePlaces _places;
+    struct ModelUnits {
+        std::size_t first, count; ///< Within `_units`.
+    };
+    std::vector<ModelUnits> _models;
 
-    // Lock order: rows, page, matrices.
-    mutable std::mutex _matrixMutex; ///< Guards the next two members.
+    // Lock order: places, page, texels.
+    mutable std::mutex _texelMutex; ///< Guards the next three members.
     std::unordered_map<const ModalModel*, int> _firstTexels;
-    std::vector<glm::vec4> _matrices;
+    std::vector<glm::vec4> _units, _matrices;
 
     mutable std::mutex _contextMutex; ///< Guards the list. Each context is used by one thread.
     mutable std::vector<std::unique_ptr<Context>> _contexts;

@@ -21,7 +21,7 @@ namespace {
 /// A drawable that requests poses as a cull traversal does, and reads them back. It draws nothing.
 class PoseReader : public osg::Drawable {
 public:
-    PoseReader(const ForestSimulation& simulation, std::vector<osg::ref_ptr<PosePass>>& passes)
+    PoseReader(const ForestSimulation& simulation, PosePass* passes)
         : _simulation(simulation), _passes(passes) {
         setCullingActive(false);
         setUseDisplayList(false);
@@ -29,29 +29,23 @@ public:
 
     void requestPose(unsigned frame, std::size_t tree) {
         const PlacedTree& placed = movingForest(_simulation).trees()[tree];
-        PosePass& passes = *_passes[placed.model];
-        rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
-            ++fills;
-            passes.fillRequest(*movingForest(_simulation).modal(), tree, placed.scale,
-                               Reconfiguration(movingForest(_simulation).placed().speciesOf(placed)),
-                               request);
-        });
+        places[tree] = _passes->request(
+            frame, *movingForest(_simulation).modal(), static_cast<std::uint32_t>(tree), placed.model,
+            placed.scale, Reconfiguration(movingForest(_simulation).placed().speciesOf(placed)));
     }
 
     void drawImplementation(osg::RenderInfo& info) const override {
         osg::State& state = *info.getState();
-        for (const auto& [tree, row] : rows) {
+        for (const auto& [tree, place] : places) {
             const PlacedTree& placed = movingForest(_simulation).trees()[tree];
             const std::size_t units = movingForest(_simulation).placed().unitCount(placed);
-            const PoseLayout layout(units);
-            if (row.page != _read) { // a page at a time: the next one overwrites its poses
-                _read = row.page;
-                const PosePass& pass = *_passes[placed.model];
+            if (place.page != _read) { // a page at a time: the next one overwrites its poses
+                _read = place.page;
                 for (const unsigned unit :
                      {PosePass::rotationsUnit, PosePass::translationsUnit, PosePass::pullsUnit})
                     state.applyTextureAttribute(
-                        unit, pass.state()->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
-                pass.prepareBound(state, *row.page);
+                        unit, _passes->state()->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
+                _passes->prepareBound(state, *place.page);
                 _rotations = texels(state, PosePass::rotationsUnit);
                 _translations = texels(state, PosePass::translationsUnit);
                 _pulls = texels(state, PosePass::pullsUnit);
@@ -59,7 +53,7 @@ public:
             std::vector<UnitPose>& poses = read[tree];
             poses.clear();
             pulls[tree].clear();
-            const auto first = static_cast<std::size_t>(row.row * layout.rows * layout.width);
+            const std::size_t first = place.block * PosePage::blockUnits;
             for (std::size_t unit = 0; unit < units; ++unit) {
                 const glm::vec4 r = _rotations[first + unit], t = _translations[first + unit];
                 poses.push_back({glm::quat(r.w, r.x, r.y, r.z), glm::vec3(t)});
@@ -70,8 +64,7 @@ public:
         _read = nullptr;
     }
 
-    std::map<std::size_t, PosePass::Row> rows; ///< By tree.
-    int fills = 0;
+    std::map<std::size_t, PosePlaces::Place> places;           ///< By tree.
     mutable std::map<std::size_t, std::vector<UnitPose>> read; ///< By tree.
     mutable std::map<std::size_t, std::vector<glm::vec4>> pulls;
     mutable std::map<std::size_t, float> winds; ///< At the last unit.
@@ -88,7 +81,7 @@ private:
     }
 
     const ForestSimulation& _simulation;
-    std::vector<osg::ref_ptr<PosePass>>& _passes;
+    osg::ref_ptr<PosePass> _passes;
     mutable osg::ref_ptr<const PosePage> _read;
     mutable std::vector<glm::vec4> _rotations, _translations, _pulls;
 };
@@ -99,10 +92,9 @@ protected:
         SimulationOptions options;
         options.distant = level == ModalMotion::Level::Far;
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
-        passes.clear();
-        const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
+        passes = new PosePass(new PosePrograms);
         for (const auto& model : movingForest(*simulation).models())
-            passes.push_back(new PosePass(model->skeleton, programs));
+            passes->addModel(model->skeleton);
         reader = new PoseReader(*simulation, passes);
         reopen(16, 16);
         viewer().setSceneData(reader);
@@ -145,7 +137,7 @@ protected:
     }
 
     std::unique_ptr<ForestSimulation> simulation;
-    std::vector<osg::ref_ptr<PosePass>> passes;
+    osg::ref_ptr<PosePass> passes;
     osg::ref_ptr<PoseReader> reader;
 };
 
@@ -209,7 +201,7 @@ TEST_F(PosePassGlTest, PosesAreOfTheCurrentFrame) {
     startSimulation(mixedForest(15.0f));
     for (unsigned i = 0; i < 5; ++i) {
         simulation->advance(10 * i / 25.0);
-        reader->rows.clear();
+        reader->places.clear();
         requestAllPoses(i);
         frame(i / 25.0);
         expectPosesOfTheCpu(i == 0 ? -1.0f : 1e-3f);
@@ -298,20 +290,22 @@ TEST_F(PosePassGlTest, ThePassKeepsTheStateOfTheHost) {
     EXPECT_EQ(state->before, state->after);
 }
 
-TEST_F(PosePassGlTest, ATreeHasOneRowPerFrame) {
+TEST_F(PosePassGlTest, ATreeHasOnePlacePerFrame) {
     startSimulation(smallForest(3));
     advanceSteps(10);
     requestAllPoses(7);
-    const std::map<std::size_t, PosePass::Row> rows = reader->rows;
-    EXPECT_EQ(reader->fills, 3);
+    const std::map<std::size_t, PosePlaces::Place> places = reader->places;
+    const osg::ref_ptr<PosePage> page = places.at(0).page;
+    EXPECT_EQ(page->requests.size(), 3u);
     requestAllPoses(7); // as for another camera
-    EXPECT_EQ(reader->fills, 3);
-    for (const auto& [tree, row] : rows) {
-        EXPECT_EQ(reader->rows[tree].row, row.row);
-        EXPECT_EQ(reader->rows[tree].page, row.page);
+    EXPECT_EQ(page->requests.size(), 3u);
+    for (const auto& [tree, place] : places) {
+        EXPECT_EQ(reader->places[tree].block, place.block);
+        EXPECT_EQ(reader->places[tree].page, place.page);
     }
     requestAllPoses(8);
-    EXPECT_EQ(reader->fills, 6);
+    EXPECT_NE(reader->places[0].page, page);
+    EXPECT_EQ(reader->places[0].page->requests.size(), 3u);
 }
 
 TEST_F(PosePassGlTest, RequestsAfterTheFirstDrawOfAFrameArePosedToo) {
@@ -331,24 +325,24 @@ TEST_F(PosePassGlTest, ManyTreesUseSeveralPages) {
     many.species[0].tree.wood.levels = 1;
     many.species[0].tree.leaves.clustersPerBranch = 0;
     many.species[0].shapes = 1;
-    many.trees.resize(5000, many.trees[0]);
+    many.trees.resize(PosePage::maxTrees + 100, many.trees[0]);
     for (std::size_t i = 0; i < many.trees.size(); ++i)
         many.trees[i].size.height = 4.0f + 0.3f * static_cast<float>(i % 7);
     startSimulation(many);
     advanceSteps(20);
     requestAllPoses(0);
-    EXPECT_NE(reader->rows[0].page, reader->rows[4999].page);
-    EXPECT_EQ(reader->rows[0].page, reader->rows[1].page);
+    EXPECT_NE(reader->places[0].page, reader->places[many.trees.size() - 1].page);
+    EXPECT_EQ(reader->places[0].page, reader->places[1].page);
     frame(0.0);
     expectPosesOfTheCpu(1e-3f);
-    reader->rows.clear();
+    reader->places.clear();
     advanceSteps(1); // again, on reused pages
     requestAllPoses(1);
     frame(0.04);
     expectPosesOfTheCpu(1e-3f);
 }
 
-TEST_F(PosePassGlTest, ALargeTreeUsesSeveralRows) {
+TEST_F(PosePassGlTest, ATreeMayFillMoreThanARow) {
     ForestDescription description = smallForest(3, 20.0f);
     description.species[0].tree.wood.levels = 6;
     description.species[0].tree.leaves.clustersPerBranch = 0;
@@ -369,8 +363,7 @@ TEST_F(PosePassGlTest, AReleasedContextIsFilledAgain) {
     advanceSteps(20);
     requestAllPoses(0);
     frame(0.0);
-    for (const osg::ref_ptr<PosePass>& pass : passes)
-        pass->releaseGLObjects(nullptr);
+    passes->releaseGLObjects(nullptr);
     reader->read.clear();
     frame(0.04);
     expectPosesOfTheCpu(1e-3f);

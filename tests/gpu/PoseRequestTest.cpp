@@ -31,11 +31,21 @@ Member member(const char* name, std::size_t offset) {
 #define MEMBER(name) member<decltype(PoseRequest::name)>(#name, offsetof(PoseRequest, name))
 
 const std::vector<Member>& members() {
-    static const std::vector<Member> all = {
-        MEMBER(firstTexel), MEMBER(rowTexels),  MEMBER(maxAngle),           MEMBER(streamlining),
-        MEMBER(across),     MEMBER(upward),     MEMBER(streamlinedTo),      MEMBER(maxPull),
-        MEMBER(vector),     MEMBER(patchWinds), MEMBER(breezeStreamlining), MEMBER(unused),
-        MEMBER(fallen)};
+    static const std::vector<Member> all = {MEMBER(firstTexel),
+                                            MEMBER(rowTexels),
+                                            MEMBER(maxAngle),
+                                            MEMBER(streamlining),
+                                            MEMBER(across),
+                                            MEMBER(upward),
+                                            MEMBER(streamlinedTo),
+                                            MEMBER(maxPull),
+                                            MEMBER(vector),
+                                            MEMBER(patchWinds),
+                                            MEMBER(breezeStreamlining),
+                                            MEMBER(firstUnit),
+                                            MEMBER(units),
+                                            MEMBER(unused),
+                                            MEMBER(fallen)};
     return all;
 }
 
@@ -43,11 +53,11 @@ const std::vector<Member>& members() {
 /// elements of an array start at the array.
 std::map<std::string, std::vector<std::string>> membersRead(const std::string& shader) {
     std::map<std::string, std::vector<std::string>> read;
-    const std::regex function(R"(vec([34]) (\w+)\(int tree[^)]*\) \{ return ([^}]*); \})"),
+    const std::regex function(R"(i?vec([234]) (\w+)\(int tree[^)]*\) \{ return ([^}]*); \})"),
         texel(R"(request\(tree, (\d+)( \+ \w+)?\)(?:\.([xyzw]+))?)");
     for (std::sregex_iterator found(shader.begin(), shader.end(), function), end; found != end; ++found) {
         const std::string body = (*found)[3];
-        if (body.find("request(") != 0 && body.find("vec4(request(") != 0)
+        if (body.find("request(") != 0 && body.find("vec4(request(") != 0 && body.find("ivec2(request(") != 0)
             continue;
         std::vector<std::string>& names = read[(*found)[2]];
         for (std::sregex_iterator at(body.begin(), body.end(), texel); at != end; ++at) {
@@ -86,6 +96,7 @@ TEST(PoseRequest, ShadersReadItsMembers) {
         {"matrixOf", {"firstTexel", "rowTexels", "maxAngle"}},
         {"axesOf", {"across", "across", "upward"}},
         {"foliageOf", {"streamlining", "breezeStreamlining", "streamlinedTo", "maxPull"}},
+        {"unitsOf", {"firstUnit", "units"}},
         {"fallenPart", Names(4, "fallen")},
         {"shortVector", Names(4, "vector")},
         {"patchWind", Names(3, "patchWinds")}};

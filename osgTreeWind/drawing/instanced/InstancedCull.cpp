@@ -145,19 +145,16 @@ void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, f
     const PlacedTree& tree = scene.forest.trees()[seen.slot];
     const ModelResources& model = *scene.resources.models[tree.model];
     const NeighbourShade::Light light = scene.shade.light(seen.slot);
-    PosePass& pass = *scene.passes[tree.model];
-    const PosePass::Row row = pass.row(frame, seen.slot, [&](PoseRequest& request) {
-        pass.fillRequest(modal(), seen.slot, tree.scale, scene.resources.looks[tree.species].foliage,
-                         request);
-    });
+    const PosePlaces::Place pose = scene.poses->request(frame, modal(), seen.slot, tree.model, tree.scale,
+                                                        scene.resources.looks[tree.species].foliage);
     const float brightness = std::min(model.meshes().leafBrightness[static_cast<int>(tier)], 7.9f);
     const TreeInstance instance{
         {tree.position.x, tree.position.y, tree.position.z, std::tan(0.5f * tree.heading)},
         {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
-        {static_cast<float>(row.row), fade, treeRandom(tree.seed), tree.leaves},
+        {static_cast<float>(pose.block), fade, treeRandom(tree.seed), tree.leaves},
         {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f),
          static_cast<float>(tier) + 0.125f * brightness}};
-    const DrawnPoses poses{&pass, row.page, scene.flutter[tree.species]};
+    const DrawnPoses poses{scene.poses, pose.page, scene.flutter[tree.species]};
     if (model.usesHostGeometry()) {
         lists.list({seen.band, tree.model}, poses).trees.push_back(instance);
     } else {
@@ -211,6 +208,7 @@ void InstancedCull::submitDraws() {
         return;
     visitor.pushStateSet(scene.resources.state);
     visitor.pushStateSet(lists.shading());
+    visitor.pushStateSet(scene.poses->state());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     constexpr std::size_t verticesPerFlush = 300000;
     std::size_t vertexCount = 0; // since the last flush, about
@@ -272,9 +270,9 @@ void InstancedCull::submitDraws() {
             continue;
         }
         osg::StateSet* const arrays = model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
-        osg::StateSet *const poses = list.poses.passes->state(), *const shape = model.state();
-        const auto leafStates = {inBand, poses, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
-        const auto barkStates = {inBand, poses, shape, looks.bark.get(), looks.hostBark.get()};
+        osg::StateSet* const shape = model.state();
+        const auto leafStates = {inBand, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
+        const auto barkStates = {inBand, shape, looks.bark.get(), looks.hostBark.get()};
         drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
         drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
         drawParts(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, leafStates);
@@ -282,8 +280,8 @@ void InstancedCull::submitDraws() {
     }
     buffer.instances->dirty();
     buffer.commands->dirty();
-    visitor.popStateSet();
-    visitor.popStateSet();
+    for (int pushed = 0; pushed < 3; ++pushed)
+        visitor.popStateSet();
     if (drawn) // without draws, OSG deletes the state graph that the stage refers to
         visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }

@@ -20,8 +20,8 @@ struct InstancedScene {
     MovingForest& forest;
     InstancedResources resources;
     TreeTiers tiers;
-    std::vector<osg::ref_ptr<PosePass>> passes{}; ///< By model.
-    mutable TreeCells cells{};                    // they cache their bounds
+    osg::ref_ptr<PosePass> poses = new PosePass(resources.programs);
+    mutable TreeCells cells{}; // they cache their bounds
     NeighbourShade shade{};
     std::vector<osg::Vec3> flutter{}; ///< By species: current phases.
     bool drawsHiddenParts = false;    ///< For comparison: draws parts that others hide.

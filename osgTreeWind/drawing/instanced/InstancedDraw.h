@@ -16,8 +16,8 @@ struct TreeInstance {
     float
         size[4]; ///< Horizontal and vertical scale of lengths, scale of radii, scale of leaf clusters
                  ///< (impostors: the two length scales; the fall as a horizontal rotation vector x, y, rad).
-    float state[4]; ///< Row of the poses, fade, random number of the tree, share of leaves (impostors: lean
-                    ///< x, lean y, fade, random number).
+    float state[4]; ///< First block of the poses, fade, random number of the tree, share of leaves
+                    ///< (impostors: lean x, lean y, fade, random number).
     float light[4]; ///< Share of the light that neighbours leave at the foot and at the top; 1 / height, 1/m;
                     ///< tier plus an eighth of its leaf brightness (impostors: 0, 0).
 };

@@ -33,7 +33,7 @@ InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, Ins
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // makes osgUtil::GLObjectsVisitor call compileGLObjects()
-    addPasses();
+    addModels();
     for (std::size_t tree = 0; tree < _scene.forest.trees().size(); ++tree)
         if (_scene.forest.trees()[tree].alive)
             treeChanged(tree);
@@ -41,16 +41,16 @@ InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, Ins
     _scene.shade.update();
 }
 
-void InstancedTrees::addPasses() {
+void InstancedTrees::addModels() {
     const auto& models = _scene.forest.models();
-    for (std::size_t model = _scene.passes.size(); model < models.size(); ++model)
-        _scene.passes.push_back(new PosePass(models[model]->skeleton, _scene.resources.programs));
+    for (std::size_t model = _scene.poses->modelCount(); model < models.size(); ++model)
+        _scene.poses->addModel(models[model]->skeleton);
     _scene.flutter.resize(_simulation->description().species.size());
 }
 
 void InstancedTrees::speciesAdded() {
     _scene.resources.addSpecies(*_simulation);
-    addPasses();
+    addModels();
 }
 
 void InstancedTrees::treeChanged(std::size_t tree) {
@@ -275,8 +275,7 @@ void InstancedTrees::releaseGLObjects(osg::State* state) const {
     osg::Drawable::releaseGLObjects(state);
     for (const osg::Object* object : _scene.resources.glObjects())
         object->releaseGLObjects(state);
-    for (const osg::ref_ptr<PosePass>& passes : _scene.passes)
-        passes->releaseGLObjects(state);
+    _scene.poses->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);
     for (const VisitorLists& each : _lists)
         each.lists->releaseGLObjects(state);

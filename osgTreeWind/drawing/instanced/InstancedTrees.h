@@ -72,7 +72,7 @@ protected:
     ~InstancedTrees() override = default;
 
 private:
-    void addPasses();
+    void addModels();
     void updateShade(std::uint32_t tree);
     void updateFlutter(double time);
     void markNear(std::uint32_t tree);

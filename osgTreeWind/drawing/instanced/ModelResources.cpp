@@ -9,7 +9,6 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-#include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/model/TreeDetail.h>
@@ -82,7 +81,6 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) :
     const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
     bark = makeBarkMeshes(model, crown);
-    state->addUniform(new osg::Uniform("unitRows", PoseLayout(model.skeleton.units.size()).rows));
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
     if (model.leaves.empty())
         return;
