@@ -46,8 +46,7 @@ static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 class PosePage : public osg::Referenced {
 public:
     static constexpr std::size_t blockUnits = 64, rowBlocks = DataTexture::width / blockUnits,
-                                 maxBlocks = rowBlocks * DataTexture::maxRows,
-                                 maxTrees = DataTexture::maxRows; // a row of `poseRequests` each
+                                 maxBlocks = rowBlocks * DataTexture::maxRows, maxTrees = 8192;
 
     /// A texel of the texture `poseBlocks` (shaders/pose_request.glsl).
     struct Block {

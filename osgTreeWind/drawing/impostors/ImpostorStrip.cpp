@@ -5,14 +5,17 @@
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/gpu/SharedObjects.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
 
-osg::ref_ptr<osg::Geometry> strip(int segments) {
+osg::ref_ptr<osg::Geometry> makeStrip(int segments) {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     for (int i = 0; i <= segments; ++i)
         for (const float s : {-1.0f, 1.0f})
@@ -20,9 +23,17 @@ osg::ref_ptr<osg::Geometry> strip(int segments) {
     osg::ref_ptr<osg::Geometry> geometry = new SceneGeometry;
     geometry->setName("impostor");
     geometry->setVertexArray(corners);
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<int>(corners->size())));
+    std::vector<GLushort> indices(corners->size());
+    std::iota(indices.begin(), indices.end(), GLushort(0));
+    geometry->addPrimitiveSet(new osg::DrawElementsUShort(GL_TRIANGLE_STRIP, indices.begin(), indices.end()));
     makeArraysDistinct(*geometry);
     return geometry;
+}
+
+/// All impostors share one strip of each number of segments.
+osg::ref_ptr<osg::Geometry> sharedStrip(int segments) {
+    static SharedObjects<int, osg::Geometry> strips;
+    return strips.get(segments, [&] { return makeStrip(segments); });
 }
 
 osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
@@ -53,8 +64,8 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
 } // namespace
 
 ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program)
-    : _pictures(std::move(pictures)), _coverage(_pictures), _geometry(strip(2)), _straight(strip(1)),
-      _stateSet(osgTreeWind::stateSet(_pictures, program)) {
+    : _pictures(std::move(pictures)), _coverage(_pictures), _geometry(sharedStrip(2)),
+      _straight(sharedStrip(1)), _stateSet(osgTreeWind::stateSet(_pictures, program)) {
     _pictures.colors = _pictures.normals = nullptr; // the textures have them
 }
 

@@ -92,7 +92,7 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {
-    _buffer->instances->getVertexBufferObject()->releaseGLObjects(state);
+    _buffer->releaseGLObjects(state);
     for (const List& list : _lists) {
         list.bark->releaseGLObjects(state);
         list.leaves->releaseGLObjects(state);

@@ -241,14 +241,14 @@ void InstancedCull::submitDraws() {
         draw(part, geometry, list.poses, list.trees.size() * (vertices ? vertices->getNumElements() : 0),
              states);
     };
-    const auto drawParts = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
-                               const std::vector<DrawCommand>& commands,
-                               std::initializer_list<osg::StateSet*> states) {
+    const auto drawCommands = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
+                                  const std::vector<DrawCommand>& commands,
+                                  std::initializer_list<osg::StateSet*> states) {
         if (commands.empty())
             return;
         std::size_t indices = 0;
         for (const DrawCommand& each : commands)
-            indices += each.indices;
+            indices += std::size_t(each.instances) * each.indices;
         part.drawCommands(buffer.add(commands.data(), commands.size()),
                           static_cast<std::uint32_t>(commands.size()));
         draw(part, geometry, list.poses, indices / 2, states);
@@ -263,20 +263,23 @@ void InstancedCull::submitDraws() {
         const SpeciesLooks& looks = scene.resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
+            osg::Geometry* const strip = list.small ? impostor.straightGeometry() : impostor.geometry();
             osg::StateSet* const leaves = // sets the leaf colour, which twigs lack
                 list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
-            drawWhole(*list.bark, list.small ? impostor.straightGeometry() : impostor.geometry(), list, first,
-                      {inBand, impostor.stateSet(), leaves});
+            list.barkCommands.push_back({strip->getPrimitiveSet(0)->getNumIndices(),
+                                         static_cast<std::uint32_t>(list.trees.size()), 0, 0, first});
+            drawCommands(*list.bark, strip, list, list.barkCommands, {inBand, impostor.stateSet(), leaves});
             continue;
         }
         osg::StateSet* const arrays = model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
         osg::StateSet* const shape = model.state();
         const auto leafStates = {inBand, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
         const auto barkStates = {inBand, shape, looks.bark.get(), looks.hostBark.get()};
+        const ModelMeshes& meshes = model.meshes();
         drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
         drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
-        drawParts(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, leafStates);
-        drawParts(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, barkStates);
+        drawCommands(*list.leaves, meshes.leaves.geometry, list, list.leafCommands, leafStates);
+        drawCommands(*list.bark, meshes.bark.geometry, list, list.barkCommands, barkStates);
     }
     buffer.instances->dirty();
     buffer.commands->dirty();

@@ -12,6 +12,7 @@
 #include <osg/GLExtensions>
 #include <osg/State>
 
+#include <atomic>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -32,6 +33,11 @@ Span<unsigned> instanceLocations(const osg::Geometry& geometry) {
     return {locations, instanceAttributes + !geometry.getVertexArray()};
 }
 
+std::uint64_t nextBufferId() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
 /// Binds the indices of a geometry. @return offset of the first one.
 GLsizeiptr bindIndices(osg::State& state, osg::DrawElements& elements) {
     osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
@@ -48,11 +54,16 @@ bool hasIndirectDraws(const osg::State& state) {
            osg::isGLExtensionOrVersionSupported(context, "GL_ARB_base_instance", 4.2f);
 }
 
-DrawBuffer::DrawBuffer() {
+DrawBuffer::DrawBuffer() : id(nextBufferId()) {
     osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
     buffer->setUsage(GL_STREAM_DRAW_ARB);
     instances->setVertexBufferObject(buffer);
     commands->setVertexBufferObject(buffer);
+}
+
+void DrawBuffer::releaseGLObjects(osg::State* state) {
+    id = nextBufferId();
+    instances->getVertexBufferObject()->releaseGLObjects(state);
 }
 
 void DrawBuffer::clear() {
@@ -104,14 +115,9 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         withObject = nullptr;
     static const ExceptionGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo, withObject); });
-    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    if (!withObject)
-        for (const unsigned location : instanceLocations(*_geometry)) {
-            gl.glVertexAttribDivisor(location, 0);
-            gl.glDisableVertexAttribArray(location);
-        }
     SceneGeometry::unbindVertices(state);
-    state.unbindElementBufferObject();
+    if (!withObject)
+        unbindArrays(state);
     if (_flush)
         glFlush();
 }
@@ -139,47 +145,59 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* 
         drawWhole(state);
 }
 
-/// Binds the vertices, and leaves the buffer of the instances bound.
 void InstancedDraw::bindArrays(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    bool isNew = true;
+    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
+    if (buffer->isDirty()) {
+        buffer->compileBuffer();
+        gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
+    }
+    const bool isFixed = _hasCommands && _buffer->isIndirect; // commands have the first instance
     if (withObject) {
-        isNew = withObject->bindVertices(renderInfo);
+        if (!withObject->bindVertices(renderInfo, isFixed ? _buffer->id : 0))
+            return;
     } else {
         state.setCurrentToGlobalVertexArrayState(); // that of the previous draw belongs to its geometry
         state.bindVertexArrayObject(state.getCurrentVertexArrayState());
         _geometry->drawVertexArraysImplementation(renderInfo);
     }
-    osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
-    if (buffer->isDirty())
-        buffer->compileBuffer();
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
-    if (isNew)
-        for (const unsigned location : instanceLocations(*_geometry)) {
-            gl.glEnableVertexAttribArray(location);
-            gl.glVertexAttribDivisor(location, 1);
-        }
+    for (const unsigned location : instanceLocations(*_geometry)) {
+        gl.glEnableVertexAttribArray(location);
+        gl.glVertexAttribDivisor(location, 1);
+    }
+    setInstances(state, 0);
+}
+
+/// Leaves the vertex array object that OSG shares between geometries as it expects it.
+void InstancedDraw::unbindArrays(osg::State& state) const {
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    for (const unsigned location : instanceLocations(*_geometry)) {
+        gl.glVertexAttribDivisor(location, 0);
+        gl.glDisableVertexAttribArray(location);
+    }
+    state.unbindElementBufferObject();
 }
 
 /// Sets the first instance of the next draw.
 void InstancedDraw::setInstances(const osg::State& state, std::uint32_t first) const {
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     const osg::GLBufferObject* buffer = _buffer->instances->getGLBufferObject(state.getContextID());
     const GLsizeiptr offset =
         buffer->getOffset(_buffer->instances->getBufferIndex()) + first * sizeof(TreeInstance);
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
     GLsizeiptr attribute = 0; // the one in place of vertices may have any value
     for (const unsigned location : instanceLocations(*_geometry))
-        state.get<osg::GLExtensions>()->glVertexAttribPointer(
-            location, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
-            inBuffer(offset + attribute++ % instanceAttributes * 4 * sizeof(float)));
+        gl.glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+                                 inBuffer(offset + attribute++ % instanceAttributes * 4 * sizeof(float)));
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
 }
 
 void InstancedDraw::drawParts(osg::State& state) const {
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
     const GLsizeiptr indices = bindIndices(state, elements);
-    if (indices == 0 && _buffer->isIndirect) {
-        setInstances(state, 0);
+    if (_buffer->isIndirect) {
         const osg::GLBufferObject* buffer = _buffer->commands->getGLBufferObject(state.getContextID());
         gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
         const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
@@ -192,7 +210,7 @@ void InstancedDraw::drawParts(osg::State& state) const {
     const GLsizeiptr indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
     const auto* first = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer()) + _first;
     for (const DrawCommand* each = first; each != first + _count; ++each) {
-        if (each == first || each[-1].firstInstance != each->firstInstance)
+        if (each[0].firstInstance != (each == first ? 0 : each[-1].firstInstance))
             setInstances(state, each->firstInstance);
         gl.glDrawElementsInstancedBaseVertex(elements.getMode(), static_cast<GLsizei>(each->indices),
                                              elements.getDataType(),
@@ -203,7 +221,8 @@ void InstancedDraw::drawParts(osg::State& state) const {
 
 void InstancedDraw::drawWhole(osg::State& state) const {
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    setInstances(state, _first);
+    if (_first > 0)
+        setInstances(state, _first);
     const auto count = static_cast<GLsizei>(_count);
     for (const osg::ref_ptr<osg::PrimitiveSet>& set : _geometry->getPrimitiveSetList()) {
         if (osg::DrawElements* elements = set->getDrawElements()) {

@@ -43,6 +43,9 @@ struct DrawBuffer : osg::Referenced {
 
     osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
     osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
+    void releaseGLObjects(osg::State* state);
+    /// Identifies the buffer object, whose name OpenGL may give to a later one.
+    std::uint64_t id;
     // Of the context, set before the draws.
     bool isCore = false;     ///< isCoreProfile()
     bool isIndirect = false; ///< hasIndirectDraws()
@@ -70,7 +73,7 @@ public:
     void set(osg::Geometry* geometry, DrawBuffer* buffer, const DrawnPoses& poses, bool flush);
     /// Draws instances, each with all primitives of the geometry: DrawElements or DrawArrays.
     void drawInstances(std::uint32_t first, std::uint32_t count);
-    /// Draws commands, whose indices are those of the geometry's first primitives, DrawElements.
+    /// Draws commands, whose indices are those of the first primitives of a SceneGeometry, DrawElements.
     void drawCommands(std::uint32_t first, std::uint32_t count);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
@@ -81,6 +84,7 @@ protected:
 private:
     void drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const;
     void bindArrays(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const;
+    void unbindArrays(osg::State& state) const;
     void setInstances(const osg::State& state, std::uint32_t first) const;
     void drawParts(osg::State& state) const;
     void drawWhole(osg::State& state) const;

@@ -31,13 +31,13 @@ void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
 }
 
 bool SceneGeometry::canBindVertices(const osg::State& state) const {
-    const osg::VertexArrayState* arrays = _vertices[state.getContextID()];
+    const osg::VertexArrayState* arrays = _vertices[state.getContextID()].arrays;
     return !arrays || arrays->_state == &state || !arrays->_stateObserverSet->getObserverdObject();
 }
 
-bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
+bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo, std::uint64_t attributes) const {
     osg::State& state = *renderInfo.getState();
-    osg::ref_ptr<osg::VertexArrayState>& arrays = _vertices[state.getContextID()];
+    auto& [arrays, known] = _vertices[state.getContextID()];
     const bool isNew = !arrays || !arrays->_stateObserverSet->getObserverdObject(); // its context is gone
     if (isNew) {
         arrays = createVertexArrayState(renderInfo);
@@ -48,7 +48,9 @@ bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo) const {
     state.bindVertexArrayObject(arrays);
     if (isNew)
         drawVertexArraysImplementation(renderInfo);
-    return isNew;
+    const bool lacksAttributes = isNew || attributes == 0 || attributes != known;
+    known = attributes;
+    return lacksAttributes;
 }
 
 void SceneGeometry::resizeGLObjectBuffers(unsigned maxSize) {
@@ -59,16 +61,15 @@ void SceneGeometry::resizeGLObjectBuffers(unsigned maxSize) {
 void SceneGeometry::releaseGLObjects(osg::State* state) const {
     osg::Geometry::releaseGLObjects(state);
     for (unsigned context = 0; context < _vertices.size(); ++context)
-        if (_vertices[context] && (!state || state->getContextID() == context)) {
-            _vertices[context]->release();
-            _vertices[context] = nullptr;
+        if (_vertices[context].arrays && (!state || state->getContextID() == context)) {
+            _vertices[context].arrays->release();
+            _vertices[context] = {};
         }
 }
 
 void SceneGeometry::unbindVertices(osg::State& state) {
     state.setCurrentToGlobalVertexArrayState();
     state.bindVertexArrayObject(state.getCurrentVertexArrayState());
-    state.get<osg::GLExtensions>()->glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     state.unbindVertexBufferObject(); // what OSG takes for bound
 }
 

@@ -6,6 +6,8 @@
 #include <osg/VertexArrayState>
 #include <osg/buffered_value>
 
+#include <cstdint>
+
 namespace osgTreeWind {
 
 /// A geometry that is also drawn in a core profile: its program gets the uniforms of the scene there
@@ -22,8 +24,9 @@ public:
     bool canBindVertices(const osg::State& state) const;
     /// Binds a vertex array object with the vertices, for draws with further attributes. In a draw; end with
     /// unbindVertices().
-    /// @return whether it is new, without the further attributes.
-    bool bindVertices(osg::RenderInfo& renderInfo) const;
+    /// @param attributes a number that identifies the further attributes; 0 if they differ in each draw.
+    /// @return whether it lacks them.
+    bool bindVertices(osg::RenderInfo& renderInfo, std::uint64_t attributes) const;
     static void unbindVertices(osg::State& state);
 
     void resizeGLObjectBuffers(unsigned maxSize) override;
@@ -34,7 +37,11 @@ protected:
 
 private:
     osg::ref_ptr<osg::Program> _program;
-    mutable osg::buffered_object<osg::ref_ptr<osg::VertexArrayState>> _vertices; ///< Of bindVertices().
+    struct BoundVertices {
+        osg::ref_ptr<osg::VertexArrayState> arrays;
+        std::uint64_t attributes = 0;
+    };
+    mutable osg::buffered_object<BoundVertices> _vertices;
 };
 
 } // namespace osgTreeWind

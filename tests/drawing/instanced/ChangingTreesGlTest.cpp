@@ -6,6 +6,7 @@
 
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/ContextData>
@@ -228,12 +229,14 @@ TEST_F(ChangingTreesGlTest, RecreatesTexturesThatOpenGLLost) {
 
 TEST_F(ChangingTreesGlTest, PosesAreCorrectOnEveryPage) {
     // One camera sees all trees, the other one only the last ones.
-    ForestDescription description = squareForest(4600, 1.0);
+    constexpr std::size_t trees = PosePage::maxTrees + 200;
+    ForestDescription description = squareForest(trees, 1.0);
     description.species[0].tree.wood.levels = 1;
     for (TreePlacement& tree : description.trees)
         tree.leaves = 0.0f;
     description.drawing.tiers = false;
-    const osg::Vec3 eye(8, 270, 4), at(8, 286, 2);
+    constexpr float last = trees / 16.0f; // row
+    const osg::Vec3 eye(8, last - 17, 4), at(8, last - 1, 2);
     osg::ref_ptr<Forest> few = new Forest(description);
     show(few, eye, at);
     osg::ref_ptr<osg::Image> expected = later(0, 1);
@@ -248,13 +251,14 @@ TEST_F(ChangingTreesGlTest, PosesAreCorrectOnEveryPage) {
     overview->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     overview->attach(osg::Camera::COLOR_BUFFER, GL_RGBA);
     overview->setViewport(0, 0, 16, 16);
-    overview->setProjectionMatrixAsOrtho(-400, 400, -400, 400, 1, 1000);
-    overview->setViewMatrixAsLookAt(osg::Vec3(8, 140, 500), osg::Vec3(8, 140, 0), osg::Y_AXIS);
+    overview->setProjectionMatrixAsOrtho(-600, 600, -600, 600, 1, 1000);
+    overview->setViewMatrixAsLookAt(osg::Vec3(8, 0.5f * last, 500), osg::Vec3(8, 0.5f * last, 0),
+                                    osg::Y_AXIS);
     overview->addChild(all);
     scene->addChild(overview);
     scene->addChild(all);
     show(scene, eye, at);
     osg::ref_ptr<osg::Image> picture = later(0, 1);
-    EXPECT_GE(instancedTrees(*all->getInstanced()).treesByTier()[0], 4600u);
+    EXPECT_GE(instancedTrees(*all->getInstanced()).treesByTier()[0], trees);
     EXPECT_EQ(difference(*picture, *expected).mean, 0.0);
 }

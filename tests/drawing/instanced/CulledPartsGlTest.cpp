@@ -110,6 +110,21 @@ protected:
                                    (pictureHeight - 2.0 * seen.y) / seen.height - 1.0, 0.0));
     }
 
+    /// Adds a camera that draws what this one sees within a rectangle of its view. @return its picture.
+    osg::ref_ptr<osg::Image> addCamera(osg::Group& scene, osg::Node* drawn, const Rectangle& seen) const {
+        osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+        look(*camera, seen);
+        camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+        camera->setRenderOrder(osg::Camera::PRE_RENDER);
+        camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(pictureWidth, pictureHeight, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+        camera->attach(osg::Camera::COLOR_BUFFER, image);
+        camera->addChild(drawn);
+        scene.addChild(camera);
+        return image;
+    }
+
     osg::Vec3 eye{0, -16, 5}, centre{0, 0, 6};
     float lodScale = 1.0f;
     GLuint triangles = 0; ///< Of the last frame.
@@ -197,18 +212,8 @@ TEST_F(CulledPartsGlTest, CamerasOfOneFrameDrawWhatTheyDrawAlone) {
         osg::ref_ptr<osg::Group> scene = new osg::Group;
         osg::ref_ptr<Forest> forest = new Forest(description);
         std::vector<osg::ref_ptr<osg::Image>> images;
-        for (const std::size_t i : chosen) {
-            osg::ref_ptr<osg::Camera> camera = new osg::Camera;
-            look(*camera, details[i].pixels);
-            camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
-            camera->setRenderOrder(osg::Camera::PRE_RENDER);
-            camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-            images.push_back(new osg::Image);
-            images.back()->allocateImage(pictureWidth, pictureHeight, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-            camera->attach(osg::Camera::COLOR_BUFFER, images.back());
-            camera->addChild(forest);
-            scene->addChild(camera);
-        }
+        for (const std::size_t i : chosen)
+            images.push_back(addCamera(*scene, forest, details[i].pixels));
         picture(scene);
         return images;
     };
@@ -218,4 +223,29 @@ TEST_F(CulledPartsGlTest, CamerasOfOneFrameDrawWhatTheyDrawAlone) {
         EXPECT_GT(covered(*together[i]), 0.01) << details[i].name;
         EXPECT_EQ(difference(*together[i], *alone).mean, 0.0) << details[i].name;
     }
+}
+
+TEST_F(CulledPartsGlTest, ALaterCameraDrawsATreeWhereItIs) { // in buffers that reuse the names of others
+    ForestDescription description = tree("oak", 0.0f, true);
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    addCamera(*scene, forest, details[1].pixels);
+    picture(scene);
+    scene->removeChildren(0, 1);
+    scene->addChild(forest);
+    viewer().getCamera()->setCullMask(0);
+    for (int i = 5; i < 80; ++i)
+        frame(i / 25.0);
+    scene->removeChildren(0, 1);
+    viewer().getCamera()->setCullMask(~0u);
+    description.trees.front().position.x += 2.0;
+    ASSERT_TRUE(forest->changeTree(TreeId(0), description.trees.front()).empty());
+    const osg::ref_ptr<osg::Image> later = addCamera(*scene, forest, details[1].pixels);
+    for (int i = 80; i < 83; ++i)
+        frame(i / 25.0);
+    scene->removeChildren(0, 1);
+    const osg::ref_ptr<osg::Image> expected = addCamera(*scene, new Forest(description), details[1].pixels);
+    picture(scene);
+    EXPECT_GT(covered(*later), 0.01);
+    EXPECT_EQ(difference(*later, *expected).mean, 0.0);
 }
