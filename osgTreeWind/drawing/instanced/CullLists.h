@@ -37,6 +37,7 @@ public:
         DrawnPoses poses;
         std::vector<DrawCommand> barkCommands, leafCommands;
         std::vector<TreeInstance> trees; ///< Those drawn as impostors, or with the geometry of a host.
+        std::uint32_t firstInstance = 0; ///< Of `trees`, in buffer().
         osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< The whole tree for impostors.
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
 

@@ -202,90 +202,122 @@ void InstancedCull::queueParts(const FrontToBackQueue::Tree& seen, Tier tier, fl
     }
 }
 
-/// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first.
-void InstancedCull::submitDraws() {
-    if (lists.size() == 0)
-        return;
-    visitor.pushStateSet(scene.resources.state);
-    visitor.pushStateSet(lists.shading());
-    visitor.pushStateSet(scene.poses->state());
-    const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
-    constexpr std::size_t verticesPerFlush = 300000;
-    std::size_t vertexCount = 0; // since the last flush, about
-    bool drawn = false;
-    DrawBuffer& buffer = lists.buffer();
-    const auto draw = [&](InstancedDraw& part, osg::Geometry* geometry, const DrawnPoses& poses,
-                          std::size_t vertices, std::initializer_list<osg::StateSet*> states) {
-        drawn = true;
-        vertexCount += vertices;
-        const bool flush = vertexCount > verticesPerFlush;
-        part.set(geometry, &buffer, poses, flush);
-        if (flush)
-            vertexCount = 0;
-        int pushed = 0;
-        for (osg::StateSet* state : states)
-            if (state) {
-                visitor.pushStateSet(state);
-                ++pushed;
-            }
-        visitor.addDrawableAndDepth(&part, visitor.getModelViewMatrix(), depth);
-        for (; pushed > 0; --pushed)
-            visitor.popStateSet();
-    };
-    const auto drawWhole = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
-                               std::uint32_t first, std::initializer_list<osg::StateSet*> states) {
+namespace {
+
+/// Adds draws to the render bin of a camera.
+class DrawSubmission {
+public:
+    using States = std::initializer_list<osg::StateSet*>; ///< From the outermost one on; null is none.
+
+    DrawSubmission(osgUtil::CullVisitor& visitor, DrawBuffer& buffer)
+        : _visitor(visitor), _buffer(buffer), _depth(visitor.getDistanceFromEyePoint(osg::Vec3(), true)) {}
+
+    /// Adds a draw of the trees of a list, with geometry of a host, which may be null.
+    void drawWhole(InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list, States states) {
         if (!geometry || list.trees.empty())
             return;
         const osg::Array* vertices = geometry->getVertexArray(); // null in some geometry of hosts
-        part.drawInstances(first, static_cast<std::uint32_t>(list.trees.size()));
-        draw(part, geometry, list.poses, list.trees.size() * (vertices ? vertices->getNumElements() : 0),
-             states);
-    };
-    const auto drawCommands = [&](InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
-                                  const std::vector<DrawCommand>& commands,
-                                  std::initializer_list<osg::StateSet*> states) {
+        part.drawInstances(list.firstInstance, static_cast<std::uint32_t>(list.trees.size()));
+        add(part, geometry, list, list.trees.size() * (vertices ? vertices->getNumElements() : 0), states);
+    }
+    void drawCommands(InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list,
+                      const std::vector<DrawCommand>& commands, States states) {
         if (commands.empty())
             return;
         std::size_t indices = 0;
         for (const DrawCommand& each : commands)
             indices += std::size_t(each.instances) * each.indices;
-        part.drawCommands(buffer.add(commands.data(), commands.size()),
+        part.drawCommands(_buffer.add(commands.data(), commands.size()),
                           static_cast<std::uint32_t>(commands.size()));
-        draw(part, geometry, list.poses, indices / 2, states);
-    };
+        add(part, geometry, list, indices / 2, states);
+    }
+    bool isEmpty() const { return _isEmpty; }
+
+private:
+    void add(InstancedDraw& part, osg::Geometry* geometry, const CullLists::List& list, std::size_t vertices,
+             States states) {
+        constexpr std::size_t verticesPerFlush = 300000;
+        _isEmpty = false;
+        _unflushed += vertices;
+        const bool flush = _unflushed > verticesPerFlush;
+        part.set(geometry, &_buffer, list.poses, flush);
+        if (flush)
+            _unflushed = 0;
+        int pushed = 0;
+        for (osg::StateSet* state : states)
+            if (state) {
+                _visitor.pushStateSet(state);
+                ++pushed;
+            }
+        _visitor.addDrawableAndDepth(&part, _visitor.getModelViewMatrix(), _depth);
+        for (; pushed > 0; --pushed)
+            _visitor.popStateSet();
+    }
+
+    osgUtil::CullVisitor& _visitor;
+    DrawBuffer& _buffer;
+    const float _depth;
+    std::size_t _unflushed = 0; ///< Vertices, about.
+    bool _isEmpty = true;
+};
+
+} // namespace
+
+/// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first. Bark comes
+/// before the leaves of its band, as it hides more.
+void InstancedCull::submitDraws() {
+    if (lists.size() == 0)
+        return;
+    const std::initializer_list<osg::StateSet*> common = {scene.resources.state, lists.shading(),
+                                                          scene.poses->state()};
+    for (osg::StateSet* state : common)
+        visitor.pushStateSet(state);
+    DrawBuffer& buffer = lists.buffer();
     for (std::size_t i = 0; i < lists.size(); ++i) {
-        CullLists::List& list = lists[i];
-        const auto first = static_cast<std::uint32_t>(buffer.instanceCount());
-        for (const TreeInstance& tree : list.trees)
+        lists[i].firstInstance = static_cast<std::uint32_t>(buffer.instanceCount());
+        for (const TreeInstance& tree : lists[i].trees)
             buffer.add(tree);
-        osg::StateSet* const inBand = lists.bandState(list.band);
-        const ModelResources& model = *scene.resources.models[list.model];
-        const SpeciesLooks& looks = scene.resources.looks[model.species()];
-        if (list.tier >= Tier::Impostor) {
+    }
+    DrawSubmission draws(visitor, buffer);
+    for (std::size_t band = 0; band < CullLists::bands; ++band) {
+        osg::StateSet* const inBand = lists.bandState(band);
+        const auto forEachList = [&](bool impostors, const auto& draw) {
+            for (std::size_t i = 0; i < lists.size(); ++i) {
+                CullLists::List& list = lists[i];
+                const ModelResources& model = *scene.resources.models[list.model];
+                if (list.band == band && (list.tier >= Tier::Impostor) == impostors)
+                    draw(list, model, scene.resources.looks[model.species()]);
+            }
+        };
+        forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
+            const auto states = {inBand, model.state(), looks.bark.get(), looks.hostBark.get()};
+            draws.drawWhole(*list.bark, model.hostBark(), list, states);
+            draws.drawCommands(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, states);
+        });
+        forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
+            osg::StateSet* const arrays =
+                model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
+            const auto states = {inBand, model.state(), looks.leaves.get(), arrays, looks.hostLeaves.get()};
+            draws.drawWhole(*list.leaves, model.hostLeaves(), list, states);
+            draws.drawCommands(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, states);
+        });
+        forEachList(true, [&](auto& list, const auto& model, const auto& looks) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
             osg::Geometry* const strip = list.small ? impostor.straightGeometry() : impostor.geometry();
             osg::StateSet* const leaves = // sets the leaf colour, which twigs lack
                 list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
             list.barkCommands.push_back({strip->getPrimitiveSet(0)->getNumIndices(),
-                                         static_cast<std::uint32_t>(list.trees.size()), 0, 0, first});
-            drawCommands(*list.bark, strip, list, list.barkCommands, {inBand, impostor.stateSet(), leaves});
-            continue;
-        }
-        osg::StateSet* const arrays = model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
-        osg::StateSet* const shape = model.state();
-        const auto leafStates = {inBand, shape, looks.leaves.get(), arrays, looks.hostLeaves.get()};
-        const auto barkStates = {inBand, shape, looks.bark.get(), looks.hostBark.get()};
-        const ModelMeshes& meshes = model.meshes();
-        drawWhole(*list.leaves, model.hostLeaves(), list, first, leafStates);
-        drawWhole(*list.bark, model.hostBark(), list, first, barkStates);
-        drawCommands(*list.leaves, meshes.leaves.geometry, list, list.leafCommands, leafStates);
-        drawCommands(*list.bark, meshes.bark.geometry, list, list.barkCommands, barkStates);
+                                         static_cast<std::uint32_t>(list.trees.size()), 0, 0,
+                                         list.firstInstance});
+            draws.drawCommands(*list.bark, strip, list, list.barkCommands,
+                               {inBand, impostor.stateSet(), leaves});
+        });
     }
     buffer.instances->dirty();
     buffer.commands->dirty();
-    for (int pushed = 0; pushed < 3; ++pushed)
+    for (std::size_t i = 0; i < common.size(); ++i)
         visitor.popStateSet();
-    if (drawn) // without draws, OSG deletes the state graph that the stage refers to
+    if (!draws.isEmpty()) // without draws, OSG deletes the state graph that the stage refers to
         visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }
 
