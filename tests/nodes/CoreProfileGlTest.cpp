@@ -11,6 +11,7 @@
 #include <osg/Fog>
 #include <osg/GLExtensions>
 #include <osg/LightSource>
+#include <osg/MatrixTransform>
 #include <osgShadow/ShadowMap>
 #include <osgShadow/ShadowedScene>
 
@@ -152,6 +153,24 @@ TEST_P(CoreProfileGlTest, LampsFogAndClipPlanesAreThoseOfTheScene) {
         clip->addClipPlane(new osg::ClipPlane(1, 0.0, 0.0, -1.0, 4.5));
         clip->addChild(&forest);
         root->addChild(clip);
+        return root;
+    });
+}
+
+TEST_P(CoreProfileGlTest, ForestsMayHaveDifferentFog) {
+    expectSamePicture([](Forest& forest) {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        for (const bool isSecond : {false, true}) {
+            osg::ref_ptr<osg::Fog> fog = new osg::Fog;
+            fog->setMode(osg::Fog::LINEAR);
+            fog->setColor(isSecond ? osg::Vec4(0.2f, 0.3f, 0.9f, 1.0f) : osg::Vec4(0.9f, 0.4f, 0.4f, 1.0f));
+            fog->setEnd(30.0f);
+            osg::ref_ptr<osg::MatrixTransform> place =
+                new osg::MatrixTransform(osg::Matrix::translate(isSecond ? 1.5 : 0.0, 0.0, 0.0));
+            place->getOrCreateStateSet()->setAttributeAndModes(fog);
+            place->addChild(isSecond ? new Forest(forest) : &forest);
+            root->addChild(place);
+        }
         return root;
     });
 }

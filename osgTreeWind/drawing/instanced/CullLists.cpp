@@ -4,7 +4,6 @@
 #include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
-#include <osgTreeWind/gpu/OpenGLProfile.h>
 
 namespace osgTreeWind {
 namespace {
@@ -76,8 +75,7 @@ void CullLists::List::draw(const MeshPart& part, bool isLeaf, std::uint32_t inst
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
-    _buffer->isCore = prepareProfile(*renderInfo.getState()); // before the textures of the trees are made
-    _buffer->isIndirect = hasIndirectDraws(*renderInfo.getState());
+    _buffer->beginDraws(*renderInfo.getState()); // before the textures of the trees are made
     osg::ref_ptr<osg::Camera> camera;
     setSceneDefines(*_shading, _stage->getStateSet(), _stateGraph,
                     _camera.lock(camera) && supportsSampleMask(*camera, *renderInfo.getState()));

@@ -278,6 +278,10 @@ void InstancedCull::submitDraws() {
         for (const TreeInstance& tree : lists[i].trees)
             buffer.add(tree);
     }
+    const auto& looks = scene.resources.looks;
+    buffer.hasHostState = std::any_of(looks.begin(), looks.end(), [](const SpeciesLooks& each) {
+        return each.hostBark || each.hostLeaves;
+    });
     DrawSubmission draws(visitor, buffer);
     for (std::size_t band = 0; band < CullLists::bands; ++band) {
         osg::StateSet* const inBand = lists.bandState(band);
@@ -286,7 +290,7 @@ void InstancedCull::submitDraws() {
                 CullLists::List& list = lists[i];
                 const ModelResources& model = *scene.resources.models[list.model];
                 if (list.band == band && (list.tier >= Tier::Impostor) == impostors)
-                    draw(list, model, scene.resources.looks[model.species()]);
+                    draw(list, model, looks[model.species()]);
             }
         };
         forEachList(false, [&](auto& list, const auto& model, const auto& looks) {

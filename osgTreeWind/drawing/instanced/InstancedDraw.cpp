@@ -33,7 +33,7 @@ Span<unsigned> instanceLocations(const osg::Geometry& geometry) {
     return {locations, instanceAttributes + !geometry.getVertexArray()};
 }
 
-std::uint64_t nextBufferId() {
+std::uint64_t nextId() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
 }
@@ -54,15 +54,21 @@ bool hasIndirectDraws(const osg::State& state) {
            osg::isGLExtensionOrVersionSupported(context, "GL_ARB_base_instance", 4.2f);
 }
 
-DrawBuffer::DrawBuffer() : id(nextBufferId()) {
+DrawBuffer::DrawBuffer() : id(nextId()) {
     osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
     buffer->setUsage(GL_STREAM_DRAW_ARB);
     instances->setVertexBufferObject(buffer);
     commands->setVertexBufferObject(buffer);
 }
 
+void DrawBuffer::beginDraws(osg::State& state) {
+    scope = hasHostState ? 0 : nextId();
+    isCore = prepareProfile(state);
+    isIndirect = hasIndirectDraws(state);
+}
+
 void DrawBuffer::releaseGLObjects(osg::State* state) {
-    id = nextBufferId();
+    id = nextId();
     instances->getVertexBufferObject()->releaseGLObjects(state);
 }
 
@@ -131,7 +137,7 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* 
     }
     const DrawTimer time(renderInfo, "Forest draw");
     if (isCore)
-        applySceneUniforms(renderInfo);
+        applySceneUniforms(renderInfo, _buffer->scope);
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);

@@ -40,13 +40,16 @@ struct DrawBuffer : osg::Referenced {
     std::uint32_t add(const TreeInstance& tree);
     std::uint32_t add(const DrawCommand* commands, std::size_t count);
     std::size_t instanceCount() const { return instances->size() * sizeof(float) / sizeof(TreeInstance); }
+    void releaseGLObjects(osg::State* state);
 
     osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
     osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
-    void releaseGLObjects(osg::State* state);
-    /// Identifies the buffer object, whose name OpenGL may give to a later one.
-    std::uint64_t id;
-    // Of the context, set before the draws.
+    std::uint64_t id;          ///< Of the buffer object, whose name OpenGL may give to a later one.
+    bool hasHostState = false; ///< Whether draws have state of a host, which may change the lights.
+
+    /// Sets what follows for the draws of a camera, in its context.
+    void beginDraws(osg::State& state);
+    std::uint64_t scope = 0; ///< For applySceneUniforms().
     bool isCore = false;     ///< isCoreProfile()
     bool isIndirect = false; ///< hasIndirectDraws()
 };

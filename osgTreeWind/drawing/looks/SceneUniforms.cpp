@@ -13,6 +13,7 @@
 
 #include <array>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace osgTreeWind {
@@ -189,10 +190,15 @@ void setFog(const ProgramUniforms& uniforms, const osg::Fog& fog) {
 
 } // namespace
 
-void applySceneUniforms(osg::RenderInfo& renderInfo) {
+void applySceneUniforms(osg::RenderInfo& renderInfo, std::uint64_t scope) {
     const osg::State& state = *renderInfo.getState();
     if (!state.getLastAppliedProgramObject())
         return;
+    thread_local std::unordered_map<const osg::Program::PerContextProgram*, std::uint64_t> lastScopes;
+    std::uint64_t& lastScope = lastScopes[state.getLastAppliedProgramObject()];
+    if (scope != 0 && scope == lastScope)
+        return;
+    lastScope = scope;
     const ProgramUniforms uniforms(state);
     PositionalUniforms positional(uniforms);
     if (renderInfo.getView())
