@@ -263,8 +263,8 @@ private:
 
 } // namespace
 
-/// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first. Bark comes
-/// before the leaves of its band, as it hides more.
+/// Adds the draws to the camera's render bin, and the lists as a stage that computes poses first. Leaves come
+/// before the bark of their band: they hide much of it, and its pixels cost more.
 void InstancedCull::submitDraws() {
     if (lists.size() == 0)
         return;
@@ -294,16 +294,16 @@ void InstancedCull::submitDraws() {
             }
         };
         forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
-            const auto states = {inBand, model.state(), looks.bark.get(), looks.hostBark.get()};
-            draws.drawWhole(*list.bark, model.hostBark(), list, states);
-            draws.drawCommands(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, states);
-        });
-        forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
             osg::StateSet* const arrays =
                 model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
             const auto states = {inBand, model.state(), looks.leaves.get(), arrays, looks.hostLeaves.get()};
             draws.drawWhole(*list.leaves, model.hostLeaves(), list, states);
             draws.drawCommands(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, states);
+        });
+        forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
+            const auto states = {inBand, model.state(), looks.bark.get(), looks.hostBark.get()};
+            draws.drawWhole(*list.bark, model.hostBark(), list, states);
+            draws.drawCommands(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, states);
         });
         forEachList(true, [&](auto& list, const auto& model, const auto& looks) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
