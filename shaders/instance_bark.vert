@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Bark of trees in an instanced draw. Vertices are at a distance `radius` from the centre line of the branch.
-// osg_Vertex: centre, radius; osg_Normal: outward; osg_MultiTexCoord0: u (0 to 2 around), v, unit and reach
-// (instance.glsl); osg_MultiTexCoord1: shade (law/shade.glsl).
 
-#pragma import_defines(FADING, TIERS_COLORED)
+#pragma import_defines(FADING, HOST_ARRAYS, TIERS_COLORED)
 
 #include "real.glsl"
 #include "law/limits.glsl"
 #include "law/flutter.glsl"
 #include "law/shoot.glsl"
 #include "instance.glsl"
+#include "bark_vertex.glsl"
 #include "light.glsl"
 #include "surface.glsl"
 
@@ -30,27 +29,28 @@ void main() {
         return;
     }
 #endif
-    UnitPose pose = unitPose(int(osg_MultiTexCoord0.z));
-    vec3 rest = treeSize.xxy * osg_Vertex.xyz;
-    float reach = reachOf(osg_MultiTexCoord0.z);
+    BarkVertex bark = barkVertex();
+    UnitPose pose = unitPose(int(bark.unit));
+    vec3 rest = treeSize.xxy * bark.centre;
+    float radius = treeSize.z * bark.radius;
+    float reach = reachOf(bark.unit);
     if (reach > 0.0)
         rest += limberness * shootSway(rest, reach, pose.wind, flutterPhases, treeState.z);
-    rest += treeSize.z * osg_Vertex.w * osg_Normal;
+    rest += radius * bark.outward;
     vec4 eyePosition = eyePoint(pose, rest);
-    Shade shade = Shade(sharesInSeason(unpackedShares(osg_MultiTexCoord1.x), treeState.w),
-                        sharesInSeason(unpackedShares(osg_MultiTexCoord1.y), treeState.w), treeHeading(),
+    Shade shade = Shade(sharesInSeason(unpackedShares(bark.shade.x), treeState.w),
+                        sharesInSeason(unpackedShares(bark.shade.y), treeState.w), treeHeading(),
                         leftByNeighbours(rest.z));
-    vec3 eyeNormal = eyeDirection(pose, osg_Normal);
+    vec3 eyeNormal = eyeDirection(pose, bark.outward);
     // Wood thinner than a pixel is drawn as wide as that, and covers a share of it (Persson 2012, phone-wire AA).
-    float radius = treeSize.z * osg_Vertex.w;
     float w = dot(vec4(osg_ProjectionMatrix[0][3], osg_ProjectionMatrix[1][3], osg_ProjectionMatrix[2][3],
                        osg_ProjectionMatrix[3][3]), eyePosition);
     float wide = max(radius, w / (osg_ProjectionMatrix[1][1] * viewportHeight));
     eyePosition.xyz += (wide - radius) * eyeNormal;
     barkCover = radius / wide;
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
-    barkCoord = vec3(osg_MultiTexCoord0.xy, osg_MultiTexCoord0.x - 2.0 * step(1.0, osg_MultiTexCoord0.x));
-    barkGirth = vec2(radius, treeSize.y * osg_Vertex.z);
+    barkCoord = vec3(bark.coord, bark.coord.x - 2.0 * step(1.0, bark.coord.x));
+    barkGirth = vec2(radius, treeSize.y * bark.centre.z);
     passTree();
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf card in an instanced draw, rotated by flutter, rest orientation, wind and branch.
 
-#pragma import_defines(FADING, LEAF_ARRAYS, TIERS_COLORED)
+#pragma import_defines(FADING, HOST_ARRAYS, TIERS_COLORED)
 
 #include "real.glsl"
 #include "law/limits.glsl"

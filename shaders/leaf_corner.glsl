@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf card: of a record in a texture, or from vertex arrays of a host.
-// LEAF_ARRAYS: osg_Vertex: anchor, size; osg_Normal: corner in the leaf frame; osg_MultiTexCoord0: u, v, unit and
+// HOST_ARRAYS: osg_Vertex: anchor, size; osg_Normal: corner in the leaf frame; osg_MultiTexCoord0: u, v, unit and
 // reach, leaf; osg_MultiTexCoord1: rest orientation; osg_MultiTexCoord2: normal in the leaf frame, shade;
 // osg_MultiTexCoord3: outward direction in the crown, shade.
 
@@ -18,7 +18,7 @@ struct LeafCorner {
     vec2 shade;       // law/shade.glsl
 };
 
-#ifdef LEAF_ARRAYS
+#ifdef HOST_ARRAYS
 
 LeafCorner leafCorner() {
     return LeafCorner(osg_Vertex.xyz, osg_Vertex.w, osg_MultiTexCoord1, osg_Normal, osg_MultiTexCoord2.xyz,

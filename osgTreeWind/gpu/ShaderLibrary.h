@@ -16,6 +16,9 @@ std::string shaderText(const std::string& name);
 constexpr unsigned treePlaceLocation = 12, treeSizeLocation = 13, treeStateLocation = 14,
                    treeLightLocation = 15;
 
+/// Locations of packed bark (shaders/bark_vertex.glsl).
+constexpr unsigned barkPlaceLocation = 10, barkSharesLocation = 11;
+
 /// Attribute value for the library's programs. Trees cannot be drawn without them, so a program that a host
 /// sets with OVERRIDE above a forest must not replace them. A program set below the forest does.
 constexpr auto protectedProgram = osg::StateAttribute::ON | osg::StateAttribute::PROTECTED;

@@ -19,7 +19,8 @@ constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
 // graphics driver may hold a second time. Under `modal`, a tree in its cell and pose inputs for two frames.
 constexpr std::uint64_t instanceBytes = 1000, posesInTexture = 4096,
                         unitPoseBytes = 2 * 4 * sizeof(glm::vec4), impostorBytes = 2000000;
-constexpr std::uint64_t skinVertexBytes = 48, leafVertexBytes = 92, leafRecordBytes = 64;
+constexpr std::uint64_t skinVertexBytes = 48, packedBarkBytes = 24, leafVertexBytes = 92,
+                        leafRecordBytes = 64;
 constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexelBytes = 2 * 16;
 
 std::uint64_t shapeBytes(const TreeCounts& counts) {
@@ -75,7 +76,7 @@ std::uint64_t meshBytes(const TreeCounts& counts) {
     constexpr double barkTiers = 2.0; // the coarser ones add up to at most the finest
     constexpr double leafTiers = 1.0 + 1.0 + 0.62 + 0.42 + 0.27; // shares of the clusters
     const auto clusters = static_cast<double>(counts.leafVertices / verticesPerLeafCluster);
-    const auto bark = static_cast<double>(counts.skinVertices * skinVertexBytes +
+    const auto bark = static_cast<double>(counts.skinVertices * packedBarkBytes +
                                           3 * sizeof(std::uint32_t) * counts.skinTriangles);
     return static_cast<std::uint64_t>(barkTiers * bark + leafTiers * clusters * leafRecordBytes) +
            3 * sizeof(std::uint32_t) * counts.leafTriangles;

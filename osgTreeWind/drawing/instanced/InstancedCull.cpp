@@ -283,6 +283,9 @@ void InstancedCull::submitDraws() {
         return each.hostBark || each.hostLeaves;
     });
     DrawSubmission draws(visitor, buffer);
+    const auto arraysOf = [&](const ModelResources& model) {
+        return model.usesHostGeometry() ? scene.resources.hostArrays.get() : nullptr;
+    };
     for (std::size_t band = 0; band < CullLists::bands; ++band) {
         osg::StateSet* const inBand = lists.bandState(band);
         const auto forEachList = [&](bool impostors, const auto& draw) {
@@ -294,14 +297,14 @@ void InstancedCull::submitDraws() {
             }
         };
         forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
-            osg::StateSet* const arrays =
-                model.usesHostGeometry() ? scene.resources.leafArrays.get() : nullptr;
-            const auto states = {inBand, model.state(), looks.leaves.get(), arrays, looks.hostLeaves.get()};
+            const auto states = {inBand, model.state(), looks.leaves.get(), arraysOf(model),
+                                 looks.hostLeaves.get()};
             draws.drawWhole(*list.leaves, model.hostLeaves(), list, states);
             draws.drawCommands(*list.leaves, model.meshes().leaves.geometry, list, list.leafCommands, states);
         });
         forEachList(false, [&](auto& list, const auto& model, const auto& looks) {
-            const auto states = {inBand, model.state(), looks.bark.get(), looks.hostBark.get()};
+            const auto states = {inBand, model.state(), looks.bark.get(), arraysOf(model),
+                                 looks.hostBark.get()};
             draws.drawWhole(*list.bark, model.hostBark(), list, states);
             draws.drawCommands(*list.bark, model.meshes().bark.geometry, list, list.barkCommands, states);
         });

@@ -35,7 +35,7 @@ public:
     /// Likewise for leaves.
     bool setLeafState(std::size_t species, osg::StateSet* state);
     /// Replaces the geometry of a model (ForestSimulation::modelOf()) at every tier with branches; null draws
-    /// nothing. Geometry has buffer objects and the arrays of shaders/instance_bark.vert and
+    /// nothing. Geometry has buffer objects and the arrays of shaders/bark_vertex.glsl and
     /// leaf_corner.glsl, which include the index of the unit that moves a vertex. Not during a traversal.
     /// @return false if there is no such model.
     bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);

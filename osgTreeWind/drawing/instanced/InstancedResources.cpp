@@ -33,9 +33,9 @@ std::string bytesOf(const std::vector<Species>& all) {
 } // namespace
 
 InstancedResources::InstancedResources(const ForestSimulation& simulation)
-    : state(new osg::StateSet), leafArrays(new osg::StateSet), programs(new PosePrograms) {
+    : state(new osg::StateSet), hostArrays(new osg::StateSet), programs(new PosePrograms) {
     state->setDefine("FADING");
-    leafArrays->setDefine("LEAF_ARRAYS");
+    hostArrays->setDefine("HOST_ARRAYS");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));

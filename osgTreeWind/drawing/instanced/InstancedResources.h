@@ -30,7 +30,7 @@ struct InstancedResources {
     std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
     std::vector<SpeciesLooks> looks;                  ///< By species.
     osg::ref_ptr<osg::StateSet> state;                ///< Of all trees.
-    osg::ref_ptr<osg::StateSet> leafArrays;           ///< Of leaves with vertex arrays from a host.
+    osg::ref_ptr<osg::StateSet> hostArrays;           ///< Of geometry with vertex arrays from a host.
     osg::ref_ptr<PosePrograms> programs;
 
     /// All programs, geometries and state sets, which have OpenGL objects.

@@ -7,7 +7,6 @@
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DataTexture.h>
-#include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
@@ -33,28 +32,26 @@ osg::ref_ptr<osg::PrimitiveSet> triangles(const std::vector<unsigned>& indices, 
     return new osg::DrawElementsUInt(GL_TRIANGLES, indices.begin(), indices.end());
 }
 
-TierMeshes makeBarkMeshes(const TreeModel& model, const CrownShade& crown) {
+TierMeshes makeBarkMeshes(const TreeModel& model, const CrownShade& crown, osg::StateSet& state) {
     TierMeshes meshes;
+    std::vector<BranchSkin> skins;
     std::vector<unsigned> indices;
-    std::size_t mostVertices = 0; // of a tier
+    std::size_t vertices = 0, mostVertices = 0; // of a tier
     for (int tier = 0; tier < branchTiers; ++tier) {
-        BranchSkin skin = tier == static_cast<int>(Tier::Full)
-                              ? model.skin
-                              : thinnedSkin(model.skeleton, TreeDetail::reduced(tier));
+        BranchSkin& skin = skins.emplace_back(tier == static_cast<int>(Tier::Full)
+                                                  ? model.skin
+                                                  : thinnedSkin(model.skeleton, TreeDetail::reduced(tier)));
         meshes.parts[tier] = sortIntoParts(skin, model.skeleton.height());
-        const osg::ref_ptr<osg::Geometry> added = makeSkinGeometry(skin, model.skeleton, crown);
-        const int firstVertex = meshes.geometry ? appendVertices(*meshes.geometry, *added) : 0;
-        if (!meshes.geometry)
-            meshes.geometry = added;
         for (MeshPart& part : meshes.parts[tier]) {
             part.firstIndex += static_cast<std::uint32_t>(indices.size());
-            part.firstVertex = firstVertex;
+            part.firstVertex = static_cast<std::int32_t>(vertices);
         }
         indices.insert(indices.end(), skin.indices.begin(), skin.indices.end());
+        vertices += skin.vertices.size();
         mostVertices = std::max(mostVertices, skin.vertices.size());
     }
-    meshes.geometry->setPrimitiveSet(0, triangles(indices, mostVertices));
-    makeArraysDistinct(*meshes.geometry);
+    meshes.geometry = makePackedBark(skins, model.skeleton, crown, state);
+    meshes.geometry->addPrimitiveSet(triangles(indices, mostVertices));
     return meshes;
 }
 
@@ -80,7 +77,7 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) :
     const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
     const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
-    bark = makeBarkMeshes(model, crown);
+    bark = makeBarkMeshes(model, crown, *state);
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
     if (model.leaves.empty())
         return;

@@ -5,12 +5,16 @@
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace osgTreeWind {
 namespace {
@@ -68,6 +72,60 @@ private:
     std::vector<float> _atBase; ///< By unit, metres.
 };
 
+/// Values that the vertices of a ring share.
+class RingValues {
+public:
+    RingValues(const Skeleton& skeleton, const CrownShade& crown) : _thinWood(skeleton), _crown(crown) {}
+    void update(const SkinVertex& vertex) {
+        if (vertex.centre == _centre && _isSet)
+            return;
+        _isSet = true;
+        _centre = vertex.centre;
+        shade = packed(_crown.at(_centre));
+        unitAndReach = _thinWood.unitAndReach(static_cast<int>(vertex.unit + 0.5f), _centre);
+    }
+    glm::vec2 shade{0.0f};
+    float unitAndReach = 0.0f;
+
+private:
+    const ThinWood _thinWood;
+    const CrownShade& _crown;
+    glm::vec3 _centre{0.0f};
+    bool _isSet = false;
+};
+
+/// Rounds to a whole number. @param most the value of the largest number.
+std::uint32_t steps(float value, float most, std::uint32_t largest) {
+    return static_cast<std::uint32_t>(
+        std::lround(glm::clamp(value / most, 0.0f, 1.0f) * static_cast<float>(largest)));
+}
+
+/// A unit vector on an octahedron that is unfolded to a square (Meyer et al. 2010), in [0, 1].
+glm::vec2 onOctahedron(const glm::vec3& v) {
+    const glm::vec2 top = glm::vec2(v) / (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
+    const glm::vec2 sides(top.x < 0.0f ? -1.0f : 1.0f, top.y < 0.0f ? -1.0f : 1.0f);
+    return 0.5f + 0.5f * (v.z < 0.0f ? sides * (1.0f - glm::abs(glm::vec2(top.y, top.x))) : top);
+}
+
+/// Ranges of the values of packed bark.
+struct BarkRanges {
+    glm::vec3 low{std::numeric_limits<float>::max()}, size{1e-9f}; ///< Box of the centres, m.
+    float radius = 1e-9f;                                          ///< Largest radius, m.
+    float v = 1e-9f;                                               ///< Largest texture coordinate.
+
+    explicit BarkRanges(const std::vector<BranchSkin>& skins) {
+        glm::vec3 high(std::numeric_limits<float>::lowest());
+        for (const BranchSkin& skin : skins)
+            for (const SkinVertex& vertex : skin.vertices) {
+                low = glm::min(low, vertex.centre);
+                high = glm::max(high, vertex.centre);
+                radius = glm::max(radius, vertex.radius);
+                v = glm::max(v, vertex.uv.y);
+            }
+        size = glm::max(size, high - low);
+    }
+};
+
 } // namespace
 
 osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skeleton& skeleton,
@@ -76,20 +134,13 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skele
     osg::ref_ptr<osg::Vec3Array> outwards = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> coordinates = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> shades = new osg::Vec2Array;
-    const ThinWood thinWood(skeleton);
-    glm::vec3 centre(0.0f);
-    glm::vec2 shade(0.0f);
-    float unit = 0.0f;
+    RingValues ring(skeleton, crown);
     for (const SkinVertex& v : skin.vertices) {
-        if (v.centre != centre || shades->empty()) { // the next ring
-            centre = v.centre;
-            shade = packed(crown.at(centre));
-            unit = thinWood.unitAndReach(static_cast<int>(v.unit + 0.5f), centre);
-        }
-        shades->push_back({shade.x, shade.y});
+        ring.update(v);
+        shades->push_back({ring.shade.x, ring.shade.y});
         centres->push_back({v.centre.x, v.centre.y, v.centre.z, v.radius});
         outwards->push_back({v.outward.x, v.outward.y, v.outward.z});
-        coordinates->push_back({v.uv.x, v.uv.y, unit});
+        coordinates->push_back({v.uv.x, v.uv.y, ring.unitAndReach});
     }
     osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("bark");
     geometry->setVertexArray(centres);
@@ -98,6 +149,47 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skele
     geometry->setTexCoordArray(1, shades);
     geometry->addPrimitiveSet(new osg::DrawElementsUInt(
         GL_TRIANGLES, static_cast<unsigned>(skin.indices.size()), skin.indices.data()));
+    makeArraysDistinct(*geometry);
+    return geometry;
+}
+
+osg::ref_ptr<osg::Geometry> makePackedBark(const std::vector<BranchSkin>& skins, const Skeleton& skeleton,
+                                           const CrownShade& crown, osg::StateSet& state) {
+    const BarkRanges most(skins);
+    std::size_t count = 0;
+    for (const BranchSkin& skin : skins)
+        count += skin.vertices.size();
+    osg::ref_ptr<osg::Vec4uiArray> places = new osg::Vec4uiArray;
+    osg::ref_ptr<osg::Vec2uiArray> shades = new osg::Vec2uiArray;
+    places->reserveArray(static_cast<unsigned>(count));
+    shades->reserveArray(static_cast<unsigned>(count));
+    for (osg::Array* words : {static_cast<osg::Array*>(places), static_cast<osg::Array*>(shades)})
+        words->setPreserveDataType(true);
+    RingValues ring(skeleton, crown);
+    for (const BranchSkin& skin : skins)
+        for (const SkinVertex& vertex : skin.vertices) {
+            ring.update(vertex);
+            const glm::vec3 centre = vertex.centre - most.low;
+            const glm::vec2 outward = onOctahedron(vertex.outward);
+            const std::uint32_t v = steps(vertex.uv.y, most.v, 0xffff);
+            std::uint32_t unit = 0;
+            std::memcpy(&unit, &ring.unitAndReach, sizeof unit);
+            places->push_back(
+                {steps(centre.x, most.size.x, 0xffff) | steps(centre.y, most.size.y, 0xffff) << 16,
+                 steps(centre.z, most.size.z, 0xffff) |
+                     steps(std::sqrt(vertex.radius), std::sqrt(most.radius), 0xffff) << 16,
+                 steps(outward.x, 1.0f, 0xfff) | steps(outward.y, 1.0f, 0xfff) << 12 |
+                     steps(vertex.uv.x, 2.0f, 240) << 24,
+                 unit});
+            shades->push_back({steps(ring.shade.x, 1.0f, 1u << 24) << 8 | v >> 8,
+                               steps(ring.shade.y, 1.0f, 1u << 24) << 8 | (v & 0xff)});
+        }
+    state.addUniform(new osg::Uniform("barkLow", toOsg(most.low)));
+    state.addUniform(new osg::Uniform("barkSize", toOsg(most.size)));
+    state.addUniform(new osg::Uniform("barkMost", osg::Vec2(most.radius, most.v)));
+    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("bark");
+    geometry->setVertexAttribArray(barkPlaceLocation, places, osg::Array::BIND_PER_VERTEX);
+    geometry->setVertexAttribArray(barkSharesLocation, shades, osg::Array::BIND_PER_VERTEX);
     makeArraysDistinct(*geometry);
     return geometry;
 }
@@ -152,20 +244,6 @@ void addLeafRecords(const ThinnedLeaves& leaves, const Skeleton& skeleton,
         records.emplace_back(crown.outward(leaf.anchor), thinWood.unitAndReach(leaf.unit, leaf.anchor));
         records.emplace_back(shade, static_cast<float>(leaves.indices[i]), static_cast<float>(leaves.bough));
     }
-}
-
-int appendVertices(osg::Geometry& whole, const osg::Geometry& more) {
-    osg::Geometry::ArrayList arrays, added;
-    whole.getArrayList(arrays);
-    more.getArrayList(added);
-    const unsigned before = arrays.front()->getNumElements();
-    for (std::size_t i = 0; i < arrays.size(); ++i) {
-        osg::Array& array = *arrays[i];
-        array.resizeArray(before + added[i]->getNumElements());
-        std::memcpy(const_cast<GLvoid*>(array.getDataPointer(before)), added[i]->getDataPointer(),
-                    added[i]->getTotalDataSize());
-    }
-    return static_cast<int>(before);
 }
 
 std::vector<unsigned> leafIndices(std::size_t clusters) {

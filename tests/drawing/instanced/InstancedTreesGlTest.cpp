@@ -266,7 +266,7 @@ TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
             model, makeSkinGeometry(shape.skin, shape.skeleton, crown),
             makeLeafGeometry(shape.leaves, shape.skeleton, shape.leafMesh, crown));
     }
-    EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
+    EXPECT_LT(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.001) << "built-in bark is packed";
     look(forest);
     for (std::size_t model = 0; model < models.size(); ++model)
         forest->getInstanced()->setGeometry(model, nullptr, nullptr);
