@@ -106,6 +106,11 @@ std::string shapeKey(const TreeParameters& parameters, std::uint32_t variant) {
 
 } // namespace
 
+const BranchSkin& SkinOnDemand::of(const Skeleton& skeleton) const {
+    std::call_once(_skin->once, [&] { _skin->skin = makeBranchSkin(skeleton); });
+    return _skin->skin;
+}
+
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant) {
     LeafParameters leaves = clamped(parameters.leaves);
     leaves.seed += variant;
@@ -127,7 +132,6 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     }
     if (addSideShoots(model.skeleton, parameters, leaves))
         model.leaves = makeLeafClusters(model.skeleton, leaves);
-    model.skin = makeBranchSkin(model.skeleton);
     return model;
 }
 
@@ -157,8 +161,9 @@ TreeCounts countTree(const TreeModel& model) {
     for (const BranchUnit& unit : model.skeleton.units)
         counts.branches += unit.level > 0;
     counts.skeletonPoints = model.skeleton.points.size();
-    counts.skinVertices = model.skin.vertices.size();
-    counts.skinTriangles = model.skin.indices.size() / 3;
+    const SkinSize skin = sizeOfBranchSkin(model.skeleton);
+    counts.skinVertices = skin.vertices;
+    counts.skinTriangles = skin.triangles;
     counts.leafVertices = model.leaves.size() * verticesPerLeafCluster;
     counts.leafTriangles = model.leaves.size() * trianglesPerLeafCluster;
     return counts;

@@ -11,23 +11,40 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace osgTreeWind {
 
+/// The bark of a skeleton, made when it is first needed. Copies share it.
+class SkinOnDemand {
+public:
+    /// Any thread. @param skeleton the same in all calls.
+    const BranchSkin& of(const Skeleton& skeleton) const;
+
+private:
+    struct Skin {
+        std::once_flag once;
+        BranchSkin skin;
+    };
+    std::shared_ptr<Skin> _skin = std::make_shared<Skin>();
+};
+
 /// The rest geometry of one tree shape, shared by all trees drawn with it.
 struct TreeModel {
     Skeleton skeleton; ///< Wood.
-    BranchSkin skin;   ///< Bark.
+    /// Bark, kept from the first call on. Any thread.
+    const BranchSkin& skin() const { return skinOnDemand.of(skeleton); }
     std::vector<LeafCluster> leaves;
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< Shared by all clusters.
     std::vector<ShootWood> shootWood;                        ///< shootWoodOf(skeleton), without side shoots.
     TreeExtents
         extents; ///< makeTreeExtents() without `hanging` and side shoots; for measureTree(), fitTree().
     std::uint64_t identity = 0; ///< Unique for a sharedTreeModel(); 0 otherwise.
+    SkinOnDemand skinOnDemand;
 };
 
-/// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
+/// Grows skeleton and leaves. All seeds of `parameters` are offset by `variant`.
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 /// A model shared by all users in the process, as long as one of them holds it. Thread-safe.
 std::shared_ptr<const TreeModel> sharedTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);

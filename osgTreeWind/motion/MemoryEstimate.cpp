@@ -25,8 +25,12 @@ constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexel
 
 std::uint64_t shapeBytes(const TreeCounts& counts) {
     return counts.units * sizeof(BranchUnit) + counts.skeletonPoints * sizeof(glm::vec3) +
-           counts.skinVertices * sizeof(SkinVertex) + 3 * counts.skinTriangles * sizeof(std::uint32_t) +
            counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
+}
+
+/// Of TreeModel::skin(), which nodes need: for geometry under a branchwise law, for picking under `modal`.
+std::uint64_t skinBytes(const TreeCounts& counts) {
+    return counts.skinVertices * sizeof(SkinVertex) + 3 * counts.skinTriangles * sizeof(std::uint32_t);
 }
 
 std::string problemOfTrees(const ForestDescription& description, std::uint64_t bytes) {
@@ -55,6 +59,7 @@ MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeF
             shapes * shapeBytes(counts) +
             trees[i] * (modal ? simulatedTreeBytes(ModalLevel::Near)
                               : sizeof(PlacedTree) + counts.units * unitBytes + leaves * leafBytes);
+        memory.nodes += shapes * skinBytes(counts);
         if (modal)
             memory.nodes += trees[i] * instanceBytes +
                             shapes * (2 * meshBytes(counts) + impostorBytes + // OpenGL has a copy

@@ -90,7 +90,7 @@ TEST(BranchTransformTest, HierarchyPosesTheBarkAsTheSimulationDoes) {
     const PosedTree& posed = *tree.getPosedTree();
     const osg::Matrix toTree = osg::Matrix::inverse(worldMatrix(tree));
     double furthest = 0.0, moved = 0.0;
-    for (const SkinVertex& vertex : posed.model().skin.vertices) {
+    for (const SkinVertex& vertex : posed.model().skin().vertices) {
         const auto unit = static_cast<unsigned>(vertex.unit);
         const osg::Vec3d rest = toOsg(posed.skinPoint(vertex, UnitPose()));
         const osg::Vec3d cpu = toOsg(posed.skinPoint(vertex, posed.pose(unit)));

@@ -117,7 +117,7 @@ protected:
         const TreeMotion motion = movingForest(*simulation).motion(tree);
         const std::vector<UnitPose>& poses = reader->read.at(tree);
         Distances result;
-        for (const SkinVertex& vertex : movingForest(*simulation).placed().modelOf(placed).skin.vertices) {
+        for (const SkinVertex& vertex : movingForest(*simulation).placed().modelOf(placed).skin().vertices) {
             const auto unit = static_cast<std::size_t>(vertex.unit + 0.5f);
             const glm::vec3 cpu = posedSkinPoint(vertex, placed.scale, motion.poses[unit]),
                             rest = posedSkinPoint(vertex, placed.scale, UnitPose());

@@ -196,7 +196,7 @@ TEST(JoinedSkin, AFlareWidensTheFootAndNotTheTree) {
     plain.palm.emplace().flare = 0.0f;
     flared.palm.emplace().flare = 3.0f;
     const TreeModel a = makeTreeModel(plain), b = makeTreeModel(flared);
-    EXPECT_GT(b.skin.vertices[0].radius, 2.0f * a.skin.vertices[0].radius);
+    EXPECT_GT(b.skin().vertices[0].radius, 2.0f * a.skin().vertices[0].radius);
     const TreeSize before = measureTree(a), after = measureTree(b);
     EXPECT_EQ(after.crownWidth, before.crownWidth);
     EXPECT_EQ(after.trunkDiameter, before.trunkDiameter);

@@ -215,7 +215,7 @@ TEST(TreeDetail, ThinUnitsHaveNoSkin) {
     const float thick = reference().skeleton.units.front().baseRadius;
     detail.thinnest = 2.0f * 0.2f * thick / reference().skeleton.height();
     const BranchSkin skin = thinnedSkin(reference().skeleton, detail);
-    EXPECT_LT(skin.vertices.size(), reference().skin.vertices.size());
+    EXPECT_LT(skin.vertices.size(), reference().skin().vertices.size());
     EXPECT_GT(skin.vertices.size(), 0u);
     for (const std::uint32_t index : skin.indices) {
         const auto unit = static_cast<std::size_t>(skin.vertices[index].unit);

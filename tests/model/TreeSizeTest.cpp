@@ -61,7 +61,7 @@ TreeSize measureEveryVertex(const TreeModel& model, const TreeScale& scale) {
         low = glm::min(low, point);
         high = glm::max(high, point);
     };
-    for (const SkinVertex& v : model.skin.vertices)
+    for (const SkinVertex& v : model.skin().vertices)
         add(scale.axes * v.centre + scale.radius * v.radius * v.outward);
     for (const LeafCluster& leaf : model.leaves)
         for (const LeafVertex& v : model.leafMesh)

@@ -139,9 +139,9 @@ private:
 
 RestGeometry restBark(const TreeModel& model, const TreeScale& scale) {
     RestGeometry rest;
-    for (const SkinVertex& v : model.skin.vertices)
+    for (const SkinVertex& v : model.skin().vertices)
         rest.add(posedSkinPoint(v, scale, {}), v.outward, v.uv, static_cast<int>(v.unit), 1.0f);
-    rest.setTriangles({model.skin.indices.begin(), model.skin.indices.end()});
+    rest.setTriangles({model.skin().indices.begin(), model.skin().indices.end()});
     return rest;
 }
 

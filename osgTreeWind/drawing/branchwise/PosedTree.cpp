@@ -17,7 +17,7 @@ PosedTree::PosedTree(std::shared_ptr<const TreeModel> model, const TreeScale& sc
         corner = std::max(corner, glm::length(vertex.corner));
     for (const LeafCluster& leaf : _model->leaves)
         size = std::max(size, leaf.size);
-    for (const SkinVertex& vertex : _model->skin.vertices)
+    for (const SkinVertex& vertex : _model->skin().vertices)
         radius = std::max(radius, vertex.radius);
     const Skeleton& skeleton = _model->skeleton;
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {

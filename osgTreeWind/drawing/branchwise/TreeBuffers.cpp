@@ -66,8 +66,8 @@ private:
 
 TreeBuffers::Meshes::Meshes(const TreeModel& model, LeafForm leafForm) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(leafForm));
-    skin = makeSkinGeometry(model.skin, model.skeleton, crown);
-    bareSkin = skinOf(unitsWithoutLeaves(model), model.skin, *skin);
+    skin = makeSkinGeometry(model.skin(), model.skeleton, crown);
+    bareSkin = skinOf(unitsWithoutLeaves(model), model.skin(), *skin);
     leaves = makeLeafGeometry(model.leaves, model.skeleton, model.leafMesh, crown);
 }
 
@@ -83,7 +83,7 @@ TreeBuffers::TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafFo
 
 osg::Geometry* TreeBuffers::unitSkin(unsigned unit) {
     if (!_unitSkins[unit])
-        _unitSkins[unit] = skinOf({unit}, _model->skin, *skin());
+        _unitSkins[unit] = skinOf({unit}, _model->skin(), *skin());
     return _unitSkins[unit].get();
 }
 

@@ -45,7 +45,7 @@ osg::BoundingBox SkinDrawable::computeBoundingBox() const {
 TreeDrawable::Triangles SkinDrawable::posedTriangles() const {
     if (!_tree)
         return {};
-    const BranchSkin& skin = _tree->model().skin;
+    const BranchSkin& skin = _tree->model().skin();
     const bool whole = _unit == wholeTree;
     const std::size_t first = whole ? 0 : static_cast<std::size_t>(_unit);
     const std::size_t after = whole ? _tree->model().skeleton.units.size() : first + 1;

@@ -39,7 +39,7 @@ TierMeshes makeBarkMeshes(const TreeModel& model, const CrownShade& crown, osg::
     std::size_t vertices = 0, mostVertices = 0; // of a tier
     for (int tier = 0; tier < branchTiers; ++tier) {
         BranchSkin& skin = skins.emplace_back(tier == static_cast<int>(Tier::Full)
-                                                  ? model.skin
+                                                  ? makeBranchSkin(model.skeleton)
                                                   : thinnedSkin(model.skeleton, TreeDetail::reduced(tier)));
         meshes.parts[tier] = sortIntoParts(skin, model.skeleton.height());
         for (MeshPart& part : meshes.parts[tier]) {

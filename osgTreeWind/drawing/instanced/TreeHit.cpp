@@ -27,12 +27,12 @@ TreeHit::TreeHit(const ForestSimulation& simulation, TreeId hit) {
     const auto add = [&](const glm::vec3& point) {
         _vertices.push_back(toOsg(rotateAboutZ(point, sine, cosine) + tree.position));
     };
-    for (const SkinVertex& vertex : model.skin.vertices)
+    for (const SkinVertex& vertex : model.skin().vertices)
         add(posedSkinPoint(vertex, tree.scale,
                            motion.poses[static_cast<std::size_t>(std::lround(vertex.unit))]));
-    _indices.assign(model.skin.indices.begin(), model.skin.indices.end());
+    _indices.assign(model.skin().indices.begin(), model.skin().indices.end());
     _barkTriangles = static_cast<unsigned>(_indices.size() / 3);
-    _barkEnds.assign(model.skin.firstIndices.begin() + 1, model.skin.firstIndices.end());
+    _barkEnds.assign(model.skin().firstIndices.begin() + 1, model.skin().firstIndices.end());
     if (tree.leaves <= 0.0f)
         return;
     const auto firstLeaf = static_cast<unsigned>(_vertices.size());

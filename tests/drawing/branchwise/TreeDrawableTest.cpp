@@ -85,7 +85,7 @@ TEST(BoundsTest, ContainEveryPosedPointInAStorm) {
             continue;
         for (unsigned i = 0; i < forest->getNumTrees(); ++i) {
             const PosedTree& tree = *branchwiseTrees(*forest->getBranchwise()).nodes()[i]->getPosedTree();
-            for (const SkinVertex& v : tree.model().skin.vertices)
+            for (const SkinVertex& v : tree.model().skin().vertices)
                 ASSERT_TRUE(tree.bounds().contains(
                     toOsg(tree.skinPoint(v, tree.pose(static_cast<std::size_t>(v.unit))))))
                     << "bark, frame " << frame;

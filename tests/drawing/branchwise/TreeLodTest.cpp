@@ -75,7 +75,7 @@ TEST_F(TreeLodTest, MiddleLevelIsLeavesAndBarkWithoutLeaves) {
     const auto* bark = dynamic_cast<const TreeDrawable*>(cull.drawn[0]);
     ASSERT_NE(bark, nullptr);
     const TreeModel& model = tree->getPosedTree()->model();
-    EXPECT_EQ(bark->geometry()->getPrimitiveSet(0)->getNumIndices(), model.skin.firstIndices[2])
+    EXPECT_EQ(bark->geometry()->getPrimitiveSet(0)->getNumIndices(), model.skin().firstIndices[2])
         << "the two units of the trunk";
 }
 

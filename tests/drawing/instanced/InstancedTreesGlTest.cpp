@@ -144,7 +144,7 @@ TEST_F(InstancedTreesGlTest, AttachedNodesFollowBranchesInTheSameFrame) {
     const ForestSimulation& simulation = followed->getSimulation();
     for (std::size_t tree = 0; tree < movingForest(simulation).trees().size(); ++tree) {
         const PlacedTree& placed = movingForest(simulation).trees()[tree];
-        const BranchSkin& skin = movingForest(simulation).placed().modelOf(placed).skin;
+        const BranchSkin& skin = movingForest(simulation).placed().modelOf(placed).skin();
         const std::size_t units = movingForest(simulation).placed().unitCount(placed);
         for (unsigned unit = 0; unit < units; ++unit) {
             osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
@@ -263,7 +263,7 @@ TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
         const TreeModel& shape = *models[model];
         const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
         forest->getInstanced()->setGeometry(
-            model, makeSkinGeometry(shape.skin, shape.skeleton, crown),
+            model, makeSkinGeometry(shape.skin(), shape.skeleton, crown),
             makeLeafGeometry(shape.leaves, shape.skeleton, shape.leafMesh, crown));
     }
     EXPECT_LT(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.001) << "built-in bark is packed";

@@ -188,7 +188,7 @@ TEST(MeshPartsTest, PartsOfLeavesContainAllCards) {
 }
 
 TEST(MeshPartsTest, PartsOfASkinDrawEachTriangleOnce) {
-    expectPartsOf(reference().skin);
+    expectPartsOf(reference().skin());
     for (const int reductions : {2, 5})
         expectPartsOf(thinnedSkin(reference().skeleton, TreeDetail::reduced(reductions)));
 }
@@ -197,7 +197,7 @@ TEST(MeshPartsTest, ScansHaveParts) {
     TreeParameters parameters;
     parameters.scans = std::make_shared<std::vector<ScannedTree>>(
         1, makeScannedTree({{{0, 0, 0}, {0, 0, 4}, 0.1, -1, 0}, {{0, 0, 4}, {1, 0, 6}, 0.05, 0, 0}}).value());
-    expectPartsOf(makeTreeModel(parameters).skin);
+    expectPartsOf(makeTreeModel(parameters).skin());
 }
 
 TEST(MeshPartsTest, NothingHasNoParts) {
@@ -208,7 +208,7 @@ TEST(MeshPartsTest, NothingHasNoParts) {
 }
 
 TEST(MeshPartsTest, TheSameTreeHasTheSameParts) {
-    BranchSkin skins[2] = {reference().skin, reference().skin};
+    BranchSkin skins[2] = {reference().skin(), reference().skin()};
     const std::vector<MeshPart> a = sortIntoParts(skins[0], modelHeight),
                                 b = sortIntoParts(skins[1], modelHeight);
     EXPECT_EQ(skins[0].indices, skins[1].indices);
