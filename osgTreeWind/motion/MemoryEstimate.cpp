@@ -62,7 +62,7 @@ MemoryEstimate estimateMemory(const ForestDescription& description, const ShapeF
         memory.nodes += shapes * skinBytes(counts);
         if (modal)
             memory.nodes += trees[i] * instanceBytes +
-                            shapes * (2 * meshBytes(counts) + impostorBytes + // OpenGL has a copy
+                            shapes * (2 * meshBytes(counts) + impostorBytes + // with the copy of OpenGL
                                       std::min(trees[i], posesInTexture) * counts.units * unitPoseBytes);
         else
             memory.nodes +=

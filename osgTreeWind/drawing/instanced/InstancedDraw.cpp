@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedDraw.h>
 
 #include <osgTreeWind/base/Span.h>
-#include <osgTreeWind/drawing/looks/SceneGeometry.h>
+#include <osgTreeWind/drawing/instanced/RefilledGeometry.h>
 #include <osgTreeWind/drawing/looks/SceneUniforms.h>
 #include <osgTreeWind/gpu/DrawTimer.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>
@@ -154,6 +154,8 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* 
 void InstancedDraw::bindArrays(osg::RenderInfo& renderInfo, const SceneGeometry* withObject) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    if (const auto* refilled = dynamic_cast<const RefilledGeometry*>(_geometry.get()))
+        refilled->fillBuffers(state);
     osg::GLBufferObject* buffer = _buffer->instances->getOrCreateGLBufferObject(state.getContextID());
     if (buffer->isDirty()) {
         buffer->compileBuffer();

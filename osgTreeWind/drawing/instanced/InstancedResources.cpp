@@ -62,7 +62,7 @@ void InstancedResources::addSpecies(const ForestSimulation& simulation) {
         const std::size_t model = first + i;
         const std::size_t species = movingForest(simulation).placed().speciesOfModel(model);
         models[model] =
-            new ModelResources(*movingForest(simulation).models()[model], species, all[species].appearance);
+            new ModelResources(movingForest(simulation).models()[model], species, all[species].appearance);
     });
     updateSeason(simulation);
 }

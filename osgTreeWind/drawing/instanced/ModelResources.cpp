@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/impostors/ImpostorCache.h>
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
+#include <osgTreeWind/drawing/instanced/RefilledGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
@@ -73,11 +74,18 @@ void setLeafState(osg::StateSet& state, const TreeModel& model, const std::vecto
 
 } // namespace
 
-ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) : state(new osg::StateSet) {
+ModelMeshes::ModelMeshes(const std::shared_ptr<const TreeModel>& shared, const Appearance& appearance)
+    : state(new osg::StateSet) {
+    const TreeModel& model = *shared;
     const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
     const CrownShade crown(model.leaves, model.leafMesh, coverage);
     stencils = LeafStencils::ofAtlas(leafImage(appearance));
     bark = makeBarkMeshes(model, crown, *state);
+    bark.geometry = new RefilledGeometry(*bark.geometry, [shared, coverage] {
+        const osg::ref_ptr<osg::StateSet> unused = new osg::StateSet;
+        return makeBarkMeshes(*shared, CrownShade(shared->leaves, shared->leafMesh, coverage), *unused)
+            .geometry;
+    });
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
     if (model.leaves.empty())
         return;
@@ -109,17 +117,19 @@ namespace {
 
 /// The meshes of a model; forests of the process share those of a shared model (TreeModel::identity) while
 /// one of them holds them. Any thread.
-osg::ref_ptr<ModelMeshes> sharedMeshes(const TreeModel& model, const Appearance& appearance) {
+osg::ref_ptr<ModelMeshes> sharedMeshes(const std::shared_ptr<const TreeModel>& model,
+                                       const Appearance& appearance) {
     using Cards = std::tuple<LeafForm, std::string, float>; // the fields that meshes depend on
     static SharedObjects<std::pair<std::uint64_t, Cards>, ModelMeshes> meshes;
     const auto make = [&] { return osg::ref_ptr<ModelMeshes>(new ModelMeshes(model, appearance)); };
     const Cards cards{appearance.leafForm, appearance.leafImage, appearance.underside};
-    return model.identity == 0 ? make() : meshes.get({model.identity, cards}, make);
+    return model->identity == 0 ? make() : meshes.get({model->identity, cards}, make);
 }
 
 } // namespace
 
-ModelResources::ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance)
+ModelResources::ModelResources(const std::shared_ptr<const TreeModel>& model, std::size_t species,
+                               const Appearance& appearance)
     : _species(species), _meshes(sharedMeshes(model, appearance)) {}
 
 ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)

@@ -11,13 +11,14 @@
 #include <osg/Geometry>
 #include <osg/StateSet>
 
+#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
 
 /// The bark or the leaves of a model: vertices and triangle indices of all tiers with branches, and the parts
 /// of each tier. Tiers may share parts. Leaves have no vertices, but records in a texture of their state. The
-/// geometry is null without triangles.
+/// geometry is null without triangles; that of bark is a RefilledGeometry.
 struct TierMeshes {
     osg::ref_ptr<osg::Geometry> geometry;
     std::vector<MeshPart> parts[branchTiers];
@@ -25,7 +26,7 @@ struct TierMeshes {
 
 /// The meshes of a model. Immutable.
 struct ModelMeshes : osg::Referenced {
-    ModelMeshes(const TreeModel& model, const Appearance& appearance);
+    ModelMeshes(const std::shared_ptr<const TreeModel>& shared, const Appearance& appearance);
 
     TierMeshes bark, leaves;
     osg::ref_ptr<osg::StateSet> state; ///< Of all tiers (shaders/instance.glsl, leaf_corner.glsl).
@@ -37,7 +38,8 @@ struct ModelMeshes : osg::Referenced {
 class ModelResources : public osg::Referenced {
 public:
     /// @param species index of the species of the model.
-    ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance);
+    ModelResources(const std::shared_ptr<const TreeModel>& model, std::size_t species,
+                   const Appearance& appearance);
     /// A copy with the geometry of a host at every tier with branches; null draws nothing.
     ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves);
     /// If true, the impostors may look different from the geometry.

@@ -273,6 +273,22 @@ TEST_F(InstancedTreesGlTest, HostGeometryMovesLikeTheBuiltInOne) {
     EXPECT_EQ(covered(*run(0, 1)), 0.0);
 }
 
+TEST_F(InstancedTreesGlTest, BarkIsMadeAgainForContextsThatLackIt) {
+    const osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
+    const osg::ref_ptr<osg::Image> first = picture(forest, 1);
+    const InstancedResources& resources = instancedTrees(*forest->getInstanced()).resources();
+    for (const osg::ref_ptr<ModelResources>& model : resources.models)
+        if (model) {
+            const osg::Geometry& bark = *model->meshes().bark.geometry;
+            EXPECT_EQ(bark.getVertexAttribArray(barkPlaceLocation)->getTotalDataSize(), 0u)
+                << "OpenGL has it";
+            EXPECT_EQ(bark.getPrimitiveSet(0)->getTotalDataSize(), 0u);
+        }
+    forest->releaseGLObjects();
+    EXPECT_EQ(difference(*first, *run(0, 0)).mean, 0.0) << "after a release";
+    EXPECT_EQ(difference(*first, *picture(forest, 1)).mean, 0.0) << "in another context";
+}
+
 TEST_F(InstancedTreesGlTest, DoesNotChangeOtherDrawings) { // passes restore the OpenGL state
     const auto cube = [] {
         osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;

@@ -25,14 +25,14 @@ std::uint64_t arrayBytes(const osg::Geometry& geometry) {
 TEST(ModelMeshesTest, EstimateOfMemoryFollowsTheArrays) {
     for (const char* name : {"oak", "Norway spruce", "Scots pine"}) {
         const Species species = *findSpecies(name);
-        const TreeModel model = makeTreeModel(species.tree);
+        const auto model = sharedTreeModel(species.tree);
         const ModelMeshes meshes(model, species.appearance);
         const auto* records = dynamic_cast<const osg::Texture2D*>(
             meshes.state->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
         ASSERT_NE(records, nullptr) << name;
         const std::uint64_t bytes = arrayBytes(*meshes.bark.geometry) + arrayBytes(*meshes.leaves.geometry) +
                                     records->getImage()->getTotalSizeInBytes();
-        const auto estimate = static_cast<double>(meshBytes(countTree(model)));
+        const auto estimate = static_cast<double>(meshBytes(countTree(*model)));
         EXPECT_GT(estimate, 0.9 * static_cast<double>(bytes)) << name;
         EXPECT_LT(estimate, 1.8 * static_cast<double>(bytes)) << name;
     }
@@ -40,8 +40,8 @@ TEST(ModelMeshesTest, EstimateOfMemoryFollowsTheArrays) {
 
 TEST(ModelMeshesTest, LeavesOfTheFullTierTakeAFractionOfTheirCorners) {
     const Species oak = *findSpecies("oak");
-    const TreeModel model = makeTreeModel(oak.tree);
-    const TreeCounts counts = countTree(model);
+    const auto model = sharedTreeModel(oak.tree);
+    const TreeCounts counts = countTree(*model);
     const ModelMeshes meshes(model, oak.appearance);
     const auto* records = dynamic_cast<const osg::Texture2D*>(
         meshes.state->getTextureAttribute(15, osg::StateAttribute::TEXTURE));
