@@ -94,6 +94,19 @@ TEST(SharedForests, DoNotShareTheHostsGeometry) {
     EXPECT_EQ(resourcesOf(*other).models[0]->hostBark(), nullptr);
 }
 
+TEST(SharedForests, ShapesGetMeshesWithTheirFirstTree) {
+    ForestDescription description = smallForest(1);
+    description.species[0].shapes = 2;
+    const osg::ref_ptr<Forest> forest = new Forest(description);
+    EXPECT_NE(resourcesOf(*forest).models[0], nullptr);
+    EXPECT_EQ(resourcesOf(*forest).models[1], nullptr);
+    TreePlacement tree = description.trees[0];
+    tree.seed = 1;
+    EXPECT_TRUE(forest->addTree(tree));
+    ASSERT_NE(resourcesOf(*forest).models[1], nullptr);
+    EXPECT_NE(resourcesOf(*forest).models[1]->impostor(Tier::Impostor), nullptr);
+}
+
 TEST(SharedForests, HaveTheirOwnSeasons) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
     EXPECT_TRUE(one->setSeason(2.0f).empty());

@@ -60,6 +60,7 @@ bool InstancedForest::setGeometry(std::size_t model, osg::Geometry* bark, osg::G
     std::vector<osg::ref_ptr<ModelResources>>& models = _trees->resources().models;
     if (model >= models.size())
         return false;
+    _trees->resources().makeModels(*getSimulation(), {model});
     models[model] = new ModelResources(*models[model], bark, leaves);
     return true;
 }

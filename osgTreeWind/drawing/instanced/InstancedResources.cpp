@@ -54,17 +54,33 @@ void InstancedResources::addSpecies(const ForestSimulation& simulation) {
         looks.push_back(makeSpeciesLooks(all[i]));
     _species = bytesOf(all);
     _shapes = movingForest(simulation).models();
-    const std::size_t first = models.size();
-    models.resize(movingForest(simulation).models().size());
-    if (models.size() == first) // starts no threads
-        return;
-    runJobs(simulation.executor(), models.size() - first, [&](std::size_t i) {
-        const std::size_t model = first + i;
+    models.resize(_shapes.size());
+    std::set<std::size_t> needed;
+    for (const PlacedTree& tree : movingForest(simulation).trees())
+        if (tree.alive)
+            needed.insert(tree.model);
+    if (simulation.description().tiles) // frames that load trees shall not wait
+        for (std::size_t model = 0; model < models.size(); ++model)
+            needed.insert(model);
+    makeModels(simulation, needed);
+    updateSeason(simulation);
+}
+
+void InstancedResources::makeModels(const ForestSimulation& simulation, const std::set<std::size_t>& needed) {
+    std::vector<std::size_t> missing;
+    for (const std::size_t model : needed)
+        if (!models[model])
+            missing.push_back(model);
+    const auto make = [&](std::size_t i) {
+        const std::size_t model = missing[i];
         const std::size_t species = movingForest(simulation).placed().speciesOfModel(model);
         models[model] =
-            new ModelResources(movingForest(simulation).models()[model], species, all[species].appearance);
-    });
-    updateSeason(simulation);
+            new ModelResources(_shapes[model], species, simulation.description().species[species].appearance);
+    };
+    if (missing.size() == 1)
+        make(0);
+    else if (!missing.empty()) // starts no threads for none
+        runJobs(simulation.executor(), missing.size(), make);
 }
 
 void InstancedResources::updateSeason(const ForestSimulation& simulation) {
@@ -77,15 +93,16 @@ void InstancedResources::updateSeason(const ForestSimulation& simulation) {
         leaves.emplace_back(each);
     ImpostorKeys needed;
     for (std::size_t model = 0; model < models.size(); ++model) // for trees that are added later
-        addNeededImpostors(simulation, model, leaves[movingForest(simulation).placed().speciesOfModel(model)],
-                           1.0f, needed);
+        if (models[model])
+            addNeededImpostors(simulation, model, leaves[models[model]->species()], 1.0f, needed);
     for (const PlacedTree& tree : movingForest(simulation).trees())
         if (tree.alive)
             addNeededImpostors(simulation, tree.model, leaves[tree.species], tree.summerLeaves, needed);
     paintImpostors(simulation, needed);
 }
 
-void InstancedResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
+void InstancedResources::prepareTree(const ForestSimulation& simulation, const PlacedTree& tree) {
+    makeModels(simulation, {tree.model});
     ImpostorKeys needed;
     addNeededImpostors(simulation, tree.model, LeafFall(movingForest(simulation).placed().speciesOf(tree)),
                        tree.summerLeaves, needed);
@@ -112,7 +129,8 @@ void InstancedResources::paintImpostors(const ForestSimulation& simulation, cons
 std::vector<osg::Object*> InstancedResources::glObjects() const {
     std::vector<osg::Object*> objects = {programs->turns, programs->poses};
     for (const osg::ref_ptr<ModelResources>& model : models)
-        model->addGLObjects(objects);
+        if (model)
+            model->addGLObjects(objects);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :
              {look.bark, look.leaves, look.impostors, look.hostBark, look.hostLeaves})

@@ -20,14 +20,16 @@ struct InstancedResources {
     /// Whether a simulation has the same species and models and the same season.
     bool matches(const ForestSimulation& simulation) const;
 
-    /// Creates the resources of added species and their models. In update.
+    /// Creates the resources of added species, and of their models that have trees. In update.
     void addSpecies(const ForestSimulation& simulation);
     /// Sets the leaf colours of the season and paints the impostors that the trees need. In update.
     void updateSeason(const ForestSimulation& simulation);
-    /// Paints the impostors that one tree needs. In update.
-    void paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree);
+    /// Creates what one tree needs: the resources of its model, and its impostors. In update.
+    void prepareTree(const ForestSimulation& simulation, const PlacedTree& tree);
+    /// Creates the resources of models that have none yet. In update.
+    void makeModels(const ForestSimulation& simulation, const std::set<std::size_t>& needed);
 
-    std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
+    std::vector<osg::ref_ptr<ModelResources>> models; ///< By model; null until a tree needs it.
     std::vector<SpeciesLooks> looks;                  ///< By species.
     osg::ref_ptr<osg::StateSet> state;                ///< Of all trees.
     osg::ref_ptr<osg::StateSet> hostArrays;           ///< Of geometry with vertex arrays from a host.

@@ -69,7 +69,7 @@ void InstancedTrees::treeChanged(std::size_t tree) {
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
         _scene.cells.insert({toOsg(placed.position), reach[4], aside, slot});
         updateShade(slot);
-        _scene.resources.paintImpostor(*_simulation, placed);
+        _scene.resources.prepareTree(*_simulation, placed);
         if (_scene.forest.modal()->level(tree) == ModalLevel::Near)
             markNear(slot);
     }
