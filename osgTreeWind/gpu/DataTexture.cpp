@@ -24,13 +24,17 @@ int DataTexture::rowsFor(std::size_t texels) {
 osg::ref_ptr<osg::Texture2D> makeFloatTexture(const char* name) {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
     texture->setName(name);
-    texture->setInternalFormat(GL_RGBA32F_ARB);
     texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    setFloatFormat(*texture);
     return texture;
+}
+
+void setFloatFormat(osg::Texture2D& texture) {
+    texture.setInternalFormat(GL_RGBA32F_ARB);
+    texture.setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture.setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture.setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture.setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
 }
 
 void DataTexture::write(const std::vector<glm::vec4>& texels) const {

@@ -45,6 +45,8 @@ private:
 
 /// Makes an RGBA32F texture for texelFetch(), still without image and size.
 osg::ref_ptr<osg::Texture2D> makeFloatTexture(const char* name);
+/// Sets the format of such a texture.
+void setFloatFormat(osg::Texture2D& texture);
 
 /// Binds a data texture to a texture unit and a sampler uniform. PROTECTED against overrides from above, such
 /// as those of shadow techniques.

@@ -5,6 +5,7 @@
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/instanced/RefilledGeometry.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
+#include <osgTreeWind/drawing/looks/PaintedTexture.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DataTexture.h>
@@ -56,10 +57,44 @@ TierMeshes makeBarkMeshes(const TreeModel& model, const CrownShade& crown, osg::
     return meshes;
 }
 
-void setLeafState(osg::StateSet& state, const TreeModel& model, const std::vector<glm::vec4>& records) {
+struct LeafMeshes {
+    TierMeshes meshes;             ///< Without geometry.
+    float brightness[branchTiers]; ///< ModelMeshes::leafBrightness.
+    osg::ref_ptr<osg::Image> records;
+};
+
+LeafMeshes makeLeafMeshes(const TreeModel& model, const Appearance& appearance,
+                          const std::vector<LeafStencils>& stencils) {
+    const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
+    const CrownShade crown(model.leaves, model.leafMesh, coverage);
+    LeafMeshes leaves;
+    std::vector<glm::vec4> records;
+    float fullTierLight = 0.0f; // on the leaves
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        if (tier == static_cast<int>(Tier::Sprays)) {
+            leaves.meshes.parts[tier] = leaves.meshes.parts[static_cast<int>(Tier::Full)];
+            leaves.brightness[tier] = 1.0f;
+            continue;
+        }
+        ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::reduced(tier));
+        const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
+                                            stencils, appearance, height);
+        fullTierLight = tier == static_cast<int>(Tier::Full) ? seen : fullTierLight;
+        leaves.brightness[tier] = seen > 0.0f ? fullTierLight / seen : 1.0f;
+        leaves.meshes.parts[tier] = sortIntoParts(thinned, model.leafMesh, coverage, height);
+        for (MeshPart& part : leaves.meshes.parts[tier])
+            part.firstVertex = static_cast<int>(4 * records.size() / leafRecordTexels);
+        addLeafRecords(thinned, model.skeleton, model.leafMesh, crown, records);
+    }
     const DataTexture texture("leaf records", records.size());
-    texture.fill(records);
-    bindDataTexture(state, "leafRecords", leafRecordsUnit, texture.texture());
+    texture.write(records);
+    leaves.records = texture.texture()->getImage();
+    return leaves;
+}
+
+void setLeafState(osg::StateSet& state, const TreeModel& model, osg::Texture2D* records) {
+    setFloatFormat(*records);
+    bindDataTexture(state, "leafRecords", leafRecordsUnit, records);
     osg::ref_ptr<osg::Uniform> corners =
         new osg::Uniform(osg::Uniform::FLOAT_VEC3, "leafCorners", verticesPerLeafCluster);
     osg::ref_ptr<osg::Uniform> normals =
@@ -74,43 +109,32 @@ void setLeafState(osg::StateSet& state, const TreeModel& model, const std::vecto
 
 } // namespace
 
-ModelMeshes::ModelMeshes(const std::shared_ptr<const TreeModel>& shared, const Appearance& appearance)
-    : state(new osg::StateSet) {
-    const TreeModel& model = *shared;
-    const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
-    const CrownShade crown(model.leaves, model.leafMesh, coverage);
-    stencils = LeafStencils::ofAtlas(leafImage(appearance));
-    bark = makeBarkMeshes(model, crown, *state);
-    bark.geometry = new RefilledGeometry(*bark.geometry, [shared, coverage] {
+ModelMeshes::ModelMeshes(const std::shared_ptr<const TreeModel>& model, const Appearance& appearance)
+    : state(new osg::StateSet), stencils(LeafStencils::ofAtlas(leafImage(appearance))) {
+    const auto makeBark = [model, coverage = leafCoverage(appearance.leafForm)](osg::StateSet& uniforms) {
+        return makeBarkMeshes(*model, CrownShade(model->leaves, model->leafMesh, coverage), uniforms);
+    };
+    bark = makeBark(*state);
+    bark.geometry = new RefilledGeometry(*bark.geometry, [makeBark] {
         const osg::ref_ptr<osg::StateSet> unused = new osg::StateSet;
-        return makeBarkMeshes(*shared, CrownShade(shared->leaves, shared->leafMesh, coverage), *unused)
-            .geometry;
+        return makeBark(*unused).geometry;
     });
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
-    if (model.leaves.empty())
+    if (model->leaves.empty())
         return;
-    std::vector<glm::vec4> records;
-    float fullTierLight = 0.0f; // on the leaves
-    for (int tier = 0; tier < branchTiers; ++tier) {
-        if (tier == static_cast<int>(Tier::Sprays)) {
-            leaves.parts[tier] = leaves.parts[static_cast<int>(Tier::Full)];
-            continue;
-        }
-        ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::reduced(tier));
-        const float seen = visibleLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
-                                            *stencils, appearance, height);
-        fullTierLight = tier == static_cast<int>(Tier::Full) ? seen : fullTierLight;
-        leafBrightness[tier] = seen > 0.0f ? fullTierLight / seen : 1.0f;
-        leaves.parts[tier] = sortIntoParts(thinned, model.leafMesh, coverage, height);
-        for (MeshPart& part : leaves.parts[tier])
-            part.firstVertex = static_cast<int>(4 * records.size() / leafRecordTexels);
-        addLeafRecords(thinned, model.skeleton, model.leafMesh, crown, records);
-    }
-    setLeafState(*state, model, records);
+    const auto makeLeaves = [model, appearance, atlas = stencils] {
+        return makeLeafMeshes(*model, appearance, *atlas);
+    };
+    const LeafMeshes made = makeLeaves();
+    leaves = made.meshes;
+    std::copy(std::begin(made.brightness), std::end(made.brightness), leafBrightness);
+    setLeafState(*state, *model, makeLoadedTexture("leaf records", made.records, [makeLeaves] {
+        return makeLeaves().records;
+    }));
     leaves.geometry = new SceneGeometry;
     leaves.geometry->setName("leaves");
-    leaves.geometry->addPrimitiveSet(triangles(leafIndices(model.leaves.size()), // the most of all tiers
-                                               verticesPerLeafCluster * model.leaves.size()));
+    leaves.geometry->addPrimitiveSet(triangles(leafIndices(model->leaves.size()), // the most of all tiers
+                                               verticesPerLeafCluster * model->leaves.size()));
 }
 
 namespace {

@@ -26,7 +26,7 @@ struct TierMeshes {
 
 /// The meshes of a model. Immutable.
 struct ModelMeshes : osg::Referenced {
-    ModelMeshes(const std::shared_ptr<const TreeModel>& shared, const Appearance& appearance);
+    ModelMeshes(const std::shared_ptr<const TreeModel>& model, const Appearance& appearance);
 
     TierMeshes bark, leaves;
     osg::ref_ptr<osg::StateSet> state; ///< Of all tiers (shaders/instance.glsl, leaf_corner.glsl).

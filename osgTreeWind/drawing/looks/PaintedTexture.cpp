@@ -66,20 +66,26 @@ public:
 
 } // namespace
 
-osg::ref_ptr<osg::Texture2D> makePaintedTexture(const char* name, osg::Image* image,
-                                                std::function<osg::ref_ptr<osg::Image>()> again,
-                                                osg::Texture::WrapMode along, osg::Texture::WrapMode around) {
+osg::ref_ptr<osg::Texture2D> makeLoadedTexture(const char* name, osg::Image* image,
+                                               std::function<osg::ref_ptr<osg::Image>()> again) {
     osg::ref_ptr<osg::Texture2D> texture = new LoadedTexture;
     texture->setName(name);
-    texture->setInternalFormat(GL_RGBA);
     texture->setTextureSize(image->s(), image->t());
     texture->setNumMipmapLevels(image->getNumMipmapLevels());
     texture->setSubloadCallback(new ImageLoader(image, std::move(again)));
+    texture->setResizeNonPowerOfTwoHint(false);
+    return texture;
+}
+
+osg::ref_ptr<osg::Texture2D> makePaintedTexture(const char* name, osg::Image* image,
+                                                std::function<osg::ref_ptr<osg::Image>()> again,
+                                                osg::Texture::WrapMode along, osg::Texture::WrapMode around) {
+    osg::ref_ptr<osg::Texture2D> texture = makeLoadedTexture(name, image, std::move(again));
+    texture->setInternalFormat(GL_RGBA);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, around);
     texture->setWrap(osg::Texture::WRAP_T, along);
-    texture->setResizeNonPowerOfTwoHint(false);
     return texture;
 }
 
