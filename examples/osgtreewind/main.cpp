@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
                "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
                "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
                "  osgtreewind tile region.treewind -o world\n"
-               "  osgtreewind bench -o results.json --chart chart.svg\n"
+               "  osgtreewind bench -o results.json\n"
                "Exit status: 0 success, 1 failure, 2 wrong usage or bad input,\n"
                "130 ended by SIGINT, 143 ended by SIGTERM.");
     try {

@@ -39,7 +39,6 @@ Json timesJson(const BenchTimes& times) {
 }
 
 Json resultJson(const BenchResult& result) {
-    const BenchCounts& counts = result.counts;
     const int thesis = thesisFps(result.stage, result.trees);
     Json json = {{"stage", result.stage.name},
                  {"title", result.stage.title},
@@ -51,10 +50,6 @@ Json resultJson(const BenchResult& result) {
     json["static"] = timesJson(result.still);
     json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
     json["processorRatioToStatic"] = spread(ratios(result.moving.processor, result.still.processor));
-    json["counts"] = {{"units", counts.units},         {"vertices", counts.vertices},
-                      {"triangles", counts.triangles}, {"lines", counts.lines},
-                      {"nodes", counts.nodes},         {"transforms", counts.transforms},
-                      {"drawables", counts.drawables}};
     json["thesisTable"] = result.stage.table.empty() ? Json(nullptr) : Json(result.stage.table);
     json["thesisFps"] = thesis > 0 ? Json(thesis) : Json(nullptr);
     return json;
@@ -276,11 +271,6 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
         json["world"] = worldJson(*report.world);
     for (const BenchCalls& calls : report.calls)
         json["calls"].push_back(callsJson(calls));
-    json["thesis"] = Json::array();
-    for (const BenchStage& stage : benchStages())
-        if (!stage.table.empty())
-            json["thesis"].push_back(
-                {{"stage", stage.name}, {"table", stage.table}, {"fps", stage.thesisFps}});
     return json;
 }
 

@@ -71,7 +71,3 @@ void printBenchCalls(std::ostream& out, const BenchConditions& conditions,
 /// @param forest must have tiles.
 BenchWorld runBenchWorld(const std::string& name, const osgTreeWind::ForestDescription& forest,
                          const BenchSettings& settings, BenchDriver& driver);
-
-/// SVG chart like Fig 6.1 of the thesis: frames per second over the number of trees, published on the left
-/// and measured on the right.
-std::string benchChart(const BenchConditions& conditions, const std::vector<BenchResult>& results);

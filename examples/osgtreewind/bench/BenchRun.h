@@ -4,19 +4,12 @@
 #include <examples/osgtreewind/bench/BenchStage.h>
 #include <examples/osgtreewind/bench/BenchViewer.h>
 
-/// Contents of the moving scene.
-struct BenchCounts {
-    std::uint64_t units = 0, vertices = 0, triangles = 0, lines = 0;
-    std::uint64_t nodes = 0, transforms = 0, drawables = 0;
-};
-
 /// Result of one stage with one number of trees. Frames in motion and at rest alternate.
 struct BenchResult {
     BenchStage stage;
     int trees = 0;
-    std::string angles; ///< Actual source of the angles: "gpu", "cpu" or "recorded".
+    std::string angles; ///< Actual source of the angles: "gpu" or "cpu".
     BenchTimes moving, still;
-    BenchCounts counts;
 };
 
 struct BenchSettings {

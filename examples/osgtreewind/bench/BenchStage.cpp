@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchStage.h>
 
-#include <examples/osgtreewind/bench/BenchRig.h>
 #include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/base/Random.h>
@@ -146,8 +145,6 @@ const std::vector<BenchStage>& benchStages() {
          gpu},
         {"resident", "instances and tiers, law modal", leaves, S::INSTANCES},
         {"resident-full", "instances without tiers, law modal", leaves, S::INSTANCES_IN_FULL},
-        {"osganimation-hw", "osgAnimation, skinned by a shader", leaves, S::HARDWARE_RIG},
-        {"osganimation-sw", "osgAnimation, skinned by the CPU", leaves, S::SOFTWARE_RIG},
     };
     return stages;
 }
@@ -156,18 +153,14 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     const ForestDescription description = benchForest(stage, trees);
     const PlacedForest placed(description);
     BenchScene scene;
-    scene.model = placed.models().front();
-    scene.still = stillTrees(stage, placed, scene.model);
-    if (stage.method == BenchStage::HARDWARE_RIG || stage.method == BenchStage::SOFTWARE_RIG) {
-        scene.moving = createRiggedTrees(placed, stage.method == BenchStage::HARDWARE_RIG);
-        return scene;
-    }
-    scene.moving = scene.forest = new Forest(description);
+    const std::shared_ptr<const TreeModel>& model = placed.models().front();
+    scene.still = stillTrees(stage, placed, model);
+    scene.forest = new Forest(description);
     if (BranchwiseForest* forest = scene.forest->getBranchwise()) {
         forest->setAngleSource(stage.angles);
         throwIfAny(forest->setLodRanges(alwaysFull));
         if (stage.geometry <= BenchStage::BUFFERED_LINES)
-            drawLinesInsteadOfBark(*scene.forest, scene.model->skeleton,
+            drawLinesInsteadOfBark(*scene.forest, model->skeleton,
                                    stage.geometry == BenchStage::BUFFERED_LINES);
     }
     return scene;

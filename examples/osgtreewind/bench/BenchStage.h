@@ -19,11 +19,9 @@ struct BenchStage {
     };
 
     enum Method {
-        BRANCHWISE,        ///< Forest under the law `thesis`, angles as below.
-        INSTANCES,         ///< Forest under the law `modal` with its default tiers.
-        INSTANCES_IN_FULL, ///< The same without tiers of detail.
-        HARDWARE_RIG,      ///< osgAnimation, skinned by a vertex shader.
-        SOFTWARE_RIG       ///< osgAnimation, skinned by the CPU.
+        BRANCHWISE,       ///< Forest under the law `thesis`, angles as below.
+        INSTANCES,        ///< Forest under the law `modal` with its default tiers.
+        INSTANCES_IN_FULL ///< The same without tiers of detail.
     };
 
     std::string name;
@@ -45,10 +43,8 @@ const std::vector<BenchStage>& benchStages();
 
 /// The same trees in motion and at rest; only one of the two is shown at a time.
 struct BenchScene {
-    osg::ref_ptr<osg::Node> moving;
-    osg::ref_ptr<osgTreeWind::Forest> forest; ///< `moving` as a Forest; null if it is not one.
+    osg::ref_ptr<osgTreeWind::Forest> forest; ///< In motion.
     osg::ref_ptr<osg::Group> still;           ///< At rest, with two draw calls per tree: bark and leaves.
-    std::shared_ptr<const osgTreeWind::TreeModel> model; ///< Shape of all trees.
 };
 
 /// Makes reference trees of the thesis in rows, 6 m apart.

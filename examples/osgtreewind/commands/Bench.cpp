@@ -2,12 +2,8 @@
 #include <examples/osgtreewind/bench/BenchReport.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
 #include <examples/osgtreewind/options/Command.h>
-#include <examples/osgtreewind/pictures/WritePicture.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
-
-#include <osgDB/FileNameUtils>
-#include <osgDB/ReadFile>
 
 #include <fstream>
 #include <iostream>
@@ -20,7 +16,7 @@ using namespace osgTreeWind;
 constexpr std::size_t mostTreesInFull = 20000; // limits memory and time
 
 struct BenchOptions {
-    std::string output, chart, size = "1280x720", backend = offscreenBackendName();
+    std::string output, size = "1280x720", backend = offscreenBackendName();
     std::vector<std::string> stages;
     std::vector<int> trees = {1, 2, 3, 4, 16, 64}, scaleTrees = {1000, 10000, 100000};
     ContextProfile profile = osgProfile;
@@ -32,17 +28,6 @@ struct BenchOptions {
 void keepMemory() {
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
-}
-
-/// Writes the SVG, and a PNG of it next to it.
-void writeChart(const std::string& path, const std::string& svg) {
-    writeOrThrow(path, svg);
-    const std::string picture = osgDB::getNameLessExtension(path) + ".png";
-    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
-    if (!image)
-        throw CommandError{Failed,
-                           picture + ": cannot be written: the svg plugin of OpenSceneGraph is missing"};
-    writePicture(*image, picture);
 }
 
 // Stages that are not in benchStages().
@@ -126,13 +111,10 @@ void bench(const BenchOptions& options) {
     settings.frames = options.frames;
     if (options.backend != offscreenBackendName())
         runOtherBackend(options.backend);
-    if (!options.chart.empty() && osgDB::getLowerCaseFileExtension(options.chart) != "svg")
-        throw CommandError{BadInput, "--chart: expected a name that ends in .svg, found " + options.chart};
     const ForestDescription forest = load(options);
-    for (const std::string& path : {options.output, options.chart})
-        if (!path.empty()) // fail before minutes of measuring
-            if (const AtomicFile whole(path); !std::ofstream(whole.writePath()))
-                throwWriteError(whole);
+    if (!options.output.empty()) // fail before minutes of measuring
+        if (const AtomicFile whole(options.output); !std::ofstream(whole.writePath()))
+            throwWriteError(whole);
 
     keepMemory();
     BenchConditions conditions = benchConditions(settings);
@@ -140,8 +122,6 @@ void bench(const BenchOptions& options) {
     measure(options, forest, conditions, report);
     if (!options.output.empty())
         writeOrThrow(options.output, benchReport(conditions, report).dump(2) + '\n');
-    if (!options.chart.empty())
-        writeChart(options.chart, benchChart(conditions, report.results));
 }
 
 } // namespace
@@ -179,7 +159,6 @@ void addBenchCommand(CLI::App& app) {
     command->add_option("--size", options->size, "Width and height of the picture, pixels")
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "JSON file for the results (docs/results.md)");
-    command->add_option("--chart", options->chart, "SVG file for a chart; a PNG of it is written next to it");
     addBackendOption(*command, options->backend);
     addProfileOption(*command, options->profile);
     command->footer(
