@@ -44,16 +44,10 @@ Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
                                row.line);
         rows.addRow({row.line, {std::to_string(hour++), row.cells[speedField], row.cells[directionField]}});
     }
-    Result<WindSeries> series = rows.series();
-    if (!series)
-        return series.problems();
-    WindContent content;
-    content.summary.format = "EPW";
-    content.summary.unit = "m/s";
-    content.summary.direction = WindSeriesRows::directionText(columns, "");
-    content.assumptions = {"hourly winds 10 m above the ground; hours are counted from the first row"};
-    rows.noteSkippedRows(content.assumptions);
-    content.data = std::move(series.value());
+    Result<WindContent> content =
+        rows.content("EPW", "", {"hourly winds 10 m above the ground; hours are counted from the first row"});
+    if (content)
+        content.value().summary.unit = "m/s";
     return content;
 }
 

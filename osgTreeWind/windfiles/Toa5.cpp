@@ -49,17 +49,12 @@ public:
             return _problems;
         if (!_records)
             _records.emplace(table, _columns);
-        Result<WindSeries> series = _records->series();
-        if (!series)
-            return series.problems();
-        WindContent content;
-        content.summary.format = "Campbell TOA5";
-        content.summary.unit = _unit;
-        content.summary.start = _records->start();
-        content.summary.direction = WindSeriesRows::directionText(
-            _columns, "components of the instrument, taken as toward east, north and up");
-        _records->noteSkippedRows(content.assumptions);
-        content.data = std::move(series.value());
+        Result<WindContent> content = _records->content(
+            "Campbell TOA5", "components of the instrument, taken as toward east, north and up");
+        if (content) {
+            content.value().summary.unit = _unit;
+            content.value().summary.start = _records->start();
+        }
         return content;
     }
 

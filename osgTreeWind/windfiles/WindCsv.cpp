@@ -42,19 +42,9 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                                });
     if (!table)
         return table.problems();
-    const WindSeriesColumns named = namedColumns(columns, table.value());
     if (!rows)
-        rows.emplace(table.value(), named);
-    Result<WindSeries> series = rows->series();
-    if (!series)
-        return series.problems();
-    WindContent content;
-    content.summary.format = "CSV";
-    content.assumptions = text.value().notes;
-    rows->noteSkippedRows(content.assumptions);
-    content.summary.direction = WindSeriesRows::directionText(named, "components toward east, north and up");
-    content.data = std::move(series.value());
-    return content;
+        rows.emplace(table.value(), namedColumns(columns, table.value()));
+    return rows->content("CSV", "components toward east, north and up", text.value().notes);
 }
 
 } // namespace osgTreeWind

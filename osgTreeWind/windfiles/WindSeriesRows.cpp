@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -139,7 +138,8 @@ void WindSeriesRows::addRow(const Row& row) {
     _series.velocities.push_back(wind);
 }
 
-Result<WindSeries> WindSeriesRows::series() {
+Result<WindContent> WindSeriesRows::content(const char* format, const char* components,
+                                            std::vector<std::string> assumptions) {
     if (_areColumnsValid && _rowCount == 0)
         report(_table.headerLine, {}, "expected at least one record below the header");
     else if (_areColumnsValid && _skippedCount == _rowCount)
@@ -147,20 +147,18 @@ Result<WindSeries> WindSeriesRows::series() {
                "expected at least one record with wind, found none in " + std::to_string(_rowCount));
     if (!_problems.empty())
         return _problems;
-    return std::move(_series);
-}
-
-void WindSeriesRows::noteSkippedRows(std::vector<std::string>& notes) const {
+    WindContent content;
+    content.summary.format = format;
+    content.summary.direction = _columns.speed.empty() ? components
+                                : _columns.sense == DirectionSense::From
+                                    ? "from, degrees clockwise from north"
+                                    : "toward, degrees clockwise from north";
+    content.assumptions = std::move(assumptions);
     if (_skippedCount > 0)
-        notes.push_back(std::to_string(_skippedCount) + " of " + std::to_string(_rowCount) +
-                        " records have no wind and are skipped");
-}
-
-std::string WindSeriesRows::directionText(const WindSeriesColumns& columns, const char* components) {
-    if (columns.speed.empty())
-        return components;
-    return columns.sense == DirectionSense::From ? "from, degrees clockwise from north"
-                                                 : "toward, degrees clockwise from north";
+        content.assumptions.push_back(std::to_string(_skippedCount) + " of " + std::to_string(_rowCount) +
+                                      " records have no wind and are skipped");
+    content.data = std::move(_series);
+    return content;
 }
 
 } // namespace osgTreeWind

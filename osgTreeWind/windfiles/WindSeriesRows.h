@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 namespace osgTreeWind {
@@ -19,14 +19,11 @@ public:
     /// problems: columns of both forms or neither, a missing column, an unknown unit, no row with wind, and,
     /// with its line, a cell that is not a number, a time that does not increase, or an impossible value
     /// (negative speed, more than 200 m/s). Rows without wind are skipped; speed 0 needs no direction.
-    Result<WindSeries> series();
-    /// Adds a note if rows were skipped.
-    void noteSkippedRows(std::vector<std::string>& notes) const;
+    /// @param components their meaning, if the columns have no directions.
+    Result<WindContent> content(const char* format, const char* components,
+                                std::vector<std::string> assumptions = {});
     /// Text of the time in the first row with wind.
     const std::string& start() const { return _startText; }
-
-    /// Meaning of directions or components, for WindSummary::direction.
-    static std::string directionText(const WindSeriesColumns& columns, const char* components);
 
 private:
     using Row = CsvTable::Row;
