@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <unistd.h>
-
 namespace osgTreeWind {
 
-namespace {
+std::optional<Diagnostic> problemOfInput(const std::string& path) {
+    const Result<std::ifstream> input = openInput(path);
+    return input ? std::nullopt : std::optional(input.problems().front());
+}
 
-/// Why the path is not a regular file; empty if it is one.
-std::optional<Diagnostic> problemOfKind(const std::string& path) {
+Result<std::ifstream> openInput(const std::string& path) {
     std::error_code problem;
     const std::filesystem::file_status status = std::filesystem::status(path, problem);
     if (status.type() == std::filesystem::file_type::not_found)
@@ -24,22 +24,6 @@ std::optional<Diagnostic> problemOfKind(const std::string& path) {
         return fileProblem(path, "cannot be read");
     if (!std::filesystem::is_regular_file(status))
         return fileProblem(path, "not a regular file");
-    return std::nullopt;
-}
-
-} // namespace
-
-std::optional<Diagnostic> problemOfInput(const std::string& path) {
-    if (auto problem = problemOfKind(path))
-        return problem;
-    if (access(path.c_str(), R_OK) != 0)
-        return fileProblem(path, "cannot be read");
-    return std::nullopt;
-}
-
-Result<std::ifstream> openInput(const std::string& path) {
-    if (const auto problem = problemOfKind(path))
-        return *problem;
     std::ifstream input(path, std::ios::binary);
     if (!input)
         return fileProblem(path, "cannot be read");
@@ -68,6 +52,13 @@ Result<std::string> readBytes(std::ifstream& file, const std::string& path) {
     if (bytes.empty())
         return fileProblem(path, "the file is empty");
     return bytes;
+}
+
+std::string readHead(std::istream& file, std::size_t size) {
+    std::string head(size, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(size));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head;
 }
 
 Result<std::string> readTextFile(const std::string& path) {

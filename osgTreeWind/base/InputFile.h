@@ -22,6 +22,9 @@ Result<std::string> readBytes(const std::string& path);
 /// @param path for messages.
 Result<std::string> readBytes(std::ifstream& file, const std::string& path);
 
+/// The next bytes of a file, at most `size`.
+std::string readHead(std::istream& file, std::size_t size);
+
 /// Opens a text file and reads it with readText().
 Result<std::string> readTextFile(const std::string& path);
 

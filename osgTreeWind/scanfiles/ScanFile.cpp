@@ -56,15 +56,6 @@ Reader findReader(const ScanRows& rows) {
     return rows.words().size() > 9 ? readTreeQsm : readSwc;
 }
 
-/// The first bytes of a file.
-std::string readHead(const std::string& path) {
-    std::string head(128, '\0');
-    std::ifstream input(path, std::ios::binary);
-    input.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(input.gcount()));
-    return head;
-}
-
 double cylinderVolume(const ScanCylinder& cylinder) {
     return glm::pi<double>() * cylinder.radius * cylinder.radius *
            glm::distance(cylinder.start, cylinder.end);
@@ -179,12 +170,13 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
 }
 
 Result<ScanFile> readScanFile(const std::string& path) {
-    if (const auto problem = problemOfInput(path))
-        return *problem;
+    Result<std::ifstream> input = openInput(path);
+    if (!input)
+        return input.problems();
     std::error_code error;
     if (std::filesystem::file_size(path, error) > maxScanBytes && !error)
         return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
-    if (isMatlab(readHead(path)))
+    if (isMatlab(readHead(input.value(), 128)))
         return readMatlab(path);
     const Result<std::string> text = readTextFile(path);
     if (!text)

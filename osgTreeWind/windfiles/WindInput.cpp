@@ -5,18 +5,9 @@
 
 namespace osgTreeWind {
 
-namespace {
-
-constexpr std::size_t headSize = 1024;
-
-} // namespace
-
 WindInput::WindInput(const std::string& path) : _path(path), _file(openInput(path)) {
-    if (!_file)
-        return;
-    _head.resize(headSize);
-    _file.value().read(&_head[0], headSize);
-    _head.resize(static_cast<std::size_t>(_file.value().gcount()));
+    if (_file)
+        _head = readHead(_file.value(), 1024);
 }
 
 Result<std::string> WindInput::head() const {

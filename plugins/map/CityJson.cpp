@@ -6,7 +6,6 @@
 
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/Text.h>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -153,10 +152,8 @@ private:
 } // namespace
 
 bool isCityJson(const std::string& path) {
-    std::string head(65536, '\0');
     std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
+    const std::string head = readHead(file, 65536);
     static const std::regex type(R"("type"\s*:\s*"CityJSON")");
     return head.find("\"CityJSON\"") != std::string::npos && std::regex_search(head, type);
 }
