@@ -58,8 +58,7 @@ void addRingTriangles(BranchSkin& skin, std::size_t firstVertex, int rings, int 
 /// Ends a unit: adds its triangles as addRingTriangles() does, for all vertices since the last unit.
 void finishUnit(BranchSkin& skin, int rings, int sides, bool closed = false) {
     addRingTriangles(skin, skin.firstVertices.back(), rings, sides, closed);
-    skin.firstVertices.push_back(static_cast<std::uint32_t>(skin.vertices.size()));
-    skin.firstIndices.push_back(static_cast<std::uint32_t>(skin.indices.size()));
+    skin.endUnit();
 }
 
 constexpr float ringTolerance =
@@ -552,21 +551,30 @@ void addShootSkin(const Skeleton& skeleton, float tolerance, float thinnest, Bra
     }
     auto shoot = skeleton.shoots.begin();
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
-        const std::uint32_t before = skin.firstVertices[unit], now = whole.firstVertices.back();
-        whole.vertices.insert(whole.vertices.end(), skin.vertices.begin() + before,
-                              skin.vertices.begin() + skin.firstVertices[unit + 1]);
-        for (std::uint32_t i = skin.firstIndices[unit]; i < skin.firstIndices[unit + 1]; ++i)
-            whole.indices.push_back(skin.indices[i] - before + now);
+        whole.append(skin, unit);
         for (; shoot != skeleton.shoots.end() && shoot->unit == static_cast<int>(unit); ++shoot)
             if (shoot->baseRadius >= thinnest)
                 addPrism(*shoot, courseWithin(skeleton, *shoot, tolerance), whole);
-        whole.firstVertices.push_back(static_cast<std::uint32_t>(whole.vertices.size()));
-        whole.firstIndices.push_back(static_cast<std::uint32_t>(whole.indices.size()));
+        whole.endUnit();
     }
     skin = std::move(whole);
 }
 
 } // namespace
+
+void BranchSkin::append(const BranchSkin& other, std::size_t unit) {
+    const std::uint32_t before = other.firstVertices[unit];
+    const auto now = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), other.vertices.begin() + before,
+                    other.vertices.begin() + other.firstVertices[unit + 1]);
+    for (std::uint32_t i = other.firstIndices[unit]; i < other.firstIndices[unit + 1]; ++i)
+        indices.push_back(other.indices[i] - before + now);
+}
+
+void BranchSkin::endUnit() {
+    firstVertices.push_back(static_cast<std::uint32_t>(vertices.size()));
+    firstIndices.push_back(static_cast<std::uint32_t>(indices.size()));
+}
 
 std::vector<SkinVertex> BranchSkin::drawOrder() const {
     std::vector<SkinVertex> ordered;

@@ -36,6 +36,11 @@ struct BranchSkin {
     std::vector<std::uint32_t> firstVertices{0};
     std::vector<std::uint32_t> firstIndices{0}; ///< The same for indices.
 
+    /// Appends the vertices and triangles of another skin's unit.
+    void append(const BranchSkin& other, std::size_t unit);
+    /// Ends a unit: all vertices and triangles since the last one belong to it.
+    void endUnit();
+
     /// The thesis' `newArr` (§2.3.5): vertices in the order in which triangles use them.
     std::vector<SkinVertex> drawOrder() const;
 };

@@ -50,15 +50,15 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     glm::vec3 middle(0.0f);
     for (const LeafVertex& vertex : mesh)
         middle += vertex.corner / static_cast<float>(verticesPerLeafCluster);
-    const auto middleOf = [&](const LeafCluster& leaf) {
+    const auto placeOf = [&](const LeafCluster& leaf) {
         return leaf.anchor + leaf.size * (leaf.orientation * middle);
     };
     glm::vec3 low(1e9f), high(-1e9f), first(0.0f), last(0.0f); // bounds of the anchors; of the tree
     for (const LeafCluster& leaf : leaves) {
         low = glm::min(low, leaf.anchor);
         high = glm::max(high, leaf.anchor);
-        first = glm::min(first, middleOf(leaf));
-        last = glm::max(last, middleOf(leaf));
+        first = glm::min(first, placeOf(leaf));
+        last = glm::max(last, placeOf(leaf));
     }
     _middle = 0.5f * (low + high);
     _halfAxes = glm::max(0.5f * (high - low), glm::vec3(1e-3f));
@@ -72,10 +72,7 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     area = glm::min(area, maxLeafArea * glm::pi<float>() * _halfAxes.x * _halfAxes.y / size);
     for (const LeafCluster& leaf : leaves)
         for (std::size_t i = 0; i < mesh.size(); ++i) { // a quarter of a quad
-            const std::size_t quad = i - i % 4;
-            const glm::vec3 centre = 0.25f * (mesh[quad].corner + mesh[quad + 1].corner +
-                                              mesh[quad + 2].corner + mesh[quad + 3].corner);
-            const glm::vec3 point = 0.5f * (centre + mesh[i].corner);
+            const glm::vec3 point = 0.5f * (middleOf(mesh, static_cast<int>(i / 4), 1) + mesh[i].corner);
             addArea(leaf.anchor + leaf.size * (leaf.orientation * point),
                     area * leaf.size * leaf.size / verticesPerLeafCluster, density);
         }

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -91,16 +90,9 @@ BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail) {
     const BranchSkin skin = makeBranchSkin(skeleton, detail.bark * skeleton.height(), radius);
     BranchSkin thinned;
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
-        if (skeleton.units[unit].baseRadius >= radius) {
-            const auto first = static_cast<std::uint32_t>(thinned.vertices.size());
-            const auto vertices = skin.vertices.begin();
-            thinned.vertices.insert(thinned.vertices.end(), vertices + skin.firstVertices[unit],
-                                    vertices + skin.firstVertices[unit + 1]);
-            for (std::uint32_t i = skin.firstIndices[unit]; i < skin.firstIndices[unit + 1]; ++i)
-                thinned.indices.push_back(skin.indices[i] - skin.firstVertices[unit] + first);
-        }
-        thinned.firstVertices.push_back(static_cast<std::uint32_t>(thinned.vertices.size()));
-        thinned.firstIndices.push_back(static_cast<std::uint32_t>(thinned.indices.size()));
+        if (skeleton.units[unit].baseRadius >= radius)
+            thinned.append(skin, unit);
+        thinned.endUnit();
     }
     return thinned;
 }

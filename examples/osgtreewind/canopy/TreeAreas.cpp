@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/TreeAreas.h>
 
+#include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 
 #include <algorithm>
@@ -31,10 +32,7 @@ const TreeAreas::Cards& TreeAreas::cardsOf(const PlacedTree& tree) {
     cards.list.reserve(model.leaves.size() * mesh.size());
     for (const LeafCluster& leaf : model.leaves)
         for (std::size_t i = 0; i < mesh.size(); ++i) {
-            const std::size_t quad = i - i % 4;
-            const glm::vec3 centre = 0.25f * (mesh[quad].corner + mesh[quad + 1].corner +
-                                              mesh[quad + 2].corner + mesh[quad + 3].corner);
-            const glm::vec3 middle = 0.5f * (centre + mesh[i].corner);
+            const glm::vec3 middle = 0.5f * (middleOf(mesh, static_cast<int>(i / 4), 1) + mesh[i].corner);
             cards.list.push_back(
                 {leaf.anchor, leaf.size * (leaf.orientation * middle), leaf.size * leaf.size});
             cards.size += static_cast<double>(cards.list.back().size);
