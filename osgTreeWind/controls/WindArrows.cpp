@@ -4,10 +4,8 @@
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace osgTreeWind {
@@ -20,7 +18,7 @@ constexpr float clearance = 2.0f;      // metres above the highest tree
 } // namespace
 
 WindArrows::WindArrows() : SceneGeometry(sharedProgram("lines", "color")) {
-    setUpLines(*this, pointsPerArrow * across * across, 2.0f);
+    setUpLines(*this, pointsPerArrow * across * across);
 }
 
 void WindArrows::show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach) {

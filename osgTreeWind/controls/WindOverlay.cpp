@@ -33,7 +33,7 @@ float groundHeight(const ForestDescription& forest, const glm::vec2& place) {
     return height ? static_cast<float>(*height - forest.origin.z) : 0.0f;
 }
 
-void setUpLines(osg::Geometry& geometry, unsigned points, float width) {
+void setUpLines(osg::Geometry& geometry, unsigned points) {
     geometry.setDataVariance(osg::Object::DYNAMIC);
     geometry.setVertexArray(new osg::Vec3Array(points));
     geometry.setColorArray(new osg::Vec4Array(points), osg::Array::BIND_PER_VERTEX);
@@ -41,7 +41,7 @@ void setUpLines(osg::Geometry& geometry, unsigned points, float width) {
     geometry.setCullingActive(false);
     osg::StateSet* state = geometry.getOrCreateStateSet();
     state->setMode(GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
-    state->setAttributeAndModes(new CompatibilityOnly<osg::LineWidth>(width));
+    state->setAttributeAndModes(new CompatibilityOnly<osg::LineWidth>(2.0f));
 }
 
 } // namespace osgTreeWind

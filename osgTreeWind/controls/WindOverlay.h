@@ -16,6 +16,6 @@ float maxTreeHeight(const PlacedForest& forest);
 /// Height of the ground; 0 without a ground.
 float groundHeight(const ForestDescription& forest, const glm::vec2& place);
 /// Sets up a geometry for unlit lines that change in each frame, with a colour per point.
-void setUpLines(osg::Geometry& geometry, unsigned points, float width);
+void setUpLines(osg::Geometry& geometry, unsigned points);
 
 } // namespace osgTreeWind

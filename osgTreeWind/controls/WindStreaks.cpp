@@ -4,7 +4,6 @@
 #include <osgTreeWind/controls/WindOverlay.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
 #include <osg/BlendFunc>
@@ -17,7 +16,7 @@
 namespace osgTreeWind {
 
 WindStreaks::WindStreaks() : SceneGeometry(sharedProgram("lines", "color")) {
-    setUpLines(*this, count * 2 * (points - 1), 2.0f);
+    setUpLines(*this, count * 2 * (points - 1));
     getOrCreateStateSet()->setAttributeAndModes(new osg::BlendFunc);
     getOrCreateStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
 }

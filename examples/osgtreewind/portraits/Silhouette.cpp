@@ -6,14 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 namespace osgTreeWind {
-
-float Silhouette::Mask::coverage() const {
-    return static_cast<float>(std::accumulate(solid.begin(), solid.end(), std::size_t{0})) /
-           static_cast<float>(solid.size());
-}
 
 void Silhouette::draw(const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along,
                       const Mask& mask) {

@@ -16,9 +16,6 @@ public:
     struct Mask {
         int size = 0; ///< Number of rows and of columns, a power of two.
         std::vector<std::uint8_t> solid;
-
-        /// Share of solid cells.
-        float coverage() const;
     };
 
     explicit Silhouette(int size) : _size(size), _black(static_cast<std::size_t>(size * size)) {}

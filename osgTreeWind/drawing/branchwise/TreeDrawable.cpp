@@ -22,19 +22,16 @@ void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
 }
 
 void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
-    if (!_geometry)
-        return;
     const DrawTimer time(renderInfo, "Forest draw");
     _geometry->draw(renderInfo);
 }
 
 void TreeDrawable::compileGLObjects(osg::RenderInfo& renderInfo) const {
-    if (_geometry)
-        _geometry->compileGLObjects(renderInfo);
+    _geometry->compileGLObjects(renderInfo);
 }
 
 osg::BoundingBox SkinDrawable::computeBoundingBox() const {
-    if (!_tree || _unit == wholeTree)
+    if (_unit == wholeTree)
         return TreeDrawable::computeBoundingBox();
     osg::BoundingBox box;
     for (const osg::Vec3& vertex : posedTriangles().vertices)
@@ -43,8 +40,6 @@ osg::BoundingBox SkinDrawable::computeBoundingBox() const {
 }
 
 TreeDrawable::Triangles SkinDrawable::posedTriangles() const {
-    if (!_tree)
-        return {};
     const BranchSkin& skin = _tree->model().skin();
     const bool whole = _unit == wholeTree;
     const std::size_t first = whole ? 0 : static_cast<std::size_t>(_unit);
@@ -65,10 +60,8 @@ TreeDrawable::Triangles SkinDrawable::posedTriangles() const {
 }
 
 TreeDrawable::Triangles LeafDrawable::posedTriangles() const {
-    Triangles triangles;
-    if (!_tree)
-        return triangles;
     const std::size_t leaves = _tree->model().leaves.size();
+    Triangles triangles;
     triangles.vertices.reserve(leaves * verticesPerLeafCluster);
     glm::vec3 corners[verticesPerLeafCluster];
     for (std::size_t leaf = 0; leaf < leaves; ++leaf) {

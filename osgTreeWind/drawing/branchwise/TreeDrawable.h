@@ -22,9 +22,7 @@ public:
     const osg::Geometry* geometry() const { return _geometry.get(); }
     osg::Geometry* geometry() { return _geometry.get(); }
 
-    osg::BoundingBox computeBoundingBox() const override {
-        return _tree ? _tree->bounds() : osg::BoundingBox();
-    }
+    osg::BoundingBox computeBoundingBox() const override { return _tree->bounds(); }
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;
 
@@ -50,7 +48,7 @@ public:
     static constexpr int wholeTree = -1;
 
     /// @param geometry TreeBuffers::skin(), or unitSkin() of the unit.
-    explicit SkinDrawable(osg::Geometry* geometry = nullptr, PosedTree* tree = nullptr, int unit = wholeTree)
+    SkinDrawable(osg::Geometry* geometry, PosedTree* tree, int unit = wholeTree)
         : TreeDrawable("SkinDrawable", geometry, tree), _unit(unit) {}
     osg::BoundingBox computeBoundingBox() const override;
 
@@ -64,8 +62,7 @@ private:
 /// All leaf clusters of a tree in one draw. The vertex shader fetches their angles from a texture.
 class LeafDrawable : public TreeDrawable {
 public:
-    explicit LeafDrawable(osg::Geometry* geometry = nullptr, PosedTree* tree = nullptr)
-        : TreeDrawable("LeafDrawable", geometry, tree) {}
+    LeafDrawable(osg::Geometry* geometry, PosedTree* tree) : TreeDrawable("LeafDrawable", geometry, tree) {}
 
 protected:
     Triangles posedTriangles() const override;

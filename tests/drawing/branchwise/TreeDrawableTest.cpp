@@ -137,9 +137,3 @@ TEST(StatisticsTest, ReferenceTreeHasTheCountsOfTheThesis) {
     EXPECT_EQ(statistics._instancedStats._vertexCount, 38656u);
     EXPECT_EQ(statistics._instancedStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
 }
-
-TEST(TreeDrawableTest, EmptyDrawablesHaveNoBounds) {
-    for (osg::ref_ptr<osg::Drawable> drawable :
-         {osg::ref_ptr<osg::Drawable>(new SkinDrawable), osg::ref_ptr<osg::Drawable>(new LeafDrawable)})
-        EXPECT_FALSE(drawable->getBoundingBox().valid());
-}
