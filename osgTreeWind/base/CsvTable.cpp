@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 namespace osgTreeWind {
 

@@ -4,8 +4,6 @@
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Problem.h>
 
-#include <algorithm>
-
 namespace osgTreeWind {
 
 namespace {

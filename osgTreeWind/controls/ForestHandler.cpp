@@ -8,7 +8,6 @@
 #include <osgTreeWind/controls/WindArrows.h>
 #include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/instanced/DrawnTrees.h>
-#include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/gpu/ExceptionGuard.h>

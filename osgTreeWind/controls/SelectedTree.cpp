@@ -2,7 +2,6 @@
 #include <osgTreeWind/controls/SelectedTree.h>
 
 #include <osgTreeWind/controls/FormattedText.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
 #include <glm/geometric.hpp>

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace osgTreeWind {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/InputFile.h>
-#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TomlEdit.h>

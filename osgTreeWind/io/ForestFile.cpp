@@ -2,7 +2,6 @@
 #include <osgTreeWind/io/ForestFile.h>
 
 #include <osgTreeWind/base/InputFile.h>
-#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/places/MapProgram.h>

@@ -21,7 +21,6 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace osgTreeWind {

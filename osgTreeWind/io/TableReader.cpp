@@ -13,15 +13,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <istream>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <sstream>
-#include <vector>
 
 namespace osgTreeWind {
 

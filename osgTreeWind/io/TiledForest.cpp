@@ -2,7 +2,6 @@
 #include <osgTreeWind/io/TiledForest.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
-#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
@@ -28,7 +27,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>

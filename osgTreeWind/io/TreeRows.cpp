@@ -4,7 +4,6 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/io/InputFolders.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/NameMatching.h>

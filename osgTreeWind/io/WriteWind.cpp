@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/wind/ThesisWind.h>

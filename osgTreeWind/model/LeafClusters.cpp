@@ -6,7 +6,6 @@
 #include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/TreeKeys.h>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 

@@ -9,7 +9,6 @@
 #include <glm/vec2.hpp>
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {

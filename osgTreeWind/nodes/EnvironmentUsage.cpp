@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 

@@ -9,7 +9,6 @@
 #include <osgDB/Registry>
 
 #include <fstream>
-#include <utility>
 
 namespace osgTreeWind {
 

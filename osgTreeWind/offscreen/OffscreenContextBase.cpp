@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/gpu/OpenGLProfile.h>
-#include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GLExtensions>
 #include <osg/Notify>

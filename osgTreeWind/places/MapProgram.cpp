@@ -3,8 +3,6 @@
 
 #include <osgTreeWind/base/Problem.h>
 
-#include <utility>
-
 namespace osgTreeWind {
 
 namespace {

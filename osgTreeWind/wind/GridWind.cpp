@@ -7,6 +7,7 @@
 #include <osgTreeWind/wind/Interpolation.h>
 #include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/ThesisWind.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindField.h>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <memory>

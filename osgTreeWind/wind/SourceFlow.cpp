@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cmath>

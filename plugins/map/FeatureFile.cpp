@@ -11,8 +11,6 @@
 #include <osgTreeWind/base/Text.h>
 
 #include <cpl_vsi.h>
-#include <gdal.h>
-#include <ogr_api.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <ogr_api.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

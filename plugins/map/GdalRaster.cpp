@@ -19,7 +19,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace osgTreeWind {
 

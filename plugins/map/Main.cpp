@@ -6,8 +6,6 @@
 #include <plugins/map/FeatureFile.h>
 #include <plugins/map/GdalRaster.h>
 
-#include <osgTreeWind/base/Problem.h>
-
 #include <cpl_conv.h>
 #include <gdal.h>
 

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Result.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
 namespace osgTreeWind {
 

@@ -7,7 +7,6 @@
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Text.h>
 
 #include <glm/trigonometric.hpp>
 

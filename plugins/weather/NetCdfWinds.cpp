@@ -7,7 +7,6 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <algorithm>
 #include <regex>

@@ -2,9 +2,9 @@
 #include <examples/osgtreewind/bench/BenchStage.h>
 
 #include <examples/osgtreewind/bench/BenchWood.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/Random.h>
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>

@@ -5,13 +5,11 @@
 #include <examples/osgtreewind/bench/BenchWood.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 
-#include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
-#include <cmath>
 #include <malloc.h>
 
 using namespace osgTreeWind;

@@ -2,7 +2,6 @@
 #include <examples/osgtreewind/bench/BenchReport.h>
 
 #include <examples/osgtreewind/bench/BenchClock.h>
-#include <examples/osgtreewind/bench/BenchStatistics.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
 #include <osgTreeWind/nodes/Forest.h>

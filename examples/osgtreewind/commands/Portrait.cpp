@@ -15,7 +15,6 @@
 
 #include <osgDB/FileNameUtils>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>

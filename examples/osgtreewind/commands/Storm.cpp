@@ -7,7 +7,6 @@
 
 #include <examples/osgtreewind/storm/StormTree.h>
 #include <examples/osgtreewind/storm/SwayFeatures.h>
-#include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>

@@ -9,7 +9,6 @@
 
 #include <glm/common.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace {

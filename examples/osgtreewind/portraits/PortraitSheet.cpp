@@ -13,7 +13,6 @@
 
 #include <glm/common.hpp>
 
-#include <osg/Image>
 #include <osg/Math>
 #include <osgText/Font>
 

@@ -8,7 +8,6 @@
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 

@@ -7,7 +7,6 @@
 #include <osgTreeWind/species/Season.h>
 
 #include <osg/Geometry>
-#include <osg/Uniform>
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 
-#include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
