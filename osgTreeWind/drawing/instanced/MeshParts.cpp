@@ -15,7 +15,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t cardsPerPart = 64, trianglesPerPart = 192;
+constexpr std::size_t cardsPerPart = 32, trianglesPerPart = 192;
 constexpr std::uint32_t indicesPerRun = 72; // neighbouring triangles of a skin that stay together
 
 struct Box {

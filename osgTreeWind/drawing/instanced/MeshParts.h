@@ -33,7 +33,7 @@ struct NearGroups {
 /// `most`. The same places give the same groups everywhere.
 NearGroups groupNear(const std::vector<glm::vec3>& places, std::size_t most);
 
-/// Sorts leaf clusters into parts of up to 64 cards; their vertices follow each other in the result.
+/// Sorts leaf clusters into parts of up to 32 cards; their vertices follow each other in the result.
 /// @param coverage share of a card that leaves cover (LeafCoverage.h).
 std::vector<MeshPart> sortIntoParts(ThinnedLeaves& leaves,
                                     const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
