@@ -40,7 +40,7 @@ public:
     bool isHidden(const Billboard& billboard) const;
     /// The least transmittance in a rectangle of the screen; 1 off the screen.
     float minTransmittance(const osg::Vec2& low, const osg::Vec2& high) const;
-    static constexpr float negligible = 0.02f; ///< Transmittance.
+    static constexpr float negligible = 1.0f / 64; ///< Transmittance.
     /// Adds a tree in front of everything that is tested from now on.
     void add(const Billboard& billboard);
 
