@@ -98,9 +98,7 @@ Json viewJson(const BenchView& view) {
             {"archetypeBytes", view.archetypeBytes},
             {"loadSeconds", number(view.loadSeconds())},
             {"loadParts",
-             {{"forest", number(view.forestSeconds)},
-              {"shapes", number(view.shapesSeconds)},
-              {"firstFrame", number(view.firstFrameSeconds)}}},
+             {{"forest", number(view.forestSeconds)}, {"firstFrame", number(view.firstFrameSeconds)}}},
             {"forestBytes", std::isfinite(view.forestBytes)
                                 ? Json(static_cast<std::uint64_t>(view.forestBytes))
                                 : Json(nullptr)},
@@ -302,15 +300,15 @@ void printBenchViews(std::ostream& out, const BenchConditions& conditions,
         << " rounds, times in ms (medians); over: frame time over that of one reference tree that fills "
            "the view\n\n";
     printHead(out,
-              {"forest", "view", "trees", "load, s", "forest", "its shapes", "first frame", "bytes a tree",
-               "full", "boughs", "impostors", "update", "cull", "draw", "frame", "tree", "over",
-               "over, processor", "in full, over"},
+              {"forest", "view", "trees", "load, s", "forest", "first frame", "bytes a tree", "full",
+               "boughs", "impostors", "update", "cull", "draw", "frame", "tree", "over", "over, processor",
+               "in full, over"},
               2);
     for (const BenchView& view : views) {
         const osgTreeWind::DrawnTrees trees = view.drawnTrees();
         printRow(out,
                  {view.forest, nameOf(view.viewpoint), std::to_string(view.trees),
-                  fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
+                  fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2),
                   fixed(view.firstFrameSeconds, 2), fixed(view.bytesPerTree, 0), std::to_string(trees.full),
                   std::to_string(trees.byBoughs), std::to_string(trees.asPictures), median(view.drawn.update),
                   median(view.drawn.cull), median(view.drawn.draw), median(view.drawn.frame),

@@ -43,9 +43,6 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
     if (const ModalMotion* modal = movingForest(simulation).modal()) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
-        const BenchClock clock;
-        const InstancedResources painted(simulation);
-        result.shapesSeconds = clock.seconds();
     }
     return forest;
 }

@@ -22,7 +22,6 @@ struct BenchView {
     std::size_t trees = 0, shapes = 0, archetypes = 0, archetypeBytes = 0;
     // Loading: from the description to the end of the first frame.
     double forestSeconds = 0.0;     ///< Making a Forest from the description.
-    double shapesSeconds = 0.0;     ///< Approximate part of it for meshes and impostors.
     double firstFrameSeconds = 0.0; ///< Including shader compilation and uploads.
     /// Memory of the Forest before drawing; NaN if the allocator does not report it.
     double forestBytes = std::nan("");
