@@ -34,6 +34,19 @@ TEST(Storm, AStandCarriesTheMomentumThatFlowsIntoIt) {
     EXPECT_NEAR(storm["features"]["f0_hz"].get<double>() / storm["frequency_hz"].get<double>(), 1.0, 0.35);
 }
 
+TEST(Storm, TheBasalAreaGivesTheSpacing) {
+    const std::vector<std::string> shortly = {"--duration", "1", "--no-critical"};
+    const auto storm = [&](std::vector<std::string> words) {
+        words.insert(words.end(), shortly.begin(), shortly.end());
+        return stormOf(words);
+    };
+    const json dense = storm({"--basal-area", "62"}); // stems of 24 cm
+    EXPECT_NEAR(dense["spacing_m"].get<double>(), 2.7012, 1e-3);
+    EXPECT_NEAR(dense["basal_area_m2ha"].get<double>(), 62.0, 1e-9);
+    EXPECT_NEAR(storm({"--spacing", "3"})["basal_area_m2ha"].get<double>(), 50.265, 1e-3);
+    EXPECT_TRUE(storm({"--open"})["basal_area_m2ha"].is_null());
+}
+
 TEST(Storm, ATreeAloneLeansFurther) {
     const json stand = stormOf({"--speed", "10", "--duration", "300", "--no-critical"}),
                alone = stormOf({"--speed", "10", "--duration", "300", "--open", "--no-critical"});
@@ -98,7 +111,9 @@ TEST(Storm, ATableSimulatesEveryTree) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const std::string text = contentOf(out);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
-    EXPECT_EQ(text.rfind("species,dbh_cm,height_m,crown_width_m,spacing_m,leaves,speed_ms,moment_mean,", 0),
+    EXPECT_EQ(text.rfind("species,dbh_cm,height_m,crown_width_m,spacing_m,basal_area_m2ha,leaves,speed_ms,"
+                         "moment_mean,",
+                         0),
               0u);
     const json one = stormOf({"--spacing", "3", "--speed", "6", "--duration", "30"});
     EXPECT_NE(text.find("," + one["moment"]["max"].dump() + ","), std::string::npos) << text;
@@ -137,12 +152,21 @@ TEST(Storm, RefusesAnInvalidTable) {
               std::string::npos)
         << outcome.err;
     EXPECT_EQ(runTool({"storm", "--table", "/nowhere.csv"}).exitCode, 2);
+    const std::string both = folder.write("both.csv", "dbh_cm,spacing_m,basal_area_m2ha\n24,,30\n24,3,30\n"),
+                      dense = folder.write("dense.csv", "dbh_cm,height_m,basal_area_m2ha\n1,3,900\n");
+    EXPECT_NE(
+        runTool({"storm", "--table", both}).err.find("both.csv:3: expected spacing_m or basal_area_m2ha"),
+        std::string::npos);
+    EXPECT_NE(runTool({"storm", "--table", dense}).err.find("dense.csv:2: basal area: expected at most 78.5"),
+              std::string::npos);
 }
 
 TEST(Storm, RefusesInvalidOptions) {
     EXPECT_EQ(runTool({"storm", "--speed", "-1"}).exitCode, 2);
     EXPECT_EQ(runTool({"storm", "--step", "0.5"}).exitCode, 2);
     EXPECT_EQ(runTool({"storm", "--spacing", "3", "--open"}).exitCode, 2);
+    EXPECT_EQ(runTool({"storm", "--spacing", "3", "--basal-area", "30"}).exitCode, 2);
+    EXPECT_EQ(runTool({"storm", "--basal-area", "30", "--open"}).exitCode, 2);
     const Outcome outcome = runTool({"storm", "--duration", "1", "-o", "/nowhere/trace.csv"});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.err.find("/nowhere/trace.csv: cannot be written"), std::string::npos) << outcome.err;

@@ -3,14 +3,17 @@
 #include <examples/osgtreewind/options/TreeRecord.h>
 #include <examples/osgtreewind/options/TreeTable.h>
 #include <examples/osgtreewind/output/AtomicTable.h>
+#include <examples/osgtreewind/output/CommandError.h>
 #include <examples/osgtreewind/output/Json.h>
 
 #include <examples/osgtreewind/storm/StormTree.h>
 #include <examples/osgtreewind/storm/SwayFeatures.h>
 #include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 
+#include <glm/ext/scalar_constants.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -25,9 +28,11 @@ namespace {
 using namespace osgTreeWind;
 
 constexpr double settlingTime = 60.0; // seconds before measuring starts
+constexpr double minSpacing = 0.1;    // m
 
 struct StormOptions : TreeRecord {
-    double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
+    double spacing = 0.0, basalArea = 0.0; ///< m and m²/ha; 0 if not given.
+    double speed = 10.0, duration = 3600.0, step = 0.125;
     std::uint32_t seed = 1;
     std::string output, table;
     bool json = false, critical = true;
@@ -41,8 +46,17 @@ struct StormJob {
 
     StormJob(const StormOptions& given, Species kind)
         : options(given), species(std::move(kind)), tree(options.makePlacement(species)) {
-        if (options.spacing == 0.0) // crowns cover the ground: sqrt(pi / 4)
+        const double stem = 0.25e-4 * glm::pi<double>() * options.diameter * options.diameter; // m²
+        if (options.basalArea > 0.0)
+            options.spacing = 100.0 * std::sqrt(stem / options.basalArea);
+        else if (options.spacing == 0.0) // crowns cover the ground: sqrt(pi / 4)
             options.spacing = 0.886 * options.crownWidth;
+        if (given.basalArea > 0.0 && options.spacing < minSpacing)
+            throw CommandError{BadInput, "basal area: expected at most " +
+                                             numberText(1e4 * stem / (minSpacing * minSpacing)) +
+                                             " m²/ha for stems of " + numberText(options.diameter) +
+                                             " cm, found " + numberText(options.basalArea)};
+        options.basalArea = 1e4 * stem / (options.spacing * options.spacing);
     }
 };
 
@@ -121,6 +135,7 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
         {"height_m", options.height},
         {"crown_width_m", options.crownWidth},
         {"spacing_m", options.open ? Json() : Json(options.spacing)},
+        {"basal_area_m2ha", options.open ? Json() : Json(options.basalArea)},
         {"leaves", options.leaves},
         {"speed_ms", options.speed},
         {"moment", moment.json()},
@@ -179,6 +194,7 @@ const char* const stormColumns[] = {"/species",
                                     "/height_m",
                                     "/crown_width_m",
                                     "/spacing_m",
+                                    "/basal_area_m2ha",
                                     "/leaves",
                                     "/speed_ms",
                                     "/moment/mean",
@@ -221,6 +237,19 @@ std::string rowOfTable(const Json& storm) {
     return row + '\n';
 }
 
+/// Reads the spacing or the basal area, which replaces either of the options.
+void readStand(const TreeTable& table, const CsvTable::Row& row, StormOptions& options) {
+    double spacing = 0.0, basalArea = 0.0;
+    table.read(row, "spacing_m", minSpacing, 1000.0, spacing);
+    table.read(row, "basal_area_m2ha", 0.1, 1000.0, basalArea);
+    if (spacing > 0.0 && basalArea > 0.0)
+        table.fail(row, {BadInput, "expected spacing_m or basal_area_m2ha, found both"});
+    if (spacing > 0.0 || basalArea > 0.0) {
+        options.spacing = spacing;
+        options.basalArea = basalArea;
+    }
+}
+
 void stormTable(const StormOptions& defaults) {
     const TreeTable table = TreeTable::read(defaults.table);
     std::vector<StormJob> jobs;
@@ -228,9 +257,14 @@ void stormTable(const StormOptions& defaults) {
     for (const CsvTable::Row& row : table.rows()) {
         StormOptions options = defaults;
         table.read(row, options);
-        table.read(row, "spacing_m", 0.1, 1000.0, options.spacing);
+        readStand(table, row, options);
         table.read(row, "speed_ms", 0.0, 80.0, options.speed);
-        jobs.emplace_back(options, table.species(row, options));
+        const Species species = table.species(row, options);
+        try {
+            jobs.emplace_back(options, species);
+        } catch (const CommandError& error) {
+            table.fail(row, error);
+        }
         ids.push_back(table.hasIds() ? csvCell(table.id(row)) + ',' : "");
     }
     std::vector<std::string> rows(jobs.size());
@@ -253,11 +287,19 @@ void addStormCommand(CLI::App& app) {
         "storm", "Simulate one tree in a storm, in a stand or alone, and measure its sway");
     auto options = std::make_shared<StormOptions>();
     addTreeOptions(*command, *options);
+    CLI::Option* const spacing =
+        command
+            ->add_option(
+                "--spacing", options->spacing,
+                "Distance between the trees of the stand, m (default: the crowns just cover the ground)")
+            ->check(between(minSpacing, 1000.0))
+            ->excludes("--open");
     command
-        ->add_option("--spacing", options->spacing,
-                     "Distance between the trees of the stand, m (default: the crowns just cover the ground)")
+        ->add_option("--basal-area", options->basalArea,
+                     "In place of --spacing: cross-section of the stems at breast height per ground, m²/ha")
         ->check(between(0.1, 1000.0))
-        ->excludes("--open");
+        ->excludes("--open")
+        ->excludes(spacing);
     command
         ->add_option("--speed", options->speed,
                      "Mean wind at the top of the canopy (with --open: at the top of the tree), m/s")
@@ -290,8 +332,9 @@ void addStormCommand(CLI::App& app) {
         "three\n"
         "hours) reaches the strength of the roots (uproot) and of the stem (break).\n"
         "Columns of --table, all optional: species, dbh_cm, height_m, crown_width_m, open, leaves, "
-        "spacing_m,\n"
-        "speed_ms; the file of info --trees fits, too. Options fill in what the table leaves out.\n"
+        "spacing_m\n"
+        "or basal_area_m2ha, speed_ms; the file of info --trees fits, too. Options fill in what the table "
+        "leaves out.\n"
         "Example: osgtreewind storm --species \"Sitka spruce\" --dbh 24 --height 20 --speed 10 --json");
     command->callback([options] { options->table.empty() ? storm(*options) : stormTable(*options); });
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/TreeTable.h>
 
-#include <examples/osgtreewind/output/CommandError.h>
-
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
@@ -35,7 +33,7 @@ Species TreeTable::species(const CsvTable::Row& row, const TreeRecord& tree) con
     try {
         return speciesByName(tree.species);
     } catch (const CommandError& error) {
-        throw CommandError{error.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + error.message};
+        fail(row, error);
     }
 }
 
@@ -46,10 +44,13 @@ void TreeTable::read(const CsvTable::Row& row, const char* column, double low, d
     const double number = valueOrThrow(_csv.number(row, *_csv.column(column)));
     if (number < low || number > high) {
         const std::string range = "a number from " + numberText(low) + " to " + numberText(high);
-        throw CommandError{BadInput, _csv.file + ':' + std::to_string(row.line) + ": " + column + ": " +
-                                         expectedFound(range, *cell(row, column))};
+        fail(row, {BadInput, column + (": " + expectedFound(range, *cell(row, column)))});
     }
     value = number;
+}
+
+void TreeTable::fail(const CsvTable::Row& row, const CommandError& error) const {
+    throw CommandError{error.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + error.message};
 }
 
 /// Null if the column is missing or the cell is empty.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <examples/osgtreewind/options/TreeRecord.h>
+#include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 
@@ -23,6 +24,9 @@ public:
     /// Reads the number in a column, from `low` to `high`.
     void read(const osgTreeWind::CsvTable::Row& row, const char* column, double low, double high,
               double& value) const;
+
+    /// Throws an error with the place of the row.
+    [[noreturn]] void fail(const osgTreeWind::CsvTable::Row& row, const CommandError& error) const;
 
     /// Whether the table has a column `id`.
     bool hasIds() const { return _csv.column("id").has_value(); }
