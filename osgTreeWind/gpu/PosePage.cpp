@@ -66,8 +66,9 @@ PosePlaces::Place PosePlaces::addBlocks(std::size_t units) {
 
 PoseRequest& PosePlaces::addRequest(const Place& place, std::size_t units) {
     PosePage& page = *place.page;
-    for (std::size_t first = 0; first < std::max<std::size_t>(units, 1); first += PosePage::blockUnits)
-        page.blocks.push_back({static_cast<float>(page.requests.size()), static_cast<float>(first), {}});
+    for (std::size_t block = 0; block < blocksOf(units); ++block)
+        page.blocks.push_back(
+            {static_cast<float>(page.requests.size()), static_cast<float>(block * PosePage::blockUnits), {}});
     return page.requests.emplace_back();
 }
 

@@ -84,8 +84,8 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
         const DrawTimer time(renderInfo, "Forest pose");
         std::optional<PassState> passes;
         for (std::size_t i = 0; i < _used; ++i)
-            if (const DrawnPoses& poses = _lists[i].poses; poses.page)
-                poses.passes->prepare(*renderInfo.getState(), *poses.page, passes);
+            if (const osg::ref_ptr<PosePage>& page = _lists[i].poses.page)
+                _buffer->poses->prepare(*renderInfo.getState(), *page, passes);
     });
 }
 

@@ -56,8 +56,7 @@ public:
     void insert(const Part& part) { _bins[std::max(_nextBin, binOf(part.distance))].parts.push_back(part); }
 
     /// Calls visit(tree) and visit(part) once for each tree and part in the bins before `distance`, front to
-    /// back. During the call, occlusion() holds what is in front of it. visit(part) returns whether the part
-    /// hides others.
+    /// back. Meanwhile, occlusion() contains those in front. A part hides others if visit(part) returns true.
     template <typename Visit>
     void visitNearerThan(float distance, Visit visit) {
         visitBins(binOf(distance), visit);

@@ -154,7 +154,7 @@ void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, f
         {static_cast<float>(pose.block), fade, treeRandom(tree.seed), tree.leaves},
         {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f),
          static_cast<float>(tier) + 0.125f * brightness}};
-    const DrawnPoses poses{scene.poses, pose.page, scene.flutter[tree.species]};
+    const DrawnPoses poses{pose.page, scene.flutter[tree.species]};
     if (model.usesHostGeometry()) {
         lists.list({seen.band, tree.model}, poses).trees.push_back(instance);
     } else {
@@ -207,7 +207,7 @@ namespace {
 /// Adds draws to the render bin of a camera.
 class DrawSubmission {
 public:
-    using States = std::initializer_list<osg::StateSet*>; ///< From the outermost one on; null is none.
+    using States = std::initializer_list<osg::StateSet*>; ///< The outermost comes first. Null is ignored.
 
     DrawSubmission(osgUtil::CullVisitor& visitor, DrawBuffer& buffer)
         : _visitor(visitor), _buffer(buffer), _depth(visitor.getDistanceFromEyePoint(osg::Vec3(), true)) {}
@@ -278,6 +278,7 @@ void InstancedCull::submitDraws() {
         for (const TreeInstance& tree : lists[i].trees)
             buffer.add(tree);
     }
+    buffer.poses = scene.poses;
     const auto& looks = scene.resources.looks;
     buffer.hasHostState = std::any_of(looks.begin(), looks.end(), [](const SpeciesLooks& each) {
         return each.hostBark || each.hostLeaves;

@@ -133,7 +133,7 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo, const SceneGeometry* 
     const bool isCore = _buffer->isCore && prepareProfile(state);
     if (_poses.page) {
         const DrawTimer time(renderInfo, "Forest pose");
-        _poses.passes->prepareBound(state, *_poses.page);
+        _buffer->poses->prepareBound(state, *_poses.page);
     }
     const DrawTimer time(renderInfo, "Forest draw");
     if (isCore)

@@ -44,7 +44,8 @@ struct DrawBuffer : osg::Referenced {
 
     osg::ref_ptr<osg::FloatArray> instances = new osg::FloatArray;
     osg::ref_ptr<osg::UIntArray> commands = new osg::UIntArray;
-    std::uint64_t id;          ///< Of the buffer object, whose name OpenGL may give to a later one.
+    std::uint64_t id; ///< Of the buffer object, whose name OpenGL may give to a later one.
+    osg::ref_ptr<const PosePass> poses;
     bool hasHostState = false; ///< Whether draws have state of a host, which may change the lights.
 
     /// Sets what follows for the draws of a camera, in its context.
@@ -59,9 +60,8 @@ bool hasIndirectDraws(const osg::State& state);
 
 /// The poses that trees of a draw share.
 struct DrawnPoses {
-    osg::ref_ptr<const PosePass> passes; ///< Null for impostors.
-    osg::ref_ptr<PosePage> page;
-    osg::Vec3 flutter; ///< Phases of the leaf flutter.
+    osg::ref_ptr<PosePage> page; ///< Null for impostors.
+    osg::Vec3 flutter;           ///< Phases of the leaf flutter.
 };
 
 /// Draws one part (bark, leaves or impostors) of trees of one model. Added to a render bin by cull; not part

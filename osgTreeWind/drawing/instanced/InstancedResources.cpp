@@ -8,6 +8,8 @@
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/SpeciesKeys.h>
 
+#include <functional>
+
 namespace osgTreeWind {
 namespace {
 
@@ -21,6 +23,15 @@ void addNeededImpostors(const ForestSimulation& simulation, std::size_t model, c
     const float maxAdvance = simulation.description().damage ? LeafFall::maxAdvance : 0.0f;
     for (int tier = picture(0.0f); tier <= picture(maxAdvance); ++tier)
         needed.emplace(model, static_cast<Tier>(tier));
+}
+
+/// Runs jobs on the simulation's threads, which it starts only for several jobs.
+void runFew(const ForestSimulation& simulation, std::size_t count,
+            const std::function<void(std::size_t)>& job) {
+    if (count == 1)
+        job(0);
+    else if (count > 1)
+        runJobs(simulation.executor(), count, job);
 }
 
 std::string bytesOf(const std::vector<Species>& all) {
@@ -77,10 +88,7 @@ void InstancedResources::makeModels(const ForestSimulation& simulation, const st
         models[model] =
             new ModelResources(_shapes[model], species, simulation.description().species[species].appearance);
     };
-    if (missing.size() == 1)
-        make(0);
-    else if (!missing.empty()) // starts no threads for none
-        runJobs(simulation.executor(), missing.size(), make);
+    runFew(simulation, missing.size(), make);
 }
 
 void InstancedResources::updateSeason(const ForestSimulation& simulation) {
@@ -120,10 +128,7 @@ void InstancedResources::paintImpostors(const ForestSimulation& simulation, cons
         models[model]->loadImpostor(tier, *movingForest(simulation).models()[model],
                                     simulation.description().species[models[model]->species()].appearance);
     };
-    if (missing.size() == 1)
-        paint(0);
-    else if (!missing.empty())
-        runJobs(simulation.executor(), missing.size(), paint);
+    runFew(simulation, missing.size(), paint);
 }
 
 std::vector<osg::Object*> InstancedResources::glObjects() const {

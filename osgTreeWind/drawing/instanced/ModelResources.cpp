@@ -63,10 +63,9 @@ struct LeafMeshes {
     osg::ref_ptr<osg::Image> records;
 };
 
-LeafMeshes makeLeafMeshes(const TreeModel& model, const Appearance& appearance,
+LeafMeshes makeLeafMeshes(const TreeModel& model, const CrownShade& crown, const Appearance& appearance,
                           const std::vector<LeafStencils>& stencils) {
     const float coverage = leafCoverage(appearance.leafForm), height = model.skeleton.height();
-    const CrownShade crown(model.leaves, model.leafMesh, coverage);
     LeafMeshes leaves;
     std::vector<glm::vec4> records;
     float fullTierLight = 0.0f; // on the leaves
@@ -111,26 +110,25 @@ void setLeafState(osg::StateSet& state, const TreeModel& model, osg::Texture2D* 
 
 ModelMeshes::ModelMeshes(const std::shared_ptr<const TreeModel>& model, const Appearance& appearance)
     : state(new osg::StateSet), stencils(LeafStencils::ofAtlas(leafImage(appearance))) {
-    const auto makeBark = [model, coverage = leafCoverage(appearance.leafForm)](osg::StateSet& uniforms) {
-        return makeBarkMeshes(*model, CrownShade(model->leaves, model->leafMesh, coverage), uniforms);
+    const auto makeCrown = [model, coverage = leafCoverage(appearance.leafForm)] {
+        return CrownShade(model->leaves, model->leafMesh, coverage);
     };
-    bark = makeBark(*state);
-    bark.geometry = new RefilledGeometry(*bark.geometry, [makeBark] {
+    const CrownShade crown = makeCrown();
+    bark = makeBarkMeshes(*model, crown, *state);
+    bark.geometry = new RefilledGeometry(*bark.geometry, [model, makeCrown] {
         const osg::ref_ptr<osg::StateSet> unused = new osg::StateSet;
-        return makeBark(*unused).geometry;
+        return makeBarkMeshes(*model, makeCrown(), *unused).geometry;
     });
     std::fill(std::begin(leafBrightness), std::end(leafBrightness), 1.0f);
     if (model->leaves.empty())
         return;
-    const auto makeLeaves = [model, appearance, atlas = stencils] {
-        return makeLeafMeshes(*model, appearance, *atlas);
-    };
-    const LeafMeshes made = makeLeaves();
+    const LeafMeshes made = makeLeafMeshes(*model, crown, appearance, *stencils);
     leaves = made.meshes;
     std::copy(std::begin(made.brightness), std::end(made.brightness), leafBrightness);
-    setLeafState(*state, *model, makeLoadedTexture("leaf records", made.records, [makeLeaves] {
-        return makeLeaves().records;
-    }));
+    const auto makeRecords = [model, makeCrown, appearance, atlas = stencils] {
+        return makeLeafMeshes(*model, makeCrown(), appearance, *atlas).records;
+    };
+    setLeafState(*state, *model, makeLoadedTexture("leaf records", made.records, makeRecords));
     leaves.geometry = new SceneGeometry;
     leaves.geometry->setName("leaves");
     leaves.geometry->addPrimitiveSet(triangles(leafIndices(model->leaves.size()), // the most of all tiers

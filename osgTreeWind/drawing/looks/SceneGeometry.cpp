@@ -7,6 +7,14 @@
 #include <osg/GLExtensions>
 
 namespace osgTreeWind {
+namespace {
+
+/// Whether a context has no arrays, or they belong to one that no longer exists.
+bool isGone(const osg::VertexArrayState* arrays) {
+    return !arrays || !arrays->_stateObserverSet->getObserverdObject();
+}
+
+} // namespace
 
 SceneGeometry::SceneGeometry(osg::Program* program) : _program(program) {
     setUseDisplayList(false);
@@ -32,13 +40,13 @@ void SceneGeometry::drawImplementation(osg::RenderInfo& renderInfo) const {
 
 bool SceneGeometry::canBindVertices(const osg::State& state) const {
     const osg::VertexArrayState* arrays = _vertices[state.getContextID()].arrays;
-    return !arrays || arrays->_state == &state || !arrays->_stateObserverSet->getObserverdObject();
+    return isGone(arrays) || arrays->_state == &state;
 }
 
 bool SceneGeometry::bindVertices(osg::RenderInfo& renderInfo, std::uint64_t attributes) const {
     osg::State& state = *renderInfo.getState();
     auto& [arrays, known] = _vertices[state.getContextID()];
-    const bool isNew = !arrays || !arrays->_stateObserverSet->getObserverdObject(); // its context is gone
+    const bool isNew = isGone(arrays);
     if (isNew) {
         arrays = createVertexArrayState(renderInfo);
         if (arrays->getVertexArrayObject() == 0)
