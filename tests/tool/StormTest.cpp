@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace {
 
@@ -80,7 +81,32 @@ TEST(Storm, StaysFiniteInTheStrongestWinds) {
 }
 
 TEST(Storm, ACalmMovesNothing) {
-    EXPECT_EQ(stormOf({"--speed", "0", "--duration", "10", "--no-critical"})["moment"]["max"], 0.0);
+    const json calm = stormOf({"--speed", "0", "--duration", "10", "--no-critical"});
+    EXPECT_EQ(calm["moment"]["max"], 0.0);
+    EXPECT_EQ(calm["weight_factor"], 1.0);
+}
+
+TEST(Storm, WeightDeepensALean) {
+    const json storm = stormOf({"--duration", "1200", "--no-critical"});
+    // The overhanging weight at the foot, which comes from places and masses, agrees with the softer modes.
+    const double byMoments = storm["moment"]["mean"].get<double>() / storm["push"]["mean"].get<double>();
+    EXPECT_NEAR(storm["weight_factor"].get<double>() / byMoments, 1.0, 0.04);
+    EXPECT_GT(byMoments, 1.05);
+}
+
+TEST(Storm, NotesAStemThatWouldHaveBroken) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path() + "/trees.csv";
+    std::ofstream(path) << "species,dbh_cm,height_m,speed_ms\nSitka spruce,24,20,50\nSitka spruce,24,20,1\n"
+                           "palm,24,10,50\n";
+    const Outcome outcome = runTool({"storm", "--table", path, "--duration", "60", "--no-critical"});
+    EXPECT_EQ(outcome.err.find(path + ":2: note: the largest strain of the stem, "), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const json storm = stormOf({"--speed", "50", "--duration", "60", "--no-critical"});
+    EXPECT_GT(storm["strain_max"], storm["strain_limit"]);
+    // Moment and strain at the foot are proportional: 34 MPa pi d^3 / 32 at the limit.
+    EXPECT_NEAR(storm["strain_limit"].get<double>() / storm["strain_max"].get<double>(),
+                46143.0 / storm["moment"]["max"].get<double>(), 0.15);
 }
 
 TEST(Storm, AtTheCriticalWindTheLargestMomentReachesTheStrength) {

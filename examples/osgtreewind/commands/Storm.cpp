@@ -115,6 +115,7 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
     tree.advance(settlingTime);
     VectorStatistics moment, push, tip;
     std::vector<glm::dvec2> strains;
+    double largestStrain = 0.0;
     const auto rows = static_cast<std::size_t>(std::llround(options.duration / options.step));
     for (std::size_t row = 1; row <= rows; ++row) {
         const double time = options.step * static_cast<double>(row);
@@ -123,9 +124,11 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
         push.add(now.push);
         tip.add(glm::dvec2(now.tip));
         strains.push_back(now.strain);
+        largestStrain = std::max(largestStrain, glm::length(now.strain));
         if (trace)
             writeRow(trace, time, now);
     }
+    const double strainLimit = tree.strainLimit();
     const std::optional<FreeSway> free = pullAndRelease(job.species, job.tree);
     const CriticalSpeeds critical =
         options.critical ? criticalSpeedsOf(job.species, job.tree, storm) : CriticalSpeeds();
@@ -141,6 +144,9 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
         {"moment", moment.json()},
         {"push", push.json()},
         {"tip", tip.json()},
+        {"weight_factor", tree.weightFactor()},
+        {"strain_max", largestStrain},
+        {"strain_limit", strainLimit > 0.0 ? Json(strainLimit) : Json()},
         {"features", json(free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt)},
         {"frequency_hz", free ? Json(free->frequency) : Json()},
         {"critical", {{"uproot", json(critical.uproot)}, {"break", json(critical.breaking)}}}};
@@ -172,6 +178,14 @@ void print(const Json& storm) {
     std::printf(" m/s at the top\n");
 }
 
+/// Says so if the stem would have broken.
+void noteBreakage(const std::string& tree, const Json& storm) {
+    const Json &largest = storm["strain_max"], &limit = storm["strain_limit"];
+    if (limit.is_number() && largest > limit)
+        std::cerr << tree << ": note: the largest strain of the stem, " << largest.get<double>()
+                  << ", exceeds the strain at which it breaks, " << limit.get<double>() << '\n';
+}
+
 void storm(const StormOptions& options) {
     const StormJob job(options, speciesByName(options.species));
     std::optional<AtomicTable> trace;
@@ -182,6 +196,7 @@ void storm(const StormOptions& options) {
     const Json object = measureStorm(job, trace ? trace->file() : nullptr);
     if (trace)
         trace->finish();
+    noteBreakage(job.species.name, object);
     if (options.json)
         std::cout << object.dump(2) << '\n';
     else
@@ -206,6 +221,9 @@ const char* const stormColumns[] = {"/species",
                                     "/tip/mean",
                                     "/tip/sd",
                                     "/tip/max",
+                                    "/weight_factor",
+                                    "/strain_max",
+                                    "/strain_limit",
                                     "/features/snr",
                                     "/features/f0_hz",
                                     "/features/damping",
@@ -267,12 +285,13 @@ void stormTable(const StormOptions& defaults) {
         }
         ids.push_back(table.hasIds() ? csvCell(table.id(row)) + ',' : "");
     }
-    std::vector<std::string> rows(jobs.size());
-    ThreadPool::executor()(
-        jobs.size(), [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measureStorm(jobs[i], nullptr)); });
+    std::vector<Json> storms(jobs.size());
+    ThreadPool::executor()(jobs.size(), [&](std::size_t i) { storms[i] = measureStorm(jobs[i], nullptr); });
     std::string text = (table.hasIds() ? "id," : "") + headOfTable();
-    for (const std::string& row : rows)
-        text += row;
+    for (std::size_t i = 0; i < storms.size(); ++i) {
+        noteBreakage(table.placeOf(table.rows()[i]), storms[i]);
+        text += ids[i] + rowOfTable(storms[i]);
+    }
     if (defaults.output.empty()) {
         std::cout << text;
         return;

@@ -50,7 +50,7 @@ void TreeTable::read(const CsvTable::Row& row, const char* column, double low, d
 }
 
 void TreeTable::fail(const CsvTable::Row& row, const CommandError& error) const {
-    throw CommandError{error.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + error.message};
+    throw CommandError{error.exitCode, placeOf(row) + ": " + error.message};
 }
 
 /// Null if the column is missing or the cell is empty.

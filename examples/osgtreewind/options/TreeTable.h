@@ -25,6 +25,10 @@ public:
     void read(const osgTreeWind::CsvTable::Row& row, const char* column, double low, double high,
               double& value) const;
 
+    /// File and line of a row.
+    std::string placeOf(const osgTreeWind::CsvTable::Row& row) const {
+        return _csv.file + ':' + std::to_string(row.line);
+    }
     /// Throws an error with the place of the row.
     [[noreturn]] void fail(const osgTreeWind::CsvTable::Row& row, const CommandError& error) const;
 

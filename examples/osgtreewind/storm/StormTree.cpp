@@ -4,14 +4,17 @@
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/damage/BreakableJoint.h>
+#include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace osgTreeWind {
 
@@ -75,25 +78,55 @@ double StormTree::largestMoment(double time) {
     return largest;
 }
 
-StormState StormTree::advance(double time) {
-    advance(time, [] {});
+std::vector<UnitPose> StormTree::posesOf(const std::vector<float>& vector) const {
     const PlacedTree& tree = _forest.trees.front();
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
-    const std::size_t count = skeleton.units.size();
-    std::vector<glm::vec2> angles(count);
-    std::vector<glm::quat> rotations(count);
-    std::vector<UnitPose> poses(count);
-    _motion.angles(0, angles.data());
+    std::vector<glm::vec2> angles(skeleton.units.size());
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        angles[i] = _motion.unitAngles(0, i, vector.data());
+    std::vector<glm::quat> rotations(angles.size());
+    std::vector<UnitPose> poses(angles.size());
     composeModalPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+    return poses;
+}
+
+glm::vec2 StormTree::tipOf(const std::vector<UnitPose>& poses) const {
+    const PlacedTree& tree = _forest.trees.front();
+    const glm::vec3 top = tree.scale.axes * _forest.modelOf(tree).skeleton.units[_load.topUnit()].tip;
+    return glm::vec2(poses[_load.topUnit()].apply(top) - top);
+}
+
+StormState StormTree::advance(double time) {
+    advance(time, [] {});
+    std::vector<float> vector(_motion.model(0).columns());
+    _motion.poseVector(0, vector.data());
+    _poses.resize(vector.size());
+    std::transform(vector.begin(), vector.end(), _poses.begin(), _poses.begin(), std::plus<double>());
+    ++_states;
+    const std::vector<UnitPose> poses = posesOf(vector);
     StormState now;
     now.moment = _load.moment(poses);
     now.push = now.moment - _load.weightMoment(poses);
     now.strain = now.moment * _strain;
-    const glm::vec3 up(0.0f, 0.0f, 1.0f), top = tree.scale.axes * skeleton.units[_load.topUnit()].tip;
+    const glm::vec3 up(0.0f, 0.0f, 1.0f);
     now.tilt = glm::vec2(poses[_middle].rotation * up - up);
-    now.tip = glm::vec2(poses[_load.topUnit()].apply(top) - top);
-    now.wind = glm::vec2(_wind.velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
+    now.tip = tipOf(poses);
+    const PlacedTree& tree = _forest.trees.front();
+    const float height = tree.scale.axes.z * _forest.modelOf(tree).skeleton.height();
+    now.wind = glm::vec2(_wind.velocity(WindPlace(0.0f, 0.0f, height), time));
     return now;
+}
+
+double StormTree::weightFactor() const {
+    std::vector<float> vector(_poses.size());
+    for (std::size_t i = 0; i < vector.size(); ++i)
+        vector[i] = static_cast<float>(_poses[i] / static_cast<double>(_states));
+    const float lean = glm::length(tipOf(posesOf(vector)));
+    const std::vector<ModalModel::Mode>& modes = _motion.model(0).modes;
+    for (std::size_t k = 0; k < modes.size(); ++k) // a static amplitude is inverse to the stiffness left
+        vector[k] *= Laws().weightLeaves(modes[k].weightShare);
+    const float weightless = glm::length(tipOf(posesOf(vector)));
+    return weightless > 0.0f ? static_cast<double>(lean / weightless) : 1.0;
 }
 
 CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tree, const Storm& storm) {

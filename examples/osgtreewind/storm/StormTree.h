@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -44,15 +45,26 @@ public:
     /// Simulates up to `time`. @return the largest moment at the foot on the way, N m.
     double largestMoment(double time);
     const TreeStrength& strength() const { return _load.strength(); }
+    /// Strain of the wood at the foot of the trunk at which the stem breaks; 0 if its strength is unknown.
+    double strainLimit() const { return _load.strength().breaking * _strain; }
+    /// Displacement of the top in the mean of all states so far, over that of a tree without weight; 1 in a
+    /// calm.
+    double weightFactor() const;
 
 private:
     void advance(double time, const std::function<void()>& stepped);
+    /// Poses of the units for a ModalMotion::poseVector().
+    std::vector<UnitPose> posesOf(const std::vector<float>& vector) const;
+    glm::vec2 tipOf(const std::vector<UnitPose>& poses) const;
 
     PlacedForest _forest;
     ModalMotion _motion;
     LayeredWind _wind;
     FootLoad _load;
-    double _time = 0.0, _strain = 0.0;
+    double _time = 0.0;
+    double _strain = 0.0;       ///< Of the wood at the foot, per moment there, 1/(N m).
+    std::vector<double> _poses; ///< Sum of the ModalMotion::poseVector() of all states.
+    std::size_t _states = 0;
     std::size_t _middle = 0; ///< Unit at half the height of the trunk.
 };
 
