@@ -79,6 +79,8 @@ void main() {
     vec3 point = across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
     float share = clamp(mix(rise / height, 0.75, toEye.z * toEye.z), 0.0, 1.0);
     point.xy += treeState.xy * pow(share, leanPower);
+    vec2 lean = treeState.xy / height; // at most 1: the stem keeps its length
+    point.z *= mix(1.0, sqrt(max(1.0 - dot(lean, lean), 0.0)), share);
 
     vec4 eyePosition = osg_ModelViewMatrix * vec4(treePlace.xyz + down * point, 1.0);
     pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * osg_Vertex.x, osg_Vertex.y));

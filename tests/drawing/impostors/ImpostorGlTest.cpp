@@ -181,6 +181,20 @@ TEST_F(ImpostorGlTest, LeansAtTheTopAndNotAtTheFoot) {
     EXPECT_NEAR(foot(*b), foot(*a), 1.0);
 }
 
+TEST_F(ImpostorGlTest, AStrongLeanKeepsTheLengthOfTheStem) {
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
+    const float height = shape->pictures().height;
+    osg::ref_ptr<Instance> leaning = new Instance;
+    leaning->state = osg::Vec4(0.6f * height, 0.0f, 1.0f, 0.0f);
+    osg::ref_ptr<osg::Image> image = picture(impostor(*shape, leaning), {-90.0, 0.0, 80.0}, height);
+    int top = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            if (image->data(x, y)[1] > 0)
+                top = y;
+    EXPECT_NEAR(top - (size / 2 - 40), 0.8 * 80.0, 3.0) << "3, 4, 5";
+}
+
 TEST_F(ImpostorGlTest, BendOfASmallTreeIsLessThanAPixel) {
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
