@@ -44,6 +44,9 @@ constexpr float gustSpeedRatio = 1.8f;
 constexpr double lengthRatio = 2.0;
 /// Down to 1/17 of the largest gusts: a quarter of the tree height along the wind.
 constexpr std::size_t octaves = 5;
+/// Standard deviation over u* of the gusts that are too large for a canopy to make: that of the surface layer
+/// less that at the canopy top, sqrt(2.4^2 - 1.8^2). They scale the smaller ones (Perret and Patton 2021).
+constexpr float slowDeviation = 1.5875f;
 /// Correlation of the components along the wind and down: u*^2 over both deviations at the top.
 constexpr float uwCorrelation = 1.0f / (1.8f * 1.1f);
 
@@ -64,6 +67,12 @@ glm::vec3 hourlyMean(const WindField& wind, float reference) {
             sum += glm::vec3(velocity.x, velocity.y, 0.0f);
     }
     return sum / static_cast<float>(samples);
+}
+
+/// Slow gusts over the mean wind, at twice the height of the canopy.
+float slowIntensity(const CanopyProfile& profile) {
+    const float above = profile.friction > 0.0f ? profile.mean(2.0f * profile.height) : 1.0f;
+    return slowDeviation * profile.friction / above;
 }
 
 /// Stretches space across the wind and upward, where gusts are shorter.
@@ -114,7 +123,9 @@ CanopyFlow::CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<con
       _meanWind(hourlyMean(*_mean, _map->reference)),
       _gustVelocity(_meanWind * (gustSpeedRatio * _map->usual.topSpeedRatio)),
       _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
-             stretchAlong(HorizontalWind(_gustVelocity).along), octaves) {}
+             stretchAlong(HorizontalWind(_gustVelocity).along), octaves),
+      _slowGusts(seed, _meanWind),
+      _slowIntensity(_open == _mean ? 0.0f : slowIntensity(_map->usual.profile)) {}
 
 CanopySample CanopyFlow::standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const {
     return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.topSpeedRatio * wind.speed);
@@ -140,7 +151,10 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
         const SwingingWind above(mean, spread, skewness);
         wind = {above.mean, above.deviation, above.skewness, above.swing()};
     }
-    const float speed = wind.x + wind.y * skewed(noise.values[0], wind.z);
+    // Slow gusts are a part of the turbulence; they scale the rest, too.
+    const float slow = std::min(_slowIntensity * mean / spread.along, 0.9f);
+    const float quick = std::sqrt((1.0f - slow * slow) / (1.0f + _slowIntensity * _slowIntensity));
+    const float speed = wind.x + quick * wind.y * skewed(noise.values[0], wind.z);
     const float angle = wind.w * noise.values[1];
     const float down = skewed(uwCorrelation * noise.values[0] +
                                   std::sqrt(1.0f - uwCorrelation * uwCorrelation) * noise.values[2],
@@ -157,6 +171,7 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
 
 void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::Advected noise = _noise.advected(glm::dvec3(_gustVelocity) * clampedTime(time, 1e12));
+    SlowGusts::Now slow = _slowGusts.at(time);
     constexpr std::size_t block = GustNoise::blockSize;
     WindPlace raised[block];
     glm::vec3 given[block];
@@ -168,6 +183,9 @@ void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time,
         for (std::size_t n = 0; n < size; ++n)
             raised[n] = raisedTo(places[first + n], _map->reference);
         _mean->sample(raised, size, time, given);
+        for (std::size_t n = 0; _slowIntensity > 0.0f && n < size; ++n)
+            given[n] *=
+                std::max(1.0f + _slowIntensity * slow.at(glm::vec2(places[first + n].position)), 0.0f);
         bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : HorizontalWind(given[n]);

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/SlowGusts.h>
 #include <osgTreeWind/wind/WindLayer.h>
 
 #include <cstddef>
@@ -16,8 +17,9 @@ namespace osgTreeWind {
 /// The mean wind at the map's reference height is scaled downward by the profile of the stand upwind.
 /// Turbulence inside the canopy is synthetic: eddies about as long as trees are high, advected at 1.8 times
 /// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), with rare and strong sweeps from above
-/// that vary in direction. Toward open country the flow blends into the open wind with its own gusts. The
-/// result depends only on place and time, and is finite for finite arguments.
+/// that vary in direction. A wind with synthetic gusts of its own also varies over minutes. Toward open
+/// country the flow blends into the open wind with its own gusts. The result depends only on place and time,
+/// and is finite for finite arguments.
 class CanopyFlow final : public WindLayer {
 public:
     /// @param open the wind above the canopy, not null. @param mean the same without synthetic gusts.
@@ -43,6 +45,8 @@ private:
     glm::vec3 _meanWind;
     glm::vec3 _gustVelocity; ///< Velocity that advects the gusts, m/s.
     GustNoise _noise;
+    SlowGusts _slowGusts;
+    float _slowIntensity; ///< Standard deviation of slow gusts over the mean speed.
 };
 
 } // namespace osgTreeWind

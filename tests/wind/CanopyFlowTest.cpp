@@ -85,6 +85,38 @@ TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     }
 }
 
+/// Gusts of this mean speed in the stand.
+LayeredWind gustsOf(float speed, std::uint32_t seed = 1) {
+    GustWind::Parameters gusts;
+    gusts.mean = {speed, 0.0f, 0.0f};
+    return inStand(GustWind::create(gusts).value(), *stand(), height, seed);
+}
+
+// Strains of trees in five minutes vary by 0.25 to 0.32 of their mean from one block to the next; without
+// slow gusts, by 0.1.
+TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadOfTheProfile) {
+    const CanopyProfile profile = CanopyProfile::ofStand(height, 2.0f);
+    double squares = 0.0, slow = 0.0, blocks = 0.0;
+    for (std::uint32_t seed = 1; seed <= 24; ++seed) {
+        const LayeredWind wind = gustsOf(10.0f, seed);
+        for (int block = 0; block < 12; ++block) {
+            double sum = 0.0;
+            for (int i = 0; i < 300; ++i) {
+                const WindPlace top(0.0f, 0.0f, height);
+                const double u = wind.velocity(top, 300.0 * block + i).x - 10.0f;
+                sum += u / 300.0;
+                squares += u * u / 300.0;
+            }
+            slow += sum * sum;
+            blocks += 1.0;
+        }
+    }
+    EXPECT_NEAR(std::sqrt(squares / blocks) / static_cast<double>(10.0f * profile.spread(height).along), 1.0,
+                0.05);
+    // sqrt(2.4^2 - 1.8^2) u* over the mean at 2 h, less what averages out in five minutes
+    EXPECT_NEAR(std::sqrt(slow / blocks) / 10.0, 0.17, 0.03);
+}
+
 TEST(CanopyFlow, SweepsComeFromAbove) {
     const Statistics found(windOf(10.0f), height);
     EXPECT_NEAR(found.stress / -9.0, 1.0, 0.15) << "-u*^2, with u* 0.3 of 10 m/s";

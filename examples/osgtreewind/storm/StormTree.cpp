@@ -7,7 +7,6 @@
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
-#include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -29,15 +28,15 @@ CanopyTree canopyTreeOf(const PlacedForest& forest) {
 
 LayeredWind windOf(const PlacedForest& forest, const Storm& storm) {
     const CanopyTree tree = canopyTreeOf(forest);
-    const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
+    const float height = std::max(tree.height, 0.1f);
+    const auto wind = std::make_shared<Wind>(
+        openCountryWind(static_cast<double>(height), glm::vec3(storm.speed, 0.0f, 0.0f), storm.seed));
     if (!(storm.spacing > 0.0))
-        return LayeredWind(std::make_shared<Wind>(
-            openCountryWind(std::max(static_cast<double>(tree.height), 0.1), mean, storm.seed)));
+        return LayeredWind(wind);
     const auto spacing = static_cast<float>(storm.spacing);
-    auto stand = makeUniformCanopyMap({tree}, tree.height, tree.frontalArea / (spacing * spacing));
-    stand->setReference(tree.height);
-    return LayeredWind(std::make_shared<Wind>(std::make_shared<UniformWind>(mean)), glm::dmat4(1.0), stand,
-                       storm.seed);
+    auto stand = makeUniformCanopyMap({tree}, height, tree.frontalArea / (spacing * spacing));
+    stand->setReference(height);
+    return LayeredWind(wind, glm::dmat4(1.0), stand, storm.seed);
 }
 
 } // namespace
