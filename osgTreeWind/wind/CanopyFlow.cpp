@@ -47,8 +47,9 @@ constexpr std::size_t octaves = 5;
 /// Standard deviation over u* of the gusts that are too large for a canopy to make: that of the surface layer
 /// less that at the canopy top, sqrt(2.4^2 - 1.8^2). They scale the smaller ones (Perret and Patton 2021).
 constexpr float slowDeviation = 1.5875f;
-/// Correlation of the components along the wind and down: u*^2 over both deviations at the top.
-constexpr float uwCorrelation = 1.0f / (1.8f * 1.1f);
+/// Correlation of the components along the wind and down within the canopy: that at the top, without slow
+/// gusts.
+constexpr float uwInCanopy = 1.0f / (1.8f * 1.1f);
 
 WindPlace raisedTo(const WindPlace& place, float height) {
     WindPlace raised = place;
@@ -153,12 +154,14 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
     }
     // Slow gusts are a part of the turbulence; they scale the rest, too.
     const float slow = std::min(_slowIntensity * mean / spread.along, 0.9f);
-    const float quick = std::sqrt((1.0f - slow * slow) / (1.0f + _slowIntensity * _slowIntensity));
+    const float scaling = 1.0f + _slowIntensity * _slowIntensity;
+    const float quick = std::sqrt((1.0f - slow * slow) / scaling);
     const float speed = wind.x + quick * wind.y * skewed(noise.values[0], wind.z);
     const float angle = wind.w * noise.values[1];
-    const float down = skewed(uwCorrelation * noise.values[0] +
-                                  std::sqrt(1.0f - uwCorrelation * uwCorrelation) * noise.values[2],
-                              skewness);
+    const float stress =
+        std::min(uwInCanopy, profile.friction * profile.friction / (spread.along * spread.up));
+    const float uw = std::min(stress / (quick * scaling), 1.0f);
+    const float down = skewed(uw * noise.values[0] + std::sqrt(1.0f - uw * uw) * noise.values[2], skewness);
     float factor = given.speed * stand.topSpeedRatio;
     if (place.inCrown) { // shelter fades out to half a height above the canopy
         const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);

@@ -123,6 +123,11 @@ TEST(CanopyFlow, SweepsComeFromAbove) {
     EXPECT_LT(found.thirdUp, 0.0);
 }
 
+TEST(CanopyFlow, StressIsTheSameAboveTheCanopy) {
+    for (const float z : {1.5f * height, 2.0f * height, 3.0f * height})
+        EXPECT_NEAR(Statistics(windOf(10.0f), z).stress / -9.0, 1.0, 0.05) << z;
+}
+
 /// Correlation of the wind component along the mean between two places and times.
 double correlation(const WindField& wind, const glm::vec3& apart, double later) {
     double product = 0.0, squares = 0.0, sum = 0.0;
