@@ -12,8 +12,27 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// Deviations of the velocity along the wind, across it and upward over that along (IEC 61400-1, Kaimal).
+constexpr glm::vec3 deviations(1.0f, 0.8f, 0.5f);
+
+/// The terrain where the wind has this intensity: 1 / ln(z / z0) (EN 1991-1-4). Above 0 for any intensity.
+LogProfile terrainOf(double intensity) {
+    return {10.0, 10.0 * std::exp(-1.0 / std::max(intensity, 0.01))};
+}
+
+/// Height below which the intensity is constant: 1, 2, 5 and 10 m for a roughness of 0.01, 0.05, 0.3 and 1 m
+/// (EN 1991-1-4).
+double lowestHeight(const LogProfile& terrain) {
+    return std::min(std::max(10.0 * std::sqrt(terrain.roughness), 2.0 * terrain.roughness), terrain.height);
+}
+
+} // namespace
 
 Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& parameters) {
     Diagnostics problems;
@@ -33,13 +52,14 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
 }
 
 GustWind::GustWind(const Parameters& parameters)
-    : _parameters(parameters),
+    : _parameters(parameters), _terrain(parameters.profile.value_or(terrainOf(parameters.intensity))),
+      _lowestFactor(_terrain.factor(lowestHeight(_terrain))),
       _noise(std::make_shared<const GustNoise>(parameters.seed, parameters.lengthScale)) {
-    const float speed = glm::length(parameters.mean);
+    const float speed = glm::length(parameters.mean), intensity = static_cast<float>(parameters.intensity);
     const glm::vec3 along = speed > 0.0f ? parameters.mean / speed : glm::vec3(0.0f);
-    const float deviation = static_cast<float>(parameters.intensity) * speed;
-    _axes = {along * deviation, glm::vec3(-along.y, along.x, 0.0f) * (0.8f * deviation),
-             glm::vec3(0.0f, 0.0f, 0.5f * deviation)};
+    const glm::vec3 spread = intensity * speed * deviations;
+    _axes = {along * spread.x, glm::vec3(-along.y, along.x, 0.0f) * spread.y,
+             glm::vec3(0.0f, 0.0f, spread.z)};
 }
 
 glm::vec3 GustWind::velocity(const WindPlace& place, double time) const {
@@ -62,13 +82,16 @@ void GustWind::sample(const WindPlace* places, std::size_t count, double time, g
         NoisePoint turbulence[GustNoise::blockSize] = {};
         if (_parameters.intensity > 0.0)
             noise.sample(places + first, size, turbulence);
-        float factor = 1.0f;
+        float mean = 1.0f, gusts = 1.0f; // factors
         for (std::size_t n = 0; n < size; ++n) {
             const float* u = turbulence[n].values;
             const float height = places[first + n].height;
-            if (_parameters.profile && (n == 0 || height != places[first + n - 1].height))
-                factor = static_cast<float>(_parameters.profile->factor(static_cast<double>(height)));
-            out[first + n] = (_parameters.mean + _axes * glm::vec3(u[0], u[1], u[2])) * factor;
+            if (n == 0 || height != places[first + n - 1].height) {
+                const double factor = _terrain.factor(static_cast<double>(height));
+                mean = _parameters.profile ? static_cast<float>(factor) : 1.0f;
+                gusts = mean / static_cast<float>(std::max(factor, _lowestFactor));
+            }
+            out[first + n] = _parameters.mean * mean + _axes * glm::vec3(u[0], u[1], u[2]) * gusts;
         }
     }
 }

@@ -19,9 +19,9 @@ class GustNoise;
 /// A mean wind with synthetic gusts that travel with it unchanged (Taylor's frozen turbulence).
 ///
 /// The spectrum along the wind is flat at low frequencies and falls with the power -5/3 above those of the
-/// length scale (Kolmogorov), over two decades. The standard deviations across the wind and upward are 0.8
-/// and 0.5 of that along it (IEC 61400-1, Kaimal). The wind follows the terrain: it depends on the height
-/// above the ground, not on z.
+/// length scale (Kolmogorov), over two decades. The standard deviations across the wind and upward are 0.8 and 0.5 of that along it (IEC
+/// 61400-1, Kaimal). The intensity falls with height as the inverse of the logarithmic profile (EN 1991-1-4).
+/// The wind follows the terrain: it depends on the height above the ground, not on z.
 ///
 ///     GustWind::Parameters gusts;
 ///     gusts.mean = windVelocity({8.0, glm::radians(240.0)}, DirectionSense::From);
@@ -33,9 +33,11 @@ public:
     /// Mean wind and turbulence.
     struct Parameters {
         glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< Horizontal, m/s toward, at most 200; at the profile's height.
-        double intensity = 0.2;           ///< Standard deviation along the wind over the mean speed, [0, 1].
-        double lengthScale = 60.0;        ///< Integral length scale along the wind, metres, [1, 1e5].
-        /// Scales mean and gusts with the height above the ground; empty: the same wind at all heights.
+        /// Standard deviation along the wind over the mean speed, [0, 1]; at the profile's height, or at 10
+        /// m.
+        double intensity = 0.2;
+        double lengthScale = 60.0; ///< Integral length scale along the wind, metres, [1, 1e5].
+        /// Scales the mean with the height above the ground; empty: the same mean at all heights.
         std::optional<LogProfile> profile;
         std::uint32_t seed = 1; ///< The same seed gives the same wind.
     };
@@ -53,6 +55,8 @@ private:
     explicit GustWind(const Parameters& parameters);
 
     Parameters _parameters;
+    LogProfile _terrain;  ///< Its factor divides the intensity.
+    double _lowestFactor; ///< Limits it near the ground.
     std::shared_ptr<const GustNoise> _noise;
     glm::mat3 _axes; ///< Columns: along the wind, to its left, up; scaled by the standard deviations.
 };

@@ -68,7 +68,7 @@ inline JointTree::Point tipPoint(const GrownTree& tree, const JointTree& joints,
     return point;
 }
 
-/// A gusty wind along x with this mean speed at all heights, and a quarter of it as standard deviation.
+/// A gusty wind along x with this mean speed at all heights and an intensity of 0.25 at 10 m.
 inline WindFieldPtr gustsOf(float speed) {
     GustWind::Parameters parameters;
     parameters.mean = {speed, 0.0f, 0.0f};

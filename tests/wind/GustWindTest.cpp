@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -85,7 +86,7 @@ TEST(GustWind, HasTheRequestedMeanAndDeviations) {
         parameters.seed = seed;
         const auto wind = made(parameters);
         for (int i = 0; i < 8000; ++i) {
-            const glm::vec3 velocity = wind->velocity({i * 97.3f, i % 90 * 83.1f, i % 70 * 61.7f}, 0);
+            const glm::vec3 velocity = wind->velocity({i * 97.3f, i % 90 * 83.1f, 10.0f}, i % 70 * 61.7f);
             u.add(along(velocity));
             v.add(across(velocity));
             w.add(velocity.z);
@@ -174,15 +175,42 @@ TEST(GustWind, IsContinuous) {
     }
 }
 
-TEST(GustWind, ProfileScalesMeanAndTurbulence) {
+/// Standard deviation along the wind over the mean.
+double intensityAt(float height, const GustWind::Parameters& parameters) {
+    Moments moments;
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        GustWind::Parameters seeded = parameters;
+        seeded.seed = seed;
+        const auto wind = made(seeded);
+        for (int i = 0; i < 4000; ++i)
+            moments.add(along(wind->velocity({i * 97.3f, i % 90 * 83.1f, height}, i)));
+    }
+    return moments.deviation() / moments.mean();
+}
+
+TEST(GustWind, IntensityFallsWithHeightAsInTheEurocode) {
     GustWind::Parameters parameters = defaultGusts();
-    const auto even = made(parameters);
+    parameters.profile = LogProfile{10.0, 0.05};
+    parameters.intensity = 1.0 / std::log(10.0 / 0.05);
+    for (const float height : {5.0f, 10.0f, 20.0f, 50.0f}) {
+        const double published = 1.0 / std::log(static_cast<double>(height) / 0.05); // EN 1991-1-4, 4.7
+        EXPECT_NEAR(intensityAt(height, parameters) / published, 1.0, 0.04) << height;
+    }
+    EXPECT_NEAR(intensityAt(0.5f, parameters) / intensityAt(2.0f, parameters), 1.0, 0.05);
+    parameters.profile.reset(); // the terrain follows from the intensity at 10 m
+    for (const float height : {5.0f, 10.0f, 20.0f, 50.0f}) {
+        const double published = 1.0 / std::log(static_cast<double>(height) / 0.05);
+        EXPECT_NEAR(intensityAt(height, parameters) / published, 1.0, 0.04) << height;
+    }
+}
+
+TEST(GustWind, ProfileScalesTheMean) {
+    GustWind::Parameters parameters = defaultGusts();
     parameters.profile = LogProfile{10.0, 0.1};
-    const auto wind = made(parameters);
-    EXPECT_EQ(wind->velocity({3, 4, 0.05f}, 7), glm::vec3(0.0f));
+    EXPECT_EQ(made(parameters)->velocity({3, 4, 0.05f}, 7), glm::vec3(0.0f));
     const float factor = static_cast<float>(std::log(20.0 / 0.1) / std::log(10.0 / 0.1));
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(wind->velocity({3, 4, 20}, 7)[i], even->velocity({3, 4, 20}, 7)[i] * factor, 1e-4f);
+    const glm::vec3 mean = made(parameters)->withoutGusts()->velocity({3, 4, 20}, 7);
+    EXPECT_LT(glm::length(mean - factor * parameters.mean), 1e-4f);
 }
 
 TEST(GustWind, FollowsTheTerrain) {
