@@ -53,15 +53,18 @@ constexpr double modulusMinSlenderness = 50.0, typicalSlenderness = 80.0, modulu
 constexpr double rootMomentShare = 1.0 / 2.5, rootRotation = 0.25 * glm::pi<double>() / 180.0;
 constexpr double stemForm = 0.45; // volume of a stem / of a cylinder with its diameter at breast height
 
-// Fit to 769 conifers of BAAD: dry mass per trunk cross-section of a tree of 20 cm and typical slenderness,
-// kg/m^2, exponents of slenderness and diameter, and the range of slenderness.
-constexpr double coniferBranchMass = 488.0, slendernessPower = -0.91, diameterPower = 0.40;
-constexpr double branchMinSlenderness = 33.0, branchMaxSlenderness = 150.0;
-constexpr double coniferDensity = 400.0; // softwoods, dry kg per fresh m^3
+constexpr double stemTaper = 0.6; // power of the distance to the top in the radius, as of drawn trunks
 
-// Jenkins et al. 2003: exp(a + b ln d), exp(a + b / d), d in cm, kg of dry mass and shares of it.
-constexpr double basicDensity = 580.0;  // hard maple, oak, hickory and beech, dry kg per fresh m^3
-constexpr double maxBranchFactor = 3.0; // limit of branch wood / drawn branch wood
+// Dry mass of branches per trunk cross-section of a tree of 20 cm and typical slenderness, kg/m^2, exponents
+// of slenderness and diameter, and dry kg per fresh m^3. Fits to trees of BAAD (Falster et al. 2015): 769
+// conifers of 10 cm or more and 1312 broadleaves of 5 cm or more.
+struct BranchFit {
+    double mass, slendernessPower, diameterPower, basicDensity;
+};
+constexpr BranchFit coniferBranches{488.0, -0.91, 0.40, 400.0}, broadleafBranches{876.0, -1.06, 0.33, 580.0};
+constexpr double branchMinSlenderness = 33.0, branchMaxSlenderness = 150.0; // range of the fits
+
+constexpr double maxBranchFactor = 3.0; // limit of branch wood / drawn branch wood, and of the inverse
 
 double sectionOf(double diameter) {
     return 0.25 * glm::pi<double>() * diameter * diameter;
@@ -69,6 +72,34 @@ double sectionOf(double diameter) {
 
 double stemMass(const WoodParameters& wood, double diameter, double height) {
     return stemForm * wood.density * sectionOf(diameter) * height;
+}
+
+/// Mass of a stem that tapers up to the top of the tree, less the trunk: a trunk that divides ends below.
+double upperStemMass(const WoodParameters& wood, double diameter, double height, double trunk) {
+    if (!(height > 0.0))
+        return 0.0;
+    const double breast = breastHeight(static_cast<float>(height));
+    const double whole = wood.density * sectionOf(diameter) * height / (2.0 * stemTaper + 1.0) *
+                         std::pow(height / (height - breast), 2.0 * stemTaper);
+    return std::max(whole - trunk, 0.0);
+}
+
+double branchMass(const BranchFit& fit, const WoodParameters& wood, double diameter, double height) {
+    if (!(diameter > 0.0))
+        return 0.0;
+    const double slenderness = std::clamp(height / diameter, branchMinSlenderness, branchMaxSlenderness);
+    return fit.mass * wood.density / fit.basicDensity * sectionOf(diameter) *
+           std::pow(slenderness / typicalSlenderness, fit.slendernessPower) *
+           std::pow(diameter / 0.2, fit.diameterPower);
+}
+
+/// Mass of a broadleaf without leaves (hard maple, oak, hickory and beech).
+double broadleafMass(const WoodParameters& wood, double diameter) {
+    // Jenkins et al. 2003: exp(a + b ln d), exp(a + b / d), d in cm, kg of dry mass and shares of it.
+    const double d = std::max(100.0 * diameter, 2.5);
+    const double leaves = std::exp(-4.0813 + 5.8816 / d);
+    const double dry = std::exp(-2.0127 + 2.4342 * std::log(d)) * (1.0 - leaves);
+    return dry * wood.density / broadleafBranches.basicDensity;
 }
 
 } // namespace
@@ -156,21 +187,14 @@ double stemModulus(const WoodParameters& wood, double slenderness) {
 
 double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk,
                       double drawn) {
-    if (wood.branchWood == WoodAllometry::Conifer) {
-        if (!(diameter > 0.0))
-            return 0.0;
-        const double slenderness = std::clamp(height / diameter, branchMinSlenderness, branchMaxSlenderness);
-        return coniferBranchMass * wood.density / coniferDensity * sectionOf(diameter) *
-               std::pow(slenderness / typicalSlenderness, slendernessPower) *
-               std::pow(diameter / 0.2, diameterPower);
-    }
-    if (wood.branchWood == WoodAllometry::Broadleaf) {
-        const double d = std::max(100.0 * diameter, 2.5);
-        const double leaves = std::exp(-4.0813 + 5.8816 / d);
-        const double dry = std::exp(-2.0127 + 2.4342 * std::log(d)) * (1.0 - leaves);
-        return std::clamp(dry * wood.density / basicDensity - trunk, drawn, maxBranchFactor * drawn);
-    }
-    return drawn;
+    if (wood.branchWood == WoodAllometry::Drawn)
+        return drawn;
+    const double upperStem = upperStemMass(wood, diameter, height, trunk);
+    if (wood.branchWood == WoodAllometry::Conifer)
+        return upperStem + branchMass(coniferBranches, wood, diameter, height);
+    return std::clamp(std::max(broadleafMass(wood, diameter) - trunk,
+                               upperStem + branchMass(broadleafBranches, wood, diameter, height)),
+                      drawn / maxBranchFactor, maxBranchFactor * drawn);
 }
 
 double overturningMoment(const WoodParameters& wood, double diameter, double height) {

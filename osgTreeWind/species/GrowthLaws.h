@@ -41,7 +41,7 @@ float usualHeight(const Species& species);
 /// for stout trunks. @param slenderness height / diameter at breast height.
 double stemModulus(const WoodParameters& wood, double slenderness);
 
-/// Mass of all branch wood with bark, kg.
+/// Mass of all branch wood with bark and of the limbs into which a trunk divides, kg.
 /// @param diameter at breast height, metres. @param height of the tree, metres. @param trunk mass of the
 /// trunk, kg. @param drawn mass of the branches of the model, kg.
 double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk, double drawn);

@@ -12,8 +12,8 @@ namespace osgTreeWind {
 /// Source of the mass of branches; see branchWoodMass().
 enum class WoodAllometry {
     Drawn,     ///< Branches of the model.
-    Conifer,   ///< Weighed softwoods, by diameter and height.
-    Broadleaf, ///< Weighed hardwoods: total by diameter minus the trunk, at least that of the model.
+    Conifer,   ///< Weighed softwoods, by diameter and height, and the stem above the trunk.
+    Broadleaf, ///< Weighed hardwoods: by diameter and height, or the total by diameter minus the trunk.
 };
 
 /// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md; ranges:

@@ -77,7 +77,8 @@ const Keys& keysOf<WoodParameters>() {
         {"branch_wood",
          at<&P::branchWood>,
          {},
-         "Source of branch mass: the drawn branches, softwoods (BAAD), or hardwoods (Jenkins et al. 2003)",
+         "Source of branch mass: the drawn branches, softwoods (BAAD), or hardwoods (BAAD, Jenkins et al. "
+         "2003)",
          "",
          numberedFromZero({"drawn", "conifer", "broadleaf"})},
     };
