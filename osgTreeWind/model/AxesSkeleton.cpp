@@ -19,17 +19,35 @@ namespace {
 constexpr double minBranchLength = 1e-3; // over the tree's height
 constexpr double shootTolerance = 0.5;   // tolerance of the course of a shoot, over its radius
 
+/// Radius of an axis at an arc length; where segments meet, that of the first.
+double radiusOf(const WoodAxis& axis, double along) {
+    const std::vector<double>& arc = axis.line.arc;
+    const auto end = std::lower_bound(arc.begin() + 1, arc.end() - 1, along);
+    return axis.radii[static_cast<std::size_t>(end - arc.begin()) - 1];
+}
+
+/// Whether a trunk thins much between two arc lengths, as it does where it divides into limbs.
+bool hasNeck(const WoodAxis& trunk, double from, double to) {
+    constexpr double thinnest = 0.6; // radius over that at `from`
+    constexpr double top = 0.3;      // radius over that at the foot, where any trunk thins
+    const double thickness = radiusOf(trunk, from);
+    return thickness > top * trunk.radii.front() && radiusOf(trunk, to) < thinnest * thickness;
+}
+
 /// Arc lengths at which an axis is cut into units, both ends included. Halves it until no unit is longer than
-/// `longest` or crooked.
-std::vector<double> computeCuts(const WoodLine& line, double longest) {
-    constexpr double straightest = 0.88; // chord over arc: an arc of 100 degrees
+/// `longest`, crooked, or the neck of a trunk.
+std::vector<double> computeCuts(const WoodAxis& axis, double longest) {
+    constexpr double straightest = 0.88;                        // chord over arc: an arc of 100 degrees
+    constexpr double shortestBend = 0.25, shortestNeck = 0.125; // over `longest`; halves may be shorter
     constexpr double most = 64.0;
+    const WoodLine& line = axis.line;
     longest = std::max(longest, line.length() / most);
     std::vector<double> cuts = {0.0}, ends = {line.length()}; // ends: a stack of pending cuts
     while (!ends.empty()) {
         const double from = cuts.back(), to = ends.back(), length = to - from;
         const bool isCrooked = glm::distance(line.at(from), line.at(to)) < straightest * length;
-        if (length > longest || (isCrooked && length > 0.25 * longest)) {
+        if (length > longest || (isCrooked && length > shortestBend * longest) ||
+            (axis.parent < 0 && length > shortestNeck * longest && hasNeck(axis, from, to))) {
             ends.push_back(0.5 * (from + to));
         } else {
             cuts.push_back(to);
@@ -130,7 +148,7 @@ private:
 
     /// @return false if there would be too many units.
     bool cutIntoUnits(std::size_t axis) {
-        std::vector<double> cuts = computeCuts(_axes[axis].line, 0.125 * _height);
+        std::vector<double> cuts = computeCuts(_axes[axis], 0.125 * _height);
         if (_units > 0 && _units + cuts.size() - 1 > _detail.maxUnits)
             return false;
         _units += cuts.size() - 1;
