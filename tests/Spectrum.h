@@ -30,20 +30,32 @@ inline void fourierTransform(std::vector<std::complex<double>>& a) {
             }
 }
 
-/// Power spectrum of a series, summed over half-overlapping Hann windows (Welch). The frequency of bin i is
+/// Cross spectrum of two series, summed over half-overlapping Hann windows (Welch). The frequency of bin i is
 /// i / window times the sampling rate. @param window a power of two.
-inline std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
+inline std::vector<std::complex<double>>
+crossSpectrum(const std::vector<double>& first, const std::vector<double>& second, std::size_t window) {
     constexpr double turn = 6.283185307179586;
-    std::vector<double> power(window / 2);
-    std::vector<std::complex<double>> part(window);
-    for (std::size_t start = 0; start + window <= series.size(); start += window / 2) {
-        for (std::size_t i = 0; i < window; ++i)
-            part[i] = series[start + i] *
-                      (0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(window)));
-        fourierTransform(part);
-        for (std::size_t i = 0; i < power.size(); ++i)
-            power[i] += std::norm(part[i]);
+    std::vector<std::complex<double>> cross(window / 2), a(window), b(window);
+    for (std::size_t start = 0; start + window <= first.size(); start += window / 2) {
+        for (std::size_t i = 0; i < window; ++i) {
+            const double weight =
+                0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(window));
+            a[i] = weight * first[start + i];
+            b[i] = weight * second[start + i];
+        }
+        fourierTransform(a);
+        fourierTransform(b);
+        for (std::size_t i = 0; i < cross.size(); ++i)
+            cross[i] += a[i] * std::conj(b[i]);
     }
+    return cross;
+}
+
+/// Power spectrum of a series, as above.
+inline std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
+    std::vector<double> power;
+    for (const std::complex<double>& value : crossSpectrum(series, series, window))
+        power.push_back(value.real());
     return power;
 }
 

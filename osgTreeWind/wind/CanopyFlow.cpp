@@ -40,8 +40,6 @@ namespace {
 
 /// Gusts travel at 1.8 U(h) (Raupach, Finnigan and Brunet 1996); those 1.8 h long take h / U(h) to pass.
 constexpr float gustSpeedRatio = 1.8f;
-/// Integral length along the wind over that across it and upward in isotropic turbulence (Batchelor 1953).
-constexpr double lengthRatio = 2.0;
 /// Down to 1/17 of the largest gusts: a quarter of the tree height along the wind.
 constexpr std::size_t octaves = 5;
 /// Standard deviation over u* of the gusts that are too large for a canopy to make: that of the surface layer
@@ -76,9 +74,10 @@ float slowIntensity(const CanopyProfile& profile) {
     return slowDeviation * profile.friction / above;
 }
 
-/// Stretches space across the wind and upward, where gusts are shorter.
-glm::dmat3 stretchAlong(const glm::dvec3& along) {
-    return glm::dmat3(lengthRatio) - (lengthRatio - 1.0) * glm::outerProduct(along, along);
+/// Standard deviation of the velocity vector at the top over the speed of gusts.
+double intensityOfGusts(const CanopyProfile& profile) {
+    const WindSpread top = profile.spread(profile.height);
+    return static_cast<double>(glm::length(glm::vec3(top.along, top.across, top.up)) / gustSpeedRatio);
 }
 
 /// Table of SwingingWinds below the canopy top by turbulence intensity: mean, deviation and skewness of the
@@ -124,7 +123,7 @@ CanopyFlow::CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<con
       _meanWind(hourlyMean(*_mean, _map->reference)),
       _gustVelocity(_meanWind * (gustSpeedRatio * _map->usual.topSpeedRatio)),
       _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
-             stretchAlong(HorizontalWind(_gustVelocity).along), octaves),
+             HorizontalWind(_gustVelocity).along, intensityOfGusts(_map->usual.profile), octaves),
       _slowGusts(seed, _meanWind),
       _slowIntensity(_open == _mean ? 0.0f : slowIntensity(_map->usual.profile)) {}
 
@@ -158,9 +157,9 @@ glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace&
     const float quick = std::sqrt((1.0f - slow * slow) / scaling);
     const float speed = wind.x + quick * wind.y * skewed(noise.values[0], wind.z);
     const float angle = wind.w * noise.values[1];
-    const float stress =
+    const float whole =
         std::min(uwInCanopy, profile.friction * profile.friction / (spread.along * spread.up));
-    const float uw = std::min(stress / (quick * scaling), 1.0f);
+    const float uw = std::min(whole / (quick * scaling), 1.0f);
     const float down = skewed(uw * noise.values[0] + std::sqrt(1.0f - uw * uw) * noise.values[2], skewness);
     float factor = given.speed * stand.topSpeedRatio;
     if (place.inCrown) { // shelter fades out to half a height above the canopy

@@ -16,10 +16,10 @@ namespace osgTreeWind {
 ///
 /// The mean wind at the map's reference height is scaled downward by the profile of the stand upwind.
 /// Turbulence inside the canopy is synthetic: eddies about as long as trees are high, advected at 1.8 times
-/// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), with rare and strong sweeps from above
-/// that vary in direction. A wind with synthetic gusts of its own also varies over minutes. Toward open
-/// country the flow blends into the open wind with its own gusts. The result depends only on place and time,
-/// and is finite for finite arguments.
+/// the mean wind at the tree tops (Raupach, Finnigan and Brunet 1996), which change on their way, with rare
+/// and strong sweeps from above that vary in direction. A wind with synthetic gusts of its own also varies
+/// over minutes. Toward open country the flow blends into the open wind with its own gusts. The result
+/// depends only on place and time, and is finite for finite arguments.
 class CanopyFlow final : public WindLayer {
 public:
     /// @param open the wind above the canopy, not null. @param mean the same without synthetic gusts.

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/SharedValues.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
@@ -23,6 +24,12 @@ constexpr float maxCoordinateOfNoise = 1e7f;
 constexpr double octaveRatio = 2.03; // not a simple fraction, so that octaves do not align
 /// Mean variance of noise interpolated by smoothstep between two lattice points.
 constexpr double smoothVariance = 26.0 / 35.0;
+/// Length of eddies over their width: 2 in isotropic turbulence (Batchelor 1953). Coherence across the wind
+/// then decays as exp(-8.8 f d / U) (IEC 61400-1:1999; Davenport 1961). The largest eddies are wider, so that
+/// this holds up to a separation d of one length scale.
+constexpr double lengthOverWidth = 2.0, largestLengthOverWidth = 1.5;
+constexpr double halfCoherence = 0.085;           // f d / U at which half of this coherence remains
+constexpr double goldenAngle = 2.399963229728653; // spreads the directions of drift
 
 std::vector<NoisePoint> latticeNoise(Random& random) {
     std::vector<NoisePoint> noise(side * side * side), padded;
@@ -53,6 +60,14 @@ glm::dmat3 randomRotation(Random& random) {
     const double low = std::sqrt(1.0 - share), high = std::sqrt(share);
     return glm::mat3_cast(
         glm::dquat(high * std::cos(b), low * std::sin(a), low * std::cos(a), high * std::sin(b)));
+}
+
+/// Drift of eddies across the wind over the speed of travel. After travelling d, their squared coherence is
+/// exp(-a f d / U), a = 8.4 intensity + 0.05 (Simley and Pao 2015): half of the coherence remains at the
+/// frequency at which half of it remains across the drift.
+double driftOf(double intensity) {
+    constexpr double ln2 = 0.6931471805599453;
+    return halfCoherence / (2.0 * ln2) * (8.4 * intensity + 0.05);
 }
 
 NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
@@ -125,7 +140,8 @@ struct GustNoise::Lattice {
     }
 };
 
-GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch, std::size_t octaves)
+GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dvec3& along, double intensity,
+                     std::size_t octaves)
     : _lattice(Lattice::shared(seed)) {
     Random random = _lattice->random;
 
@@ -137,9 +153,24 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& s
         lengths += std::pow(octaveRatio, -5.0 / 3.0 * i);
     }
     const double largest = lengthScale * 2.0 * smoothVariance * variance / lengths;
+    const bool isIsotropic = along == glm::dvec3(0.0);
+    // Eddies drift aside. They are shorter and slower for that, so that neither the spectrum at a place nor
+    // the delay between places along the wind changes.
+    const double slant = lengthOverWidth * driftOf(intensity), shorter = std::sqrt(1.0 + slant * slant);
+    const double firstAngle = 6.283185307179586 * random.uniform();
     for (int i = 0; i < static_cast<int>(octaves); ++i) {
         Octave& octave = _octaves.emplace_back();
-        octave.toCells = randomRotation(random) * (std::pow(octaveRatio, i) / largest) * stretch;
+        const double width = i == 0 ? largestLengthOverWidth : lengthOverWidth;
+        const double angle = firstAngle + goldenAngle * i;
+        const glm::dvec3 aside(-along.y * std::cos(angle), along.x * std::cos(angle), std::sin(angle));
+        const glm::dmat3 scale = randomRotation(random) * (std::pow(octaveRatio, i) / largest);
+        if (isIsotropic) {
+            octave.toCells = octave.passing = scale;
+        } else {
+            octave.toCells =
+                scale * (glm::dmat3(width) + (shorter - width) * glm::outerProduct(along, along));
+            octave.passing = scale * glm::outerProduct((along + slant * aside) / shorter, along);
+        }
         octave.offset = {side * random.uniform(), side * random.uniform(), side * random.uniform()};
         octave.amplitude = static_cast<float>(std::pow(octaveRatio, -1.0 / 3.0 * i) /
                                               std::sqrt(variance * std::pow(smoothVariance, 3)));
@@ -153,7 +184,7 @@ GustNoise::Advected GustNoise::advected(const glm::dvec3& travelled) const {
 GustNoise::Advected::Advected(const GustNoise& noise, const glm::dvec3& travelled) : _noise(noise) {
     for (std::size_t i = 0; i < noise._octaves.size(); ++i) {
         const Octave& octave = noise._octaves[i];
-        const glm::dvec3 start = octave.offset - octave.toCells * travelled;
+        const glm::dvec3 start = octave.offset - octave.passing * travelled;
         const glm::dvec3 offset = start - glm::floor(start / double(side)) * double(side);
         const glm::dmat3 axes = glm::transpose(octave.toCells);
         for (int axis = 0; axis < 3; ++axis)

@@ -22,18 +22,20 @@ struct alignas(16) NoisePoint {
 /// Normalized turbulence: a nearly Gaussian noise field of three components, each of mean 0 and variance 1.
 ///
 /// A sum of octaves of smooth noise, each half as large as the previous one and rotated differently to hide
-/// repetition. The spectrum along a line is flat below the wavenumber of the length scale and falls with the
-/// power -5/3 above it (Kolmogorov), over two decades with all octaves. The same seed gives the same noise.
-/// Immutable.
+/// repetition. The spectrum at a place that the noise passes is flat below the wavenumber of the length scale
+/// and falls with the power -5/3 above it (Kolmogorov), over two decades with all octaves. Coherence across
+/// the wind decays as exp(-8.8 f d / U). Each octave drifts to another side on its way, so that the noise
+/// changes as it travels. The same seed gives the same noise. Immutable.
 class GustNoise {
 public:
     static constexpr std::size_t blockSize = 64; ///< Maximum number of places per Advected::sample().
     static constexpr std::size_t maxOctaves = 8;
 
-    /// @param lengthScale integral length scale, metres.
-    /// @param stretch applied to places first, for a length scale that depends on direction.
-    /// @param octaves 1 to maxOctaves, largest eddies first.
-    GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch = glm::dmat3(1.0),
+    /// @param lengthScale integral length scale along the wind, metres.
+    /// @param along horizontal direction of the wind that carries the noise, of length 1; 0: isotropic noise,
+    /// which does not change. @param intensity standard deviation of the velocity vector over the speed of
+    /// travel. @param octaves 1 to maxOctaves, largest eddies first.
+    GustNoise(std::uint32_t seed, double lengthScale, const glm::dvec3& along, double intensity,
               std::size_t octaves = maxOctaves);
 
     class Advected;
@@ -43,6 +45,7 @@ public:
 private:
     struct Octave {
         glm::dmat3 toCells; ///< From metres to lattice cells.
+        glm::dmat3 passing; ///< From metres travelled to lattice cells passed.
         glm::dvec3 offset;
         float amplitude;
     };

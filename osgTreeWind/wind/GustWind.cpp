@@ -53,13 +53,14 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
 
 GustWind::GustWind(const Parameters& parameters)
     : _parameters(parameters), _terrain(parameters.profile.value_or(terrainOf(parameters.intensity))),
-      _lowestFactor(_terrain.factor(lowestHeight(_terrain))),
-      _noise(std::make_shared<const GustNoise>(parameters.seed, parameters.lengthScale)) {
+      _lowestFactor(_terrain.factor(lowestHeight(_terrain))) {
     const float speed = glm::length(parameters.mean), intensity = static_cast<float>(parameters.intensity);
     const glm::vec3 along = speed > 0.0f ? parameters.mean / speed : glm::vec3(0.0f);
     const glm::vec3 spread = intensity * speed * deviations;
     _axes = {along * spread.x, glm::vec3(-along.y, along.x, 0.0f) * spread.y,
              glm::vec3(0.0f, 0.0f, spread.z)};
+    _noise = std::make_shared<const GustNoise>(parameters.seed, parameters.lengthScale, along,
+                                               intensity * glm::length(deviations));
 }
 
 glm::vec3 GustWind::velocity(const WindPlace& place, double time) const {

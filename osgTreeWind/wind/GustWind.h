@@ -16,10 +16,11 @@ namespace osgTreeWind {
 
 class GustNoise;
 
-/// A mean wind with synthetic gusts that travel with it unchanged (Taylor's frozen turbulence).
+/// A mean wind with synthetic gusts that travel with it and change on their way (Simley and Pao 2015).
 ///
 /// The spectrum along the wind is flat at low frequencies and falls with the power -5/3 above those of the
-/// length scale (Kolmogorov), over two decades. The standard deviations across the wind and upward are 0.8 and 0.5 of that along it (IEC
+/// length scale (Kolmogorov), over two decades. Coherence across the wind decays as exp(-8.8 f d / U) (IEC
+/// 61400-1:1999). The standard deviations across the wind and upward are 0.8 and 0.5 of that along it (IEC
 /// 61400-1, Kaimal). The intensity falls with height as the inverse of the logarithmic profile (EN 1991-1-4).
 /// The wind follows the terrain: it depends on the height above the ground, not on z.
 ///

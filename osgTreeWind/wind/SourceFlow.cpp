@@ -274,7 +274,7 @@ glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::
 }
 
 glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
-    static const GustNoise eddies(1, 1.0, glm::dmat3(1.0), 5); // of size 1; scaled by the radius below
+    static const GustNoise eddies(1, 1.0, glm::dvec3(0.0), 0.0, 5); // of size 1; scaled by the radius below
     const double moved = clampedTime(time, maxSourceTime), size = 1.0 / _source.radius;
     const WindPlace place(glm::vec3(offset * size));
     NoisePoint point;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <vector>
 
@@ -124,16 +125,139 @@ TEST(GustWind, LengthScaleIsTheIntegralOfTheCorrelation) {
     EXPECT_NEAR(scale, 40.0, 6.0);
 }
 
-TEST(GustWind, TurbulenceTravelsWithTheMeanWind) {
-    const auto wind = made(defaultGusts());
-    for (double dt : {0.1, 1.0, 17.0, 300.0})
-        for (const glm::vec3 at : {glm::vec3(0), glm::vec3(31, -12, 7), glm::vec3(-200, 90, 2)}) {
-            const glm::vec3 here = wind->velocity(at, 5.0);
-            const glm::vec3 there =
-                wind->velocity(at + glm::vec3(6, 8, 0) * static_cast<float>(dt), 5.0 + dt);
-            for (int i = 0; i < 3; ++i)
-                EXPECT_NEAR(there[i], here[i], 0.002) << "after " << dt << " s";
+/// Coherence of the component along the wind between a place and others, in the default wind of 5 m/s and 60
+/// m.
+class CoherenceOfGusts {
+public:
+    /// Cycles per metre of bin i is i / (window * step).
+    static constexpr std::size_t window = 512, count = 4096;
+    static constexpr float step = 2.0f; // metres of travel
+
+    explicit CoherenceOfGusts(const std::vector<glm::vec3>& others)
+        : _powers(others.size() + 1, std::vector<double>(window / 2)),
+          _crosses(others.size(), std::vector<std::complex<double>>(window / 2)) {
+        std::vector<WindPlace> places = {WindPlace(glm::vec3(0.0f, 0.0f, 10.0f))};
+        for (const glm::vec3& other : others)
+            places.emplace_back(places[0].position + other);
+        std::vector<glm::vec3> velocities(places.size());
+        for (std::uint32_t seed = 1; seed <= 100; ++seed) {
+            GustWind::Parameters parameters;
+            parameters.seed = seed;
+            const auto wind = made(parameters);
+            std::vector<std::vector<double>> records(places.size());
+            for (std::size_t i = 0; i < count; ++i) {
+                const double time = static_cast<double>(step * static_cast<float>(i) / parameters.mean.x);
+                wind->sample(places.data(), places.size(), time, velocities.data());
+                for (std::size_t n = 0; n < places.size(); ++n)
+                    records[n].push_back(static_cast<double>(velocities[n].x - parameters.mean.x));
+            }
+            for (std::size_t n = 0; n < places.size(); ++n) {
+                const auto power = powerSpectrum(records[n], window);
+                for (std::size_t i = 0; i < power.size(); ++i)
+                    _powers[n][i] += power[i];
+            }
+            for (std::size_t n = 0; n < others.size(); ++n) {
+                const auto cross = crossSpectrum(records[n + 1], records[0], window);
+                for (std::size_t i = 0; i < cross.size(); ++i)
+                    _crosses[n][i] += cross[i];
+            }
         }
+    }
+
+    static double wavenumber(std::size_t bin) { return static_cast<double>(bin) / (window * step); }
+    double at(std::size_t other, std::size_t bin) const {
+        return std::abs(_crosses[other][bin]) / std::sqrt(_powers[0][bin] * _powers[other + 1][bin]);
+    }
+    /// Least-squares fit of exp(-decay f d / U).
+    double decay(std::size_t other, double distance) const {
+        double best = 0.0, least = 1e9;
+        for (double decay = 1.0; decay < 30.0; decay += 0.05) {
+            double squares = 0.0;
+            for (std::size_t i = 1; wavenumber(i) * distance < 0.6; ++i) {
+                const double error = at(other, i) - std::exp(-decay * wavenumber(i) * distance);
+                squares += error * error;
+            }
+            if (squares < least) {
+                least = squares;
+                best = decay;
+            }
+        }
+        return best;
+    }
+
+private:
+    std::vector<std::vector<double>> _powers;
+    std::vector<std::vector<std::complex<double>>> _crosses;
+};
+
+/// Coherence across the wind in isotropic turbulence with the spectrum of von Karman (1948). @param
+/// wavenumber cycles per metre.
+double isotropicCoherence(double distance, double length, double wavenumber) {
+    const double x = distance * std::hypot(0.7468 / length, 6.283185307179586 * wavenumber);
+    return std::pow(2.0, 1.0 / 6.0) / std::tgamma(5.0 / 6.0) *
+           (std::pow(x, 5.0 / 6.0) * std::cyl_bessel_k(5.0 / 6.0, x) -
+            0.5 * std::pow(x, 11.0 / 6.0) * std::cyl_bessel_k(1.0 / 6.0, x));
+}
+
+TEST(GustWind, CoherenceAcrossAndUpwardDecaysAsPublished) {
+    const double distances[] = {5.0, 10.0, 20.0, 50.0};
+    std::vector<glm::vec3> others;
+    for (const double distance : distances) {
+        others.emplace_back(0.0f, distance, 0.0f);
+        others.emplace_back(0.0f, 0.0f, distance);
+    }
+    const CoherenceOfGusts coherence(others);
+    for (std::size_t n = 0; n < others.size(); ++n) {
+        const double distance = distances[n / 2];
+        EXPECT_NEAR(coherence.decay(n, distance) / 8.8, 1.0, 0.15) << distance << " m, IEC 61400-1:1999";
+        const double slow = CoherenceOfGusts::wavenumber(1);
+        EXPECT_NEAR(coherence.at(n, 1) / isotropicCoherence(distance, 60.0, slow), 1.0, 0.15) << distance;
+    }
+}
+
+/// The squared coherence is exp(-a hypot(f d / U, b d)), with a = 8.4 s / U + 0.05, b = 0.25 / L^1.24 and s
+/// the deviation of the velocity vector (Simley and Pao 2015).
+TEST(GustWind, ChangesOnItsWayAsPublished) {
+    const double a = 8.4 * 0.2 * std::sqrt(1.0 + 0.8 * 0.8 + 0.5 * 0.5) + 0.05;
+    const double b = 0.25 * std::pow(60.0, -1.24);
+    const double distances[] = {20.0, 50.0, 100.0};
+    const CoherenceOfGusts coherence({{20.0f, 0.0f, 0.0f}, {50.0f, 0.0f, 0.0f}, {100.0f, 0.0f, 0.0f}});
+    for (std::size_t n = 0; n < 3; ++n)
+        for (std::size_t i = 1; i < 40; ++i) {
+            const double wavenumber = CoherenceOfGusts::wavenumber(i);
+            const double published = std::exp(-0.5 * a * distances[n] * std::hypot(wavenumber, b));
+            if (published < 0.4)
+                break;
+            EXPECT_NEAR(coherence.at(n, i) / published, 1.0, 0.15) << distances[n] << ' ' << wavenumber;
+        }
+}
+
+/// Correlation of the component along the wind between now and later, in the default wind.
+double correlationAfter(double travel) {
+    double product = 0.0, squares = 0.0;
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        GustWind::Parameters parameters;
+        parameters.seed = seed;
+        const auto wind = made(parameters);
+        for (int i = 0; i < 2000; ++i) {
+            const WindPlace here(0.0f, 313.0f * static_cast<float>(i % 50), 10.0f);
+            const WindPlace there(static_cast<float>(travel), here.position.y, 10.0f);
+            const double time = 31.0 * (i / 50);
+            const double now = static_cast<double>(wind->velocity(here, time).x - 5.0f);
+            const double later = static_cast<double>(wind->velocity(there, time + travel / 5.0).x - 5.0f);
+            product += now * later;
+            squares += 0.5 * (now * now + later * later);
+        }
+    }
+    return product / squares;
+}
+
+TEST(GustWind, TravelsWithTheMeanWindForAWhile) {
+    EXPECT_GT(correlationAfter(5.0), 0.95);
+    const double after100 = correlationAfter(100.0);
+    EXPECT_GT(after100, 0.3);
+    EXPECT_LT(after100, 0.7);
+    EXPECT_LT(correlationAfter(1000.0), 0.1);
 }
 
 TEST(GustWind, DoesNotRepeatWithinAnHour) {

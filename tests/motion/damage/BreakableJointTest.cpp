@@ -64,7 +64,7 @@ TEST(BreakableJoint, MomentsOfFarTreesMatchThoseOfNearTrees) {
         // A near bough has its own gusts; a far one shares those of a quarter of the crown.
         EXPECT_NEAR(far.front() / near.front(), 1.0, 0.3) << name;
         for (std::size_t b = 1; b < 4; ++b)
-            EXPECT_NEAR(far[b] / near[b], 1.0, 0.15) << name << ' ' << b;
+            EXPECT_NEAR(far[b] / near[b], 1.0, 0.25) << name << ' ' << b;
     }
 }
 
