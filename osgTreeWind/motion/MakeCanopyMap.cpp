@@ -155,6 +155,7 @@ std::vector<const CanopyTree*> sortedByPosition(const std::vector<CanopyTree>& t
 /// Mean over stands, weighted by closure.
 struct MeanStand {
     float weights = 0.0f, areas = 0.0f, heights = 0.0f;
+    std::array<float, CanopyTree::layers> drag{}; ///< Also weighted by the frontal area.
 
     float height() const { return heights / weights; }
     float area() const { return areas / weights; }
@@ -162,6 +163,8 @@ struct MeanStand {
         weights += other.weights;
         areas += other.areas;
         heights += other.heights;
+        for (std::size_t i = 0; i < drag.size(); ++i)
+            drag[i] += other.drag[i];
     }
 };
 
@@ -179,7 +182,10 @@ MeanStand fillCells(CanopyMap& map, const std::vector<CanopyTree>& trees) {
         const float height = sum.height / sum.frontalArea;
         map.cells.back() = makeCell(sum, height, sum.frontalArea, 1.0f);
         const float weight = map.cells.back().closure;
-        usual.add({weight, weight * sum.frontalArea, weight * height});
+        MeanStand stand{weight, weight * sum.frontalArea, weight * height, sum.drag};
+        for (float& layer : stand.drag)
+            layer *= weight * sum.frontalArea;
+        usual.add(stand);
     }
     return usual;
 }
@@ -259,6 +265,20 @@ std::shared_ptr<CanopyMap> makeUniformCanopyMap(const std::vector<CanopyTree>& t
         makeCell(sum, height, frontalArea, sum.frontalArea > 0.0f ? frontalArea / sum.frontalArea : 0.0f);
     map->isUniform = true;
     return map;
+}
+
+StandLeaves meanStandOf(const std::vector<CanopyTree>& trees) {
+    StandLeaves leaves;
+    MeanHeight mean;
+    mean.add(trees);
+    if (trees.empty() || !(mean.areas > 0.0f))
+        return leaves;
+    CanopyMap map = makeEmptyMap(trees, mean.reach());
+    const MeanStand stand = fillCells(map, trees);
+    leaves.height = stand.height();
+    for (const float layer : stand.drag)
+        leaves.drag.push_back(layer / stand.areas);
+    return leaves;
 }
 
 double shelterReach(const CanopySettings& canopy) {

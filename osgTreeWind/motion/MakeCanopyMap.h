@@ -47,6 +47,14 @@ std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees,
 std::shared_ptr<CanopyMap> makeUniformCanopyMap(const std::vector<CanopyTree>& trees, float height,
                                                 float frontalArea);
 
+/// The mean stand around the leaves of a forest.
+struct StandLeaves {
+    float height = 0.0f; ///< Metres; 0 without trees.
+    std::vector<float>
+        drag; ///< Force over the squared mean wind, per ground area, in equal layers from the ground up.
+};
+StandLeaves meanStandOf(const std::vector<CanopyTree>& trees);
+
 /// Fills in the reach, the mean stand and the reference height of a whole forest, so that each tile uses the
 /// statistics of all tiles. @param parts trees of sample areas that represent the forest.
 CanopySettings withCanopyStatistics(CanopySettings canopy, const std::vector<std::vector<CanopyTree>>& parts);

@@ -12,9 +12,8 @@ constexpr float karman = 0.4f;
 // Raupach 1994: drag of bare ground and of roughness elements, maximum u*/U(h), parameter of d/h.
 constexpr float groundDrag = 0.003f, elementDrag = 0.3f, maxFriction = 0.3f, displacementParameter = 7.5f;
 
-/// Deviations over u*: at the canopy top (Raupach, Finnigan and Brunet 1996) and in the surface layer
-/// (Panofsky and Dutton 1984).
-constexpr WindSpread inCanopy{1.8f, 1.6f, 1.1f}, inSurfaceLayer{2.4f, 1.9f, 1.25f};
+/// Deviations over u* in the surface layer (Panofsky and Dutton 1984).
+constexpr WindSpread inSurfaceLayer{2.4f, 1.9f, 1.25f};
 /// In the canopy deviations fall as exp(-1.6 (1 - z/h)), to a half at 0.57 h (Raupach et al. 1996).
 constexpr float spreadAttenuation = 1.6f;
 /// About 1 in a canopy, small well above it (Raupach et al. 1996).
@@ -57,8 +56,8 @@ WindSpread CanopyProfile::spread(float z) const {
                     friction *
                     (z < height ? std::exp(-spreadAttenuation * (1.0f - std::max(0.0f, z) / height)) : 1.0f);
     const auto at = [&](float low, float high) { return share * (low + up * (high - low)); };
-    return {at(inCanopy.along, inSurfaceLayer.along), at(inCanopy.across, inSurfaceLayer.across),
-            at(inCanopy.up, inSurfaceLayer.up)};
+    return {at(spreadAtTop.along, inSurfaceLayer.along), at(spreadAtTop.across, inSurfaceLayer.across),
+            at(spreadAtTop.up, inSurfaceLayer.up)};
 }
 
 float CanopyProfile::skewness(float z) const {

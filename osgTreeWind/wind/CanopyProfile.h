@@ -8,6 +8,9 @@ struct WindSpread {
     float along = 0.0f, across = 0.0f, up = 0.0f;
 };
 
+/// Deviations over u* at the canopy top (Raupach, Finnigan and Brunet 1996).
+constexpr WindSpread spreadAtTop{1.8f, 1.6f, 1.1f};
+
 /// Wind profile in and above a stand of trees, relative to the mean wind at the canopy top: exponential in
 /// the canopy (Cionco 1965), linear in the roughness sublayer, logarithmic above it (Raupach 1994).
 struct CanopyProfile {

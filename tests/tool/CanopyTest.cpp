@@ -5,6 +5,7 @@
 #include <netcdf.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -285,6 +286,54 @@ TEST_F(CanopyTool, AFullDiskLeavesTheOldFile) {
     const Outcome nowhere = canopy({example("forest.treewind"), "-o", "absent/canopy.nc", "--cell", "2"});
     EXPECT_EQ(nowhere.exitCode, 1);
     EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: there is no folder absent\n");
+}
+
+TEST_F(CanopyTool, WritesTheProfileOfAStand) {
+    folder.write("leaves.csv", "z_over_h,leaf_area\n0.5,0\n1,3\n");
+    const Outcome given = canopy({"--profile", "--leaves", "leaves.csv", "--lai", "4", "--cd", "0.15",
+                                  "--height", "30", "-o", "given.csv"});
+    EXPECT_EQ(given.exitCode, 0) << given.err;
+    const Outcome found = canopy({example("forest.treewind"), "--profile", "-o", "forest.csv"});
+    EXPECT_EQ(found.exitCode, 0) << found.err;
+    for (const auto& [name, top] :
+         {std::pair("given.csv", "1,30,1,1,1.8,1.6,1.1\n"), {"forest.csv", ",1,1,1.8,1.6,1.1\n"}}) {
+        const std::string table = contentOf(at(name));
+        EXPECT_EQ(
+            table.find("z_over_h,z_m,u_over_uh,stress_over_ustar2,sigma_u_over_ustar,sigma_v_over_ustar,"
+                       "sigma_w_over_ustar\n0,0,0."),
+            0u)
+            << table;
+        EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 66);
+        EXPECT_EQ(table.substr(table.size() - std::strlen(top)), top);
+    }
+}
+
+TEST_F(CanopyTool, RefusesInvalidProfiles) {
+    folder.write("leaves.csv", "z_over_h,leaf_area\n1,3\n");
+    folder.write("order.csv", "z_over_h,leaf_area\n0.5,1\n0.4,2\n");
+    folder.write("high.csv", "z_over_h,leaf_area\n0.5,1\n1.4,2\n");
+    folder.write("bare.csv", "z_over_h,leaf_area\n1,0\n");
+    folder.write("named.csv", "z,leaf_area\n1,1\n");
+    const std::size_t count = files().size();
+    for (const auto& [words, message] :
+         {std::pair<std::vector<std::string>, const char*>{{}, "a file or --leaves is required"},
+          {{"--leaves", "leaves.csv"}, "--leaves: expected a --lai above 0"},
+          {{"--leaves", "leaves.csv", "--lai", "nan"}, "--lai: expected a number from 0"},
+          {{"--lai", "2"}, "--lai"},
+          {{"--leaves", "absent.csv", "--lai", "2"}, "absent.csv: no such file"},
+          {{"--leaves", "order.csv", "--lai", "2"},
+           "order.csv:3: z_over_h: expected a height above that of the row before, found '0.4'"},
+          {{"--leaves", "high.csv", "--lai", "2"}, "high.csv:3: z_over_h: expected a number"},
+          {{"--leaves", "bare.csv", "--lai", "2"}, "bare.csv: expected rows with leaf_area above 0"},
+          {{"--leaves", "named.csv", "--lai", "2"}, "named.csv:1: expected the columns z_over_h, leaf_area"},
+          {{example("forest.treewind"), "--cell", "2"}, "--cell excludes --profile"}}) {
+        std::vector<std::string> all = {"--profile", "-o", "profile.csv"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome outcome = canopy(all);
+        EXPECT_EQ(outcome.exitCode, 2) << message;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(files().size(), count);
 }
 
 TEST_F(CanopyTool, FollowsALinkAndRefusesAFolder) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyFile.h>
+#include <examples/osgtreewind/canopy/StandProfile.h>
 #include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/output/AtomicTable.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/Progress.h>
 
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/MemoryLimit.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 
 #include <osgDB/FileNameUtils>
 
@@ -22,7 +25,9 @@ struct CanopyOptions {
     std::vector<double> cell, bounds;
     std::optional<float> season;
     TileBox tiles;
-    bool json = false;
+    bool json = false, profile = false;
+    std::string leaves;
+    double leafArea = 0.0, dragCoefficient = 0.2, height = 20.0;
 };
 
 std::string formatOf(const CanopyOptions& options) {
@@ -117,8 +122,39 @@ void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const
         print(grid, tally);
 }
 
+/// Levels of a profile in each layer of a forest, and in a given stand.
+constexpr std::size_t levelsPerLayer = 8, levelsOfStand = 64;
+
+StandLeaves givenStand(const CanopyOptions& options) {
+    StandLeaves leaves;
+    leaves.height = static_cast<float>(options.height);
+    leaves.drag = valueOrThrow(readLeafShares(options.leaves, levelsOfStand));
+    for (float& layer : leaves.drag)
+        layer *= static_cast<float>(options.leafArea * options.dragCoefficient);
+    return leaves;
+}
+
+StandLeaves standOf(const CanopyOptions& options, const PlacedForest& forest) {
+    std::vector<CanopyTree> trees;
+    for (const PlacedTree& tree : forest.trees)
+        trees.emplace_back(forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves,
+                           glm::vec2(tree.position));
+    StandLeaves leaves = meanStandOf(trees);
+    if (leaves.drag.empty())
+        throw CommandError{BadInput, options.file + ": expected trees for --profile, found none"};
+    return leaves;
+}
+
+void writeProfile(const StandLeaves& leaves, std::size_t steps, const std::string& output) {
+    AtomicTable table(output);
+    writeStandProfile(solveStandFlow(leaves.drag, steps), static_cast<double>(leaves.height), table.file());
+    table.finish();
+}
+
 void run(const CanopyOptions& options) {
-    if (formatOf(options).empty())
+    if (!options.leaves.empty())
+        return writeProfile(givenStand(options), 1, options.output);
+    if (!options.profile && formatOf(options).empty())
         throw CommandError{BadInput,
                            "--output: expected a name that ends in .nc or .vti, or a --format, found " +
                                options.output};
@@ -126,6 +162,8 @@ void run(const CanopyOptions& options) {
     ForestDescription description = loadForest(options.file, options.tiles);
     description.season = options.season.value_or(description.season);
     const PlacedForest forest(std::move(description));
+    if (options.profile)
+        return writeProfile(standOf(options, forest), levelsPerLayer, options.output);
     const Result<CanopyGrid> grid = gridOf(options, forest);
     const std::string problem =
         grid ? problemOfMemory("--cell: cells of this size", canopyBytes(forest, grid.value()))
@@ -141,14 +179,17 @@ void addCanopyCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("canopy", "Write leaf area and drag area on a grid for flow models (CFD)");
     auto options = std::make_shared<CanopyOptions>();
-    command->add_option("file", options->file, "Forest or world to read (.treewind file)")->required();
-    command->add_option("-o,--output", options->output, "Output file (.nc or .vti)")->required();
-    command->add_option("--cell", options->cell, "Size of a cell, m: DX,DY,DZ, or one number for all sides")
-        ->delimiter(',')
-        ->required()
-        ->check(between(0.01, 1e6))
-        ->expected(1, 3)
-        ->allow_extra_args(false);
+    CLI::Option* file =
+        command->add_option("file", options->file, "Forest or world to read (.treewind file)");
+    command->add_option("-o,--output", options->output, "Output file (.nc or .vti; with --profile CSV)")
+        ->required();
+    CLI::Option* cell =
+        command
+            ->add_option("--cell", options->cell, "Size of a cell, m: DX,DY,DZ, or one number for all sides")
+            ->delimiter(',')
+            ->check(between(0.01, 1e6))
+            ->expected(1, 3)
+            ->allow_extra_args(false);
     command
         ->add_option("--bounds", options->bounds,
                      "Area of the grid on the map: X0,Y0,X1,Y1, a whole number of cells (default: all trees)")
@@ -164,11 +205,45 @@ void addCanopyCommand(CLI::App& app) {
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
     command->add_flag("--json", options->json, "Print the result as JSON");
+    CLI::Option* profile = command->add_flag(
+        "--profile", options->profile,
+        "Write mean wind, shear stress and turbulence by height in the mean stand of the forest as CSV");
+    CLI::Option* leaves =
+        command
+            ->add_option(
+                "--leaves", options->leaves,
+                "With --profile, in place of a forest: CSV file with the columns z_over_h and leaf_area "
+                "(relative leaf area density from the row before, or the ground, up to z)")
+            ->needs(profile)
+            ->excludes(file);
+    command->add_option("--lai", options->leafArea, "Leaf area index of --leaves, m2/m2")
+        ->check(between(0.0, 100.0))
+        ->needs(leaves);
+    command->add_option("--cd", options->dragCoefficient, "Coefficient C of --leaves, of the force C lad U^2")
+        ->check(between(0.0, 10.0))
+        ->needs(leaves)
+        ->capture_default_str();
+    command->add_option("--height", options->height, "Height of the stand of --leaves, m")
+        ->check(between(0.1, 150.0))
+        ->needs(leaves)
+        ->capture_default_str();
     command->footer(
         "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights count from\n"
         "the ground in palm, and from the zero of the map in cf and vtk. See docs/cfd.md.\n"
-        "Example: osgtreewind canopy forest.treewind -o canopy.nc --cell 2,2,1 --season summer");
-    command->callback([options] {
+        "Columns of --profile: z_over_h; z_m, m; u_over_uh, mean wind over that at the top; "
+        "stress_over_ustar2,\n"
+        "shear stress over that at the top, u*^2; sigma_{u,v,w}_over_ustar, standard deviations along, "
+        "across, up.\n"
+        "Examples: osgtreewind canopy forest.treewind -o canopy.nc --cell 2,2,1 --season summer\n"
+        "          osgtreewind canopy --profile --leaves leaves.csv --lai 4.9 --cd 0.15 -o profile.csv");
+    command->callback([options, file, cell, profile, leaves] {
+        if (file->empty() && leaves->empty())
+            throw CommandError{BadInput,
+                               profile->empty() ? "file is required" : "a file or --leaves is required"};
+        if (cell->empty() == profile->empty())
+            throw CommandError{BadInput, cell->empty() ? "--cell is required" : "--cell excludes --profile"};
+        if (!leaves->empty() && !(options->leafArea > 0.0))
+            throw CommandError{BadInput, "--leaves: expected a --lai above 0"};
         if (options->cell.size() == 2)
             throw CommandError{BadInput, "--cell: expected DX or DX,DY,DZ, found two numbers"};
         run(*options);
