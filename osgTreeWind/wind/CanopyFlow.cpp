@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace osgTreeWind {
@@ -47,7 +49,7 @@ constexpr std::size_t octaves = 5;
 constexpr float slowDeviation = 1.5875f;
 /// Correlation of the components along the wind and down within the canopy: that at the top, without slow
 /// gusts.
-constexpr float uwInCanopy = 1.0f / (1.8f * 1.1f);
+constexpr float uwInCanopy = 1.0f / (spreadAtTop.along * spreadAtTop.up);
 
 WindPlace raisedTo(const WindPlace& place, float height) {
     WindPlace raised = place;
@@ -80,39 +82,16 @@ double intensityOfGusts(const CanopyProfile& profile) {
     return static_cast<double>(glm::length(glm::vec3(top.along, top.across, top.up)) / gustSpeedRatio);
 }
 
-/// Table of SwingingWinds below the canopy top by turbulence intensity: mean, deviation and skewness of the
-/// speed over the mean wind, and swing. Computing them for each sample would dominate the cost.
-class SwingingWindTable {
-public:
-    SwingingWindTable() {
-        const CanopyProfile profile = CanopyProfile::ofStand(1.0f, 1.0f);
-        const WindSpread top = profile.spread(1.0f);
-        for (std::size_t i = 0; i < _winds.size(); ++i) {
-            const float part = std::max(step * static_cast<float>(i), 0.01f) / top.along;
-            const SwingingWind wind(1.0f, {part * top.along, part * top.across, part * top.up},
-                                    profile.skewness(1.0f));
-            _winds[i] = {wind.mean, wind.deviation, wind.skewness, wind.swing()};
-        }
-    }
-
-    glm::vec4 at(float intensity) const {
-        const float position = std::min(intensity / step, static_cast<float>(_winds.size()) - 1.01f);
-        const auto low = static_cast<std::size_t>(position);
-        return glm::mix(_winds[low], _winds[low + 1], position - static_cast<float>(low));
-    }
-
-private:
-    static constexpr float step = 1.0f / 32.0f;
-    std::array<glm::vec4, 320> _winds; ///< Up to intensity 10, at the ground under the densest crowns.
-};
-
-const SwingingWindTable swingingWinds;
-
 /// Skews nearly Gaussian noise of mean 0 and variance 1: to a gamma distribution (Wilson and Hilferty 1931)
 /// of the same mean and variance.
 float skewed(float noise, float skewness) {
     const float s = std::max(skewness, 0.01f), root = 1.0f - s * s / 36.0f + s / 6.0f * noise;
     return (root * root * root - 1.0f) * 2.0f / s;
+}
+
+std::uint64_t nextNumber() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
 }
 
 } // namespace
@@ -124,52 +103,96 @@ CanopyFlow::CanopyFlow(WindFieldPtr open, WindFieldPtr mean, std::shared_ptr<con
       _gustVelocity(_meanWind * (gustSpeedRatio * _map->usual.topSpeedRatio)),
       _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
              HorizontalWind(_gustVelocity).along, intensityOfGusts(_map->usual.profile), octaves),
-      _slowGusts(seed, _meanWind),
+      _slowGusts(seed, _meanWind), _number(nextNumber()),
       _slowIntensity(_open == _mean ? 0.0f : slowIntensity(_map->usual.profile)) {}
 
-CanopySample CanopyFlow::standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const {
-    return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.topSpeedRatio * wind.speed);
+/// Mean wind at the top of the usual stand, m/s.
+float CanopyFlow::topSpeedOf(const HorizontalWind& wind) const {
+    return _map->usual.topSpeedRatio * wind.speed;
+}
+
+CanopySample CanopyFlow::standUpwindOf(const WindPlace& place, const HorizontalWind& wind) const {
+    return _map->at(glm::vec2(place.position - _map->fetch * wind.along), topSpeedOf(wind));
 }
 
 NeighbourEffect CanopyFlow::neighbourEffectAt(const glm::vec2& place) const {
-    const CanopySample stand = standUpwindOf(glm::vec3(place, 0.0f), HorizontalWind(_meanWind));
-    return {_map->crownCoverAt(place), 1.0f - stand.closure * (1.0f - stand.shelter)};
+    const HorizontalWind wind(_meanWind);
+    const CanopySample stand = standUpwindOf(WindPlace(glm::vec3(place, 0.0f)), wind);
+    const float shelter = CanopySpeedStep(topSpeedOf(wind)).mix(stand.shelter);
+    return {_map->crownCoverAt(place), 1.0f - stand.closure * (1.0f - shelter)};
 }
 
-/// @param given the wind at the reference.
-glm::vec3 CanopyFlow::windAmongTrees(const CanopySample& stand, const WindPlace& place,
-                                     const HorizontalWind& given, const NoisePoint& noise) const {
+PlaceInStand CanopyFlow::placeInStand(const WindPlace& place, const HorizontalWind& wind) const {
+    const CanopySample stand = standUpwindOf(place, wind);
+    PlaceInStand result;
+    result.closure = stand.closure;
+    if (!(stand.closure > 0.0f))
+        return result;
     const CanopyProfile& profile = stand.profile;
     const float z = place.height, skewness = profile.skewness(z), mean = profile.mean(z);
     const WindSpread spread = profile.spread(z);
-    glm::vec4 wind; // mean, deviation and skewness of the speed, and swing
-    if (z <= profile.height) {
-        wind = swingingWinds.at(spread.along / mean);
-        wind.x *= mean;
-        wind.y *= mean;
-    } else {
-        const SwingingWind above(mean, spread, skewness);
-        wind = {above.mean, above.deviation, above.skewness, above.swing()};
-    }
+    const SwingingWind wholeWind(mean, spread, skewness);
     // Slow gusts are a part of the turbulence; they scale the rest, too.
     const float slow = std::min(_slowIntensity * mean / spread.along, 0.9f);
     const float scaling = 1.0f + _slowIntensity * _slowIntensity;
     const float quick = std::sqrt((1.0f - slow * slow) / scaling);
-    const float speed = wind.x + quick * wind.y * skewed(noise.values[0], wind.z);
-    const float angle = wind.w * noise.values[1];
     const float whole =
         std::min(uwInCanopy, profile.friction * profile.friction / (spread.along * spread.up));
-    const float uw = std::min(whole / (quick * scaling), 1.0f);
-    const float down = skewed(uw * noise.values[0] + std::sqrt(1.0f - uw * uw) * noise.values[2], skewness);
-    float factor = given.speed * stand.topSpeedRatio;
-    if (place.inCrown) { // shelter fades out to half a height above the canopy
-        const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);
-        factor *= stand.shelter + (1.0f - stand.shelter) * free;
-    }
-    const glm::vec3 left(-given.along.y, given.along.x, 0.0f);
-    return factor * (speed * (std::cos(angle) * given.along + std::sin(angle) * left) -
-                     glm::vec3(0.0f, 0.0f, spread.up * down));
+    result.mean = stand.topSpeedRatio * wholeWind.mean;
+    result.deviation = stand.topSpeedRatio * quick * wholeWind.deviation;
+    result.skewness = wholeWind.skewness;
+    result.swing = wholeWind.swing();
+    result.down = stand.topSpeedRatio * spread.up;
+    result.downSkewness = skewness;
+    result.downBySpeed = std::min(whole / (quick * scaling), 1.0f);
+    result.downByItself = std::sqrt(1.0f - result.downBySpeed * result.downBySpeed);
+    if (place.inCrown) // shelter fades out to half a height above the canopy
+        result.shelter = glm::mix(stand.shelter, glm::vec2(1.0f),
+                                  std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f));
+    return result;
 }
+
+/// placeInStand(), from WindPlace::stand if it is still the same.
+PlaceInStand CanopyFlow::keptPlaceInStand(const WindPlace& place, const HorizontalWind& wind) const {
+    if (!place.stand)
+        return placeInStand(place, wind);
+    std::uint64_t key = _number;
+    const auto add = [&key](auto value) {
+        std::uint32_t bits;
+        static_assert(sizeof bits == sizeof value);
+        std::memcpy(&bits, &value, sizeof bits);
+        key = (key ^ bits) * 0x9e3779b97f4a7c15u;
+        key ^= key >> 32;
+    };
+    add(place.position.x);
+    add(place.position.y);
+    add(place.height);
+    add(wind.along.x);
+    add(wind.along.y);
+    add(2u * static_cast<std::uint32_t>(CanopySpeedStep(topSpeedOf(wind)).low) + (place.inCrown ? 1u : 0u));
+    if (place.stand->key != key) {
+        *place.stand = placeInStand(place, wind);
+        place.stand->key = key;
+    }
+    return *place.stand;
+}
+
+namespace {
+
+/// @param given the wind at the reference, of this speed and direction.
+glm::vec3 windAmongTrees(const PlaceInStand& stand, float given, const glm::vec3& along, float shelter,
+                         const NoisePoint& noise) {
+    const float speed = stand.mean + stand.deviation * skewed(noise.values[0], stand.skewness);
+    const float angle = stand.swing * noise.values[1];
+    const float down =
+        stand.down * skewed(stand.downBySpeed * noise.values[0] + stand.downByItself * noise.values[2],
+                            stand.downSkewness);
+    const glm::vec3 left(-along.y, along.x, 0.0f);
+    return given * shelter *
+           (speed * (std::cos(angle) * along + std::sin(angle) * left) - glm::vec3(0.0f, 0.0f, down));
+}
+
+} // namespace
 
 void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::Advected noise = _noise.advected(glm::dvec3(_gustVelocity) * clampedTime(time, 1e12));
@@ -178,7 +201,7 @@ void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time,
     WindPlace raised[block];
     glm::vec3 given[block];
     HorizontalWind level[block];
-    CanopySample stands[block];
+    PlaceInStand stands[block];
     NoisePoint turbulence[block];
     for (std::size_t first = 0; first < count; first += block) {
         const std::size_t size = std::min(count - first, block);
@@ -191,7 +214,7 @@ void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time,
         bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : HorizontalWind(given[n]);
-            stands[n] = standUpwindOf(places[first + n].position, level[n]);
+            stands[n] = keptPlaceInStand(places[first + n], level[n]);
             open |= stands[n].closure < 1.0f;
             closed |= stands[n].closure > 0.0f;
         }
@@ -202,7 +225,9 @@ void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time,
         for (std::size_t n = 0; n < size; ++n) {
             const float closure = stands[n].closure;
             if (closure > 0.0f) {
-                const glm::vec3 v = windAmongTrees(stands[n], places[first + n], level[n], turbulence[n]);
+                const float shelter = CanopySpeedStep(topSpeedOf(level[n])).mix(stands[n].shelter);
+                const glm::vec3 v =
+                    windAmongTrees(stands[n], level[n].speed, level[n].along, shelter, turbulence[n]);
                 out[first + n] = closure < 1.0f ? glm::mix(out[first + n], v, closure) : v;
             }
         }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/PlaceInStand.h>
 #include <osgTreeWind/wind/SlowGusts.h>
 #include <osgTreeWind/wind/WindLayer.h>
 
@@ -36,9 +37,10 @@ public:
 
 private:
     struct HorizontalWind;
-    CanopySample standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const;
-    glm::vec3 windAmongTrees(const CanopySample& stand, const WindPlace& place, const HorizontalWind& given,
-                             const NoisePoint& noise) const;
+    float topSpeedOf(const HorizontalWind& wind) const;
+    CanopySample standUpwindOf(const WindPlace& place, const HorizontalWind& wind) const;
+    PlaceInStand placeInStand(const WindPlace& place, const HorizontalWind& wind) const;
+    PlaceInStand keptPlaceInStand(const WindPlace& place, const HorizontalWind& wind) const;
 
     WindFieldPtr _open, _mean;
     std::shared_ptr<const CanopyMap> _map;
@@ -46,7 +48,8 @@ private:
     glm::vec3 _gustVelocity; ///< Velocity that advects the gusts, m/s.
     GustNoise _noise;
     SlowGusts _slowGusts;
-    float _slowIntensity; ///< Standard deviation of slow gusts over the mean speed.
+    std::uint64_t _number; ///< Of this object, to tell its PlaceInStand from those of others.
+    float _slowIntensity;  ///< Standard deviation of slow gusts over the mean speed.
 };
 
 } // namespace osgTreeWind

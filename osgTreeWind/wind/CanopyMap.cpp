@@ -10,24 +10,18 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Interpolates CanopyCell::shelter at a mean speed at the top.
-struct SpeedStep {
-    std::size_t low;
-    float share; ///< Weight of step `low` + 1.
-
-    explicit SpeedStep(float speed) {
-        const float at =
-            std::clamp(speed / CanopyCell::speedStep, 0.0f, static_cast<float>(CanopyCell::speedCount - 1));
-        low = std::min(static_cast<std::size_t>(at), CanopyCell::speedCount - 2);
-        share = at - static_cast<float>(low);
-    }
-
-    float shelterOf(const CanopyCell& cell) const {
-        return cell.shelter[low] + share * (cell.shelter[low + 1] - cell.shelter[low]);
-    }
-};
+glm::vec2 shelterOf(const CanopyCell& cell, const CanopySpeedStep& step) {
+    return {cell.shelter[step.low], cell.shelter[step.low + 1]};
+}
 
 } // namespace
+
+CanopySpeedStep::CanopySpeedStep(float speed) {
+    const float at =
+        std::clamp(speed / CanopyCell::speedStep, 0.0f, static_cast<float>(CanopyCell::speedCount - 1));
+    low = std::min(static_cast<std::size_t>(at), CanopyCell::speedCount - 2);
+    share = at - static_cast<float>(low);
+}
 
 void CanopyMap::setReference(float height) {
     reference = std::max(height, usual.profile.height);
@@ -52,10 +46,9 @@ float CanopyMap::crownCoverAt(const glm::vec2& place) const {
         .crownCover;
 }
 
-CanopySample CanopyMap::at(const glm::vec2& place, float speed) const {
-    const SpeedStep step(speed);
+CanopySample CanopyMap::at(const glm::vec2& place, const CanopySpeedStep& step) const {
     if (isUniform)
-        return {usual.closure, usual.profile, usual.topSpeedRatio, step.shelterOf(usual)};
+        return {usual.closure, usual.profile, usual.topSpeedRatio, shelterOf(usual, step)};
     // Cells are aligned with the origin, so that a tile has the same cells as the whole forest.
     const glm::vec2 middle = place / cell, at = middle - glm::vec2(first);
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
@@ -67,14 +60,15 @@ CanopySample CanopyMap::at(const glm::vec2& place, float speed) const {
                y = static_cast<std::size_t>(static_cast<int>(low.y) - first.y);
     const CanopyCell* corner = &cells[y * static_cast<std::size_t>(width) + x];
     // Cells are weighted by closure, so that open country does not affect the properties of a stand.
-    float closure = 0.0f, shelter = 0.0f;
+    float closure = 0.0f;
     glm::vec4 stand(0.0f);
+    glm::vec2 shelter(0.0f);
     const auto add = [&](const CanopyCell& one, float share) {
         const float weight = share * one.closure;
         closure += weight;
         stand += weight * glm::vec4(one.profile.height, one.profile.friction, one.profile.attenuation,
                                     one.topSpeedRatio);
-        shelter += weight * step.shelterOf(one);
+        shelter += weight * shelterOf(one, step);
     };
     add(corner[0], (1.0f - east) * (1.0f - north));
     add(corner[1], east * (1.0f - north));

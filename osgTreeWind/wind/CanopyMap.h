@@ -25,12 +25,21 @@ struct CanopyCell {
     std::array<float, speedCount> shelter{};
 };
 
-/// The stand at a place for one mean wind speed.
+/// Interpolates CanopyCell::shelter at a mean speed at the top.
+struct CanopySpeedStep {
+    std::size_t low;
+    float share; ///< Weight of step `low` + 1.
+
+    CanopySpeedStep(float speed); ///< @param speed m/s
+    float mix(const glm::vec2& shelter) const { return shelter.x + share * (shelter.y - shelter.x); }
+};
+
+/// The stand at a place.
 struct CanopySample {
     float closure = 0.0f;
     CanopyProfile profile;      ///< All 0 where the closure is 0.
     float topSpeedRatio = 1.0f; ///< As CanopyCell::topSpeedRatio.
-    float shelter = 1.0f;       ///< Wind between leaves over the wind beside the crown.
+    glm::vec2 shelter{1.0f};    ///< CanopyCell::shelter at both ends of the CanopySpeedStep.
 };
 
 /// How neighbouring trees affect a tree: by crown contact and by shelter.
@@ -54,8 +63,8 @@ struct CanopyMap {
     /// Sets the reference height, metres above the ground; at least the top of the highest stand.
     void setReference(float height);
 
-    /// The stand at a place; open country outside the map. @param speed mean wind at its top, m/s.
-    CanopySample at(const glm::vec2& place, float speed) const;
+    /// The stand at a place; open country outside the map. @param step of the mean wind at its top.
+    CanopySample at(const glm::vec2& place, const CanopySpeedStep& step) const;
     /// Share of the ground under crowns around a place, [0, 1].
     float crownCoverAt(const glm::vec2& place) const;
 };

@@ -19,7 +19,7 @@ public:
     /// The gusts at one time; they can be sampled at any number of places.
     class Now {
     public:
-        /// @param place metres. Places within a few metres of each other have the same value.
+        /// @param place metres. Places within some metres of each other have the same value.
         float at(const glm::vec2& place);
 
     private:

@@ -5,11 +5,16 @@
 
 namespace osgTreeWind {
 
+struct PlaceInStand;
+
 /// A place at which the wind is sampled: its position and its height above the ground.
 struct WindPlace {
     glm::vec3 position{0.0f}; ///< Metres.
     float height = 0.0f;      ///< Metres above the ground.
     bool inCrown = false; ///< Between the leaves of a tree, where the crown itself slows the wind in a stand.
+    /// Where the wind may keep what it knows of this place until the next sample; null: nowhere. For one
+    /// thread at a time.
+    PlaceInStand* stand = nullptr;
 
     WindPlace() = default;
     /// A place above ground at z = `ground`.

@@ -130,6 +130,7 @@ WindFieldPtr gustsInAWood() {
 void sample(benchmark::State& state, const WindFieldPtr& field) {
     Random random(3);
     std::vector<WindPlace> places(windSamples);
+    std::vector<PlaceInStand> stands(windSamples);
     std::vector<glm::vec3> velocities(windSamples);
     glm::vec3 tree(0.0f);
     for (std::size_t i = 0; i < windSamples; ++i) {
@@ -138,6 +139,7 @@ void sample(benchmark::State& state, const WindFieldPtr& field) {
         places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
         places[i].inCrown = true;
+        places[i].stand = &stands[i]; // as for the patches of trees
     }
     measure(state, windSamples, [&](double time) {
         field->sample(places.data(), windSamples, time, velocities.data());

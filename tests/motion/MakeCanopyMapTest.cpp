@@ -32,6 +32,13 @@ std::vector<CanopyTree> plantation(float spacing = 4.0f) {
     return trees;
 }
 
+float shelterOf(const CanopySample& stand, float speed) {
+    return CanopySpeedStep(speed).mix(stand.shelter);
+}
+float shelterOf(const CanopyMap& map, float speed) {
+    return shelterOf(map.at({0.0f, 0.0f}, speed), speed);
+}
+
 /// Momentum absorbed by the trees on a square metre with this shelter, over rho u*^2.
 double balance(const CanopySample& stand, float speed, double trees) {
     double taken = 0.0, pressure = 0.0;
@@ -40,7 +47,7 @@ double balance(const CanopySample& stand, float speed, double trees) {
         const SwingingWind wind(stand.profile.mean(z), stand.profile.spread(z), stand.profile.skewness(z));
         pressure += static_cast<double>(wind.meanPressure()) / static_cast<double>(CanopyTree::layers);
     }
-    const double felt = static_cast<double>(stand.shelter * speed);
+    const double felt = static_cast<double>(shelterOf(stand, speed) * speed);
     const double typical =
         felt * std::sqrt(pressure); // speed for streamlining: u^-0.5 from 10 m/s on, u^-0.3 below
     const double left = typical < 10.0 ? std::pow(std::max(typical, 1.6) / 10.0, -0.3)
@@ -55,10 +62,10 @@ TEST(MakeCanopyMap, AClosedStandAbsorbsTheMomentumFlux) {
     for (const float speed : {4.0f, 8.0f, 16.0f, 24.0f, 40.0f}) {
         const CanopySample stand = map->at({0.0f, 0.0f}, speed);
         EXPECT_EQ(stand.closure, 1.0f);
-        EXPECT_LT(stand.shelter, 1.0f);
+        EXPECT_LT(shelterOf(stand, speed), 1.0f);
         EXPECT_NEAR(balance(stand, speed, 1.0 / 16.0), 1.0, 0.055) << speed;
     }
-    EXPECT_GT(map->at({0.0f, 0.0f}, 40.0f).shelter, map->at({0.0f, 0.0f}, 8.0f).shelter)
+    EXPECT_GT(shelterOf(*map, 40.0f), shelterOf(*map, 8.0f))
         << "streamlined crowns let the wind penetrate deeper";
 }
 
@@ -102,8 +109,8 @@ TEST(MakeCanopyMap, AGapIsOpenAndAnEdgeIsHalfOpen) {
 }
 
 TEST(MakeCanopyMap, AThinStandSheltersLess) {
-    EXPECT_GT(makeCanopyMap(plantation(12.0f))->at({0.0f, 0.0f}, 8.0f).shelter,
-              1.5f * makeCanopyMap(plantation(4.0f))->at({0.0f, 0.0f}, 8.0f).shelter);
+    EXPECT_GT(shelterOf(*makeCanopyMap(plantation(12.0f)), 8.0f),
+              1.5f * shelterOf(*makeCanopyMap(plantation(4.0f)), 8.0f));
 }
 
 TEST(MakeCanopyMap, NoTreesMakeOpenCountryAndDistantTreesFitIntoMemory) {
@@ -147,7 +154,7 @@ TEST(MakeCanopyMap, AUniformCanopyIsTheSameEverywhere) {
     const auto map = makeUniformCanopyMap({treeAt(0.0f, 0.0f)}, 20.0f, 2.5f);
     const CanopySample here = map->at({0.0f, 0.0f}, 8.0f), there = map->at({1e6f, -1e6f}, 8.0f);
     EXPECT_EQ(here.shelter, there.shelter);
-    EXPECT_NEAR(here.shelter, makeCanopyMap(plantation())->at({0.0f, 0.0f}, 8.0f).shelter, 0.01f);
+    EXPECT_NEAR(shelterOf(here, 8.0f), shelterOf(*makeCanopyMap(plantation()), 8.0f), 0.01f);
 }
 
 } // namespace

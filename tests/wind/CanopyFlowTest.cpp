@@ -113,8 +113,10 @@ TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadOfTheProfile) {
     }
     EXPECT_NEAR(std::sqrt(squares / blocks) / static_cast<double>(10.0f * profile.spread(height).along), 1.0,
                 0.05);
-    // sqrt(2.4^2 - 1.8^2) u* over the mean at 2 h, less what averages out in five minutes
-    EXPECT_NEAR(std::sqrt(slow / blocks) / 10.0, 0.17, 0.03);
+    // sqrt(2.4^2 - 1.8^2) u* over the mean at 2 h; some of it averages out in five minutes
+    const float above = profile.mean(2.0f * height);
+    EXPECT_NEAR(std::sqrt(slow / blocks) / 10.0,
+                0.85 * static_cast<double>(1.5875f * profile.friction / above), 0.03);
 }
 
 TEST(CanopyFlow, SweepsComeFromAbove) {
@@ -221,6 +223,25 @@ TEST(CanopyFlow, InvalidOrExcessiveWindIsCalm) {
     for (const float speed : {NAN, INFINITY, 1e30f, 3e38f}) {
         const LayeredWind wind = inStand(std::make_shared<Nonsense>(speed), *stand(), height, 1);
         EXPECT_EQ(wind.velocity(WindPlace(3.0f, 4.0f, 5.0f), 7.0), glm::vec3(0.0f)) << speed;
+    }
+}
+
+TEST(CanopyFlow, WhatItKeepsOfAPlaceChangesNoWind) {
+    GustWind::Parameters gusts;
+    gusts.mean = {-10.0f, 0.0f, 0.0f};
+    const WindFieldPtr open = GustWind::create(gusts).value();
+    gusts.mean = {6.0f, 7.0f, 0.0f};
+    const LayeredWind winds[] = {inStand(open, *edge(), 60.0f, 1),
+                                 inStand(GustWind::create(gusts).value(), *edge(), 60.0f, 1), windOf(10.0f)};
+    PlaceInStand kept;
+    for (int i = 0; i < 300; ++i) { // places, winds and times in turn
+        WindPlace place(2.0f * static_cast<float>(i / 9) - 60.0f, 3.0f, i % 2 == 0 ? 12.0f : 25.0f);
+        place.inCrown = i % 4 < 2;
+        const LayeredWind& wind = winds[i / 3 % 3];
+        const glm::vec3 fresh = wind.velocity(place, 0.5 * i);
+        place.stand = &kept;
+        EXPECT_EQ(wind.velocity(place, 0.5 * i), fresh) << i;
+        EXPECT_EQ(wind.velocity(place, 0.5 * i), fresh) << i;
     }
 }
 

@@ -36,7 +36,7 @@ TEST(SlowGusts, HaveMeanZeroVarianceOneAndALengthOfOneAndAHalfKilometres) {
 
 TEST(SlowGusts, TravelWithTheWind) {
     const SlowGusts gusts(1, mean);
-    for (double time = 0.0; time < 4000.0; time += 40.0) // steps of 400 m, multiples of 8 m along both axes
+    for (double time = 0.0; time < 16000.0; time += 160.0) // multiples of 32 m along both axes
         EXPECT_NEAR(gusts.at(time).at({static_cast<float>(8.0 * time), static_cast<float>(6.0 * time)}),
                     gusts.at(0.0).at({0.0f, 0.0f}), 1e-3f);
 }

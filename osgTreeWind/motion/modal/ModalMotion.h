@@ -12,9 +12,10 @@ namespace osgTreeWind {
 /// The law `modal` for a forest. Eight trees of an archetype are stepped at a time; the state of a tree is a
 /// short vector.
 ///
-/// Memory per tree: treeBytes(), plus its archetype. Results do not depend on threads or on the instruction
-/// set and, for near trees, not on other trees. Far trees step at fixed times, staggered by group. Not
-/// thread-safe, except for the threads of its executor, and for queries as long as nothing changes the trees.
+/// Memory per tree: treeBytes(), plus its archetype and, below a canopy, a PlaceInStand per patch. Results do
+/// not depend on threads or on the instruction set and, for near trees, not on other trees. Far trees step at
+/// fixed times, staggered by group. Not thread-safe, except for the threads of its executor, and for queries
+/// as long as nothing changes the trees.
 class ModalMotion {
 public:
     using Tree = ModalTree;

@@ -125,7 +125,8 @@ std::size_t ModalState::bytes() const {
                         leans.capacity() * sizeof(glm::vec2);
     for (const ModalGroup& group : groups)
         bytes += group.numbers.capacity() * sizeof(TreeLanes) +
-                 group.trees.capacity() * sizeof(std::uint32_t) + group.waiting.capacity() * sizeof(float);
+                 group.trees.capacity() * sizeof(std::uint32_t) + group.waiting.capacity() * sizeof(float) +
+                 group.stands.capacity() * sizeof(PlaceInStand);
     return bytes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/TreeFall.h>
+#include <osgTreeWind/wind/PlaceInStand.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,6 +26,7 @@ struct ModalGroup {
     std::vector<TreeLanes> numbers;   ///< Block after block (treeFloats()).
     std::vector<std::uint32_t> trees; ///< Tree at each place.
     std::vector<float> waiting;       ///< Per block, seconds since the time of its last step.
+    std::vector<PlaceInStand> stands; ///< WindPlace::stand per tree and patch; empty where no trees shelter.
 
     ModalGroup(const Archetype& a, std::size_t l) : archetype(&a), level(l) {}
 
@@ -47,6 +49,12 @@ struct ModalGroup {
     std::size_t add(std::uint32_t tree);
     /// Moves the last tree to this place.
     void remove(std::size_t place);
+    /// Makes `stands` for all trees, or removes it.
+    void keepStands(bool keep) {
+        stands.resize(keep ? trees.size() * model().patches.size() : 0);
+        if (!keep)
+            stands.shrink_to_fit();
+    }
 };
 
 /// State of all trees under the law `modal`. A tree is identified by its number.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/Jobs.h>
+#include <osgTreeWind/wind/LayeredWind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +49,11 @@ bool ModalStepJob::run() const {
 /// Plans steps to `time` for near trees, and to their last fixed time for far ones.
 void ModalStepJob::planWork() const {
     constexpr auto interval = static_cast<double>(farStep);
+    const auto* layers = dynamic_cast<const LayeredWind*>(wind);
     state->work.clear();
     for (std::uint32_t g = 0; g < state->groups.size(); ++g) {
         ModalGroup& group = state->groups[g];
+        group.keepStands(layers && layers->canopy());
         const bool far = group.level != 0;
         for (std::uint32_t b = 0; b < group.waiting.size(); ++b) {
             if (!(seconds > 0.0f)) {
@@ -127,9 +130,11 @@ void ModalStepJob::sampleWind(std::size_t first, std::size_t end, Scratch& scrat
 
 /// Appends the wind places of the patches in a block, tree after tree. @return the end of the places.
 WindPlace* ModalStepJob::addPlaces(const ModalState::Work& work, WindPlace* out) const {
-    const ModalGroup& group = state->groups[work.group];
+    ModalGroup& group = state->groups[work.group];
     const std::size_t factor = group.firstFactor(), trees = group.treesIn(work.block);
     const TreeLanes* numbers = group.block(work.block);
+    PlaceInStand* stand =
+        group.stands.empty() ? nullptr : &group.stands[work.block * lanes * group.model().patches.size()];
     for (std::size_t i = 0; i < trees; ++i) {
         const ModalState::Place& place = state->places[group.trees[work.block * lanes + i]];
         const float cosine = numbers[factor].tree[i], sine = numbers[factor + 1].tree[i];
@@ -139,7 +144,8 @@ WindPlace* ModalStepJob::addPlaces(const ModalState::Work& work, WindPlace* out)
             *out = WindPlace(place.foot +
                                  glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
                              place.foot.z);
-            out++->inCrown = true;
+            out->inCrown = true;
+            out++->stand = stand ? stand++ : nullptr;
         }
     }
     return out;

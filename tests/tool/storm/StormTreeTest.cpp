@@ -20,10 +20,10 @@ TEST(StormTree, FallsNearTheWindsOfForestGales) {
     const CriticalSpeeds critical = criticalSpeedsOf(spruce, tree, stand);
     const double hale = 1.136 * 111.7 * 0.24 * 0.24 * 20.0;
     const TreeStrength strength = StormTree(spruce, tree, stand).strength();
-    // Computed ratios: 0.79 and 0.80. Crowns in a stand have their measured depth, so the wind acts higher
-    // up.
-    EXPECT_NEAR(critical.uproot.value() / std::sqrt(strength.uproot / hale), 0.85, 0.15);
-    EXPECT_NEAR(critical.breaking.value() / std::sqrt(strength.breaking / hale), 0.85, 0.15);
+    // Computed ratios: 0.71 and 0.71. The largest moment of an hour is greater than that of ForestGALES
+    // (docs/validation.md).
+    EXPECT_NEAR(critical.uproot.value() / std::sqrt(strength.uproot / hale), 0.8, 0.15);
+    EXPECT_NEAR(critical.breaking.value() / std::sqrt(strength.breaking / hale), 0.8, 0.15);
 }
 
 } // namespace osgTreeWind
