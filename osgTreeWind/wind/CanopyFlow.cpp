@@ -208,12 +208,15 @@ void CanopyFlow::sample(const WindPlace* places, std::size_t count, double time,
         for (std::size_t n = 0; n < size; ++n)
             raised[n] = raisedTo(places[first + n], _map->reference);
         _mean->sample(raised, size, time, given);
-        for (std::size_t n = 0; _slowIntensity > 0.0f && n < size; ++n)
-            given[n] *=
-                std::max(1.0f + _slowIntensity * slow.at(glm::vec2(places[first + n].position)), 0.0f);
         bool open = false, closed = false;
+        HorizontalWind steady;
         for (std::size_t n = 0; n < size; ++n) {
-            level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : HorizontalWind(given[n]);
+            if (n == 0 || given[n] != given[n - 1])
+                steady = HorizontalWind(given[n]);
+            level[n] = steady;
+            if (_slowIntensity > 0.0f)
+                level[n].speed *=
+                    std::max(1.0f + _slowIntensity * slow.at(glm::vec2(places[first + n].position)), 0.0f);
             stands[n] = keptPlaceInStand(places[first + n], level[n]);
             open |= stands[n].closure < 1.0f;
             closed |= stands[n].closure > 0.0f;

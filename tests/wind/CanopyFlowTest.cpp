@@ -245,6 +245,22 @@ TEST(CanopyFlow, WhatItKeepsOfAPlaceChangesNoWind) {
     }
 }
 
+TEST(CanopyFlow, KeepsWhatItKnowsWhileTheDirectionStays) {
+    GustWind::Parameters gusts;
+    gusts.mean = {2.0f, 3.5f, 0.0f}; // within the first CanopySpeedStep
+    const LayeredWind wind = inStand(GustWind::create(gusts).value(), *stand(), height, 1);
+    PlaceInStand kept;
+    WindPlace place(3.0f, 4.0f, 12.0f);
+    place.stand = &kept;
+    wind.velocity(place, 0.0);
+    const std::uint64_t key = kept.key;
+    EXPECT_NE(key, 0u);
+    for (int second = 1; second < 600; ++second) {
+        wind.velocity(place, second);
+        EXPECT_EQ(kept.key, key) << second;
+    }
+}
+
 TEST(CanopyFlow, BlendsSmoothlyFromOpenCountryIntoTheStand) {
     GustWind::Parameters gusts;
     gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east, toward the edge
