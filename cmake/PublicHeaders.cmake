@@ -54,6 +54,7 @@ set(public_headers
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
+    osgTreeWind/wind/PlaceInStand.h
     osgTreeWind/wind/StreamedWind.h
     osgTreeWind/wind/ThesisWind.h
     osgTreeWind/wind/TimeSeriesWind.h

@@ -7,19 +7,21 @@
 
 namespace osgTreeWind {
 
-/// What the wind among trees is at a place, apart from the gusts of the moment. CanopyFlow keeps it from one
-/// sample of the place to the next (WindPlace::stand), since it hardly changes.
+/// What the wind among trees is at a place, apart from the gusts of the moment. It hardly changes, so a
+/// forest keeps it from one sample of the place to the next (WindPlace::stand). Speeds are over that of the
+/// wind at the reference height (CanopySettings::reference).
 struct PlaceInStand {
-    std::uint64_t key = 0; ///< Of all that the other members depend on; 0: nothing is known.
-    float closure = 0.0f;  ///< 0 in open country, where the members below are without meaning.
-    /// The speed over that at the reference height: mean, standard deviation and skewness.
-    float mean = 0.0f, deviation = 0.0f, skewness = 0.0f;
-    float swing = 0.0f; ///< Standard deviation of the direction, radians.
-    /// The downward component: standard deviation over the speed at the reference height, skewness, and
-    /// weights of the speed's noise and of its own.
-    float down = 0.0f, downSkewness = 0.0f, downBySpeed = 0.0f, downByItself = 1.0f;
-    /// Wind over that beside the crown, at both ends of a CanopySpeedStep.
-    glm::vec2 shelter{1.0f};
+    std::uint64_t key = 0;     ///< Of all that the other members depend on; 0: nothing is known.
+    float closure = 0.0f;      ///< 0 in open country, where the other members are without meaning, to 1.
+    float mean = 0.0f;         ///< Mean of the speed.
+    float deviation = 0.0f;    ///< Standard deviation of the speed.
+    float skewness = 0.0f;     ///< Skewness of the speed.
+    float swing = 0.0f;        ///< Standard deviation of the direction, radians.
+    float down = 0.0f;         ///< Standard deviation of the downward component.
+    float downSkewness = 0.0f; ///< Skewness of the downward component.
+    float downBySpeed = 0.0f;  ///< Weight in the downward component of the noise that makes the speed.
+    float downByItself = 1.0f; ///< Weight of its own noise.
+    glm::vec2 shelter{1.0f};   ///< Wind over that beside the crown, at both ends of a step of the speed.
 };
 
 } // namespace osgTreeWind

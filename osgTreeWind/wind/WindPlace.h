@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/wind/PlaceInStand.h>
+
 #include <glm/vec3.hpp>
 
 namespace osgTreeWind {
-
-struct PlaceInStand;
 
 /// A place at which the wind is sampled: its position and its height above the ground.
 struct WindPlace {
