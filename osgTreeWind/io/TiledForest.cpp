@@ -165,9 +165,7 @@ CanopySettings computeTiledCanopy(const TileWriter& written, const Executor& exe
         if (!trees)
             failed = true;
         for (std::size_t j = 0; trees && j < trees.value().size(); ++j) {
-            const PlacedTree tree = shapes.makePlacedTree(trees.value()[j]);
-            stands[i].emplace_back(shapes.modelOf(tree), tree.scale, shapes.speciesOf(tree), tree.leaves,
-                                   glm::vec2(tree.position));
+            stands[i].emplace_back(shapes, shapes.makePlacedTree(trees.value()[j]));
         }
     });
     for (std::size_t i = 1; stride == 1 && i < stands.size(); ++i) // all trees are one stand

@@ -155,7 +155,6 @@ std::vector<const CanopyTree*> sortedByPosition(const std::vector<CanopyTree>& t
 /// Mean over stands, weighted by closure.
 struct MeanStand {
     float weights = 0.0f, areas = 0.0f, heights = 0.0f;
-    std::array<float, CanopyTree::layers> drag{}; ///< Also weighted by the frontal area.
 
     float height() const { return heights / weights; }
     float area() const { return areas / weights; }
@@ -163,16 +162,20 @@ struct MeanStand {
         weights += other.weights;
         areas += other.areas;
         heights += other.heights;
-        for (std::size_t i = 0; i < drag.size(); ++i)
-            drag[i] += other.drag[i];
     }
 };
 
-/// Fills the cells from the trees. @return the mean of the stands.
-MeanStand fillCells(CanopyMap& map, const std::vector<CanopyTree>& trees) {
+/// The trees around each cell.
+std::vector<StandSum> sumAround(const CanopyMap& map, const std::vector<CanopyTree>& trees) {
     std::vector<StandSum> sums(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.length));
     for (const CanopyTree* tree : sortedByPosition(trees))
         addToCells(*tree, map, sums);
+    return sums;
+}
+
+/// Fills the cells from the trees. @return the mean of the stands.
+MeanStand fillCells(CanopyMap& map, const std::vector<CanopyTree>& trees) {
+    const std::vector<StandSum> sums = sumAround(map, trees);
     MeanStand usual;
     map.cells.reserve(sums.size());
     for (const StandSum& sum : sums) {
@@ -182,22 +185,22 @@ MeanStand fillCells(CanopyMap& map, const std::vector<CanopyTree>& trees) {
         const float height = sum.height / sum.frontalArea;
         map.cells.back() = makeCell(sum, height, sum.frontalArea, 1.0f);
         const float weight = map.cells.back().closure;
-        MeanStand stand{weight, weight * sum.frontalArea, weight * height, sum.drag};
-        for (float& layer : stand.drag)
-            layer *= weight * sum.frontalArea;
-        usual.add(stand);
+        usual.add({weight, weight * sum.frontalArea, weight * height});
     }
     return usual;
 }
 
 } // namespace
 
-CanopyTree::CanopyTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
-                       const glm::vec2& at)
-    : place(at), height(scale.axes.z * model.skeleton.height()), streamlinedTo(species.wood.streamlinedTo) {
+CanopyTree::CanopyTree(const PlacedForest& forest, const PlacedTree& tree) : place(tree.position) {
+    const TreeModel& model = forest.modelOf(tree);
+    const TreeScale& scale = tree.scale;
+    const Species& species = forest.speciesOf(tree);
+    height = scale.axes.z * model.skeleton.height();
+    streamlinedTo = species.wood.streamlinedTo;
     const float width = measureTree(model, scale).crownWidth;
     crownArea = 0.25f * glm::pi<float>() * width * width;
-    const std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
+    const std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, tree.leaves);
     float leafDrag = 0.0f, allDrag = 0.0f;
     for (std::size_t i = 0; i < loads.size(); ++i) {
         const ScaledUnit unit(model.skeleton.units[i], scale);
@@ -273,11 +276,19 @@ StandLeaves meanStandOf(const std::vector<CanopyTree>& trees) {
     mean.add(trees);
     if (trees.empty() || !(mean.areas > 0.0f))
         return leaves;
-    CanopyMap map = makeEmptyMap(trees, mean.reach());
-    const MeanStand stand = fillCells(map, trees);
+    MeanStand stand;
+    leaves.drag.resize(CanopyTree::layers);
+    for (const StandSum& sum : sumAround(makeEmptyMap(trees, mean.reach()), trees)) {
+        if (!(sum.frontalArea > 0.0f))
+            continue;
+        const float weight = closureOf(sum.frontalArea), area = weight * sum.frontalArea;
+        stand.add({weight, area, weight * (sum.height / sum.frontalArea)});
+        for (std::size_t i = 0; i < leaves.drag.size(); ++i)
+            leaves.drag[i] += sum.drag[i] * area;
+    }
     leaves.height = stand.height();
-    for (const float layer : stand.drag)
-        leaves.drag.push_back(layer / stand.areas);
+    for (float& layer : leaves.drag)
+        layer /= stand.areas;
     return leaves;
 }
 

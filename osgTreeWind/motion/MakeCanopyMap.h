@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/TreeModel.h>
-#include <osgTreeWind/species/Species.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/CanopySettings.h>
 
@@ -28,8 +27,7 @@ struct CanopyTree {
     float breezeStreamlining = 0.0f;  ///< Exponent below 10 m/s.
 
     CanopyTree() = default;
-    CanopyTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
-               const glm::vec2& at);
+    CanopyTree(const PlacedForest& forest, const PlacedTree& tree);
 };
 
 /// Maps the stands that trees form around each other.
@@ -47,12 +45,13 @@ std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees,
 std::shared_ptr<CanopyMap> makeUniformCanopyMap(const std::vector<CanopyTree>& trees, float height,
                                                 float frontalArea);
 
-/// The mean stand around the leaves of a forest.
+/// The drag of a stand by height.
 struct StandLeaves {
     float height = 0.0f; ///< Metres; 0 without trees.
-    std::vector<float>
-        drag; ///< Force over the squared mean wind, per ground area, in equal layers from the ground up.
+    /// Force over the squared mean wind, per ground area, in equal layers from the ground up.
+    std::vector<float> drag;
 };
+/// The mean stand around the leaves of a forest.
 StandLeaves meanStandOf(const std::vector<CanopyTree>& trees);
 
 /// Fills in the reach, the mean stand and the reference height of a whole forest, so that each tile uses the

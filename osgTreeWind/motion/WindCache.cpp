@@ -60,8 +60,7 @@ void WindCache::rebuildMap(const PlacedForest& forest) {
         if (!tree.alive)
             continue;
         if (!_trees[slot])
-            _trees[slot].emplace(forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves,
-                                 glm::vec2(tree.position));
+            _trees[slot].emplace(forest, tree);
         alive.push_back(*_trees[slot]);
     }
     const std::shared_ptr<CanopyMap> made = makeCanopyMap(alive, _settings);

@@ -111,19 +111,19 @@ float CanopyFlow::topSpeedOf(const HorizontalWind& wind) const {
     return _map->usual.topSpeedRatio * wind.speed;
 }
 
-CanopySample CanopyFlow::standUpwindOf(const WindPlace& place, const HorizontalWind& wind) const {
-    return _map->at(glm::vec2(place.position - _map->fetch * wind.along), topSpeedOf(wind));
+CanopySample CanopyFlow::standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const {
+    return _map->at(glm::vec2(place - _map->fetch * wind.along), topSpeedOf(wind));
 }
 
 NeighbourEffect CanopyFlow::neighbourEffectAt(const glm::vec2& place) const {
     const HorizontalWind wind(_meanWind);
-    const CanopySample stand = standUpwindOf(WindPlace(glm::vec3(place, 0.0f)), wind);
+    const CanopySample stand = standUpwindOf(glm::vec3(place, 0.0f), wind);
     const float shelter = CanopySpeedStep(topSpeedOf(wind)).mix(stand.shelter);
     return {_map->crownCoverAt(place), 1.0f - stand.closure * (1.0f - shelter)};
 }
 
 PlaceInStand CanopyFlow::placeInStand(const WindPlace& place, const HorizontalWind& wind) const {
-    const CanopySample stand = standUpwindOf(place, wind);
+    const CanopySample stand = standUpwindOf(place.position, wind);
     PlaceInStand result;
     result.closure = stand.closure;
     if (!(stand.closure > 0.0f))

@@ -38,7 +38,7 @@ public:
 private:
     struct HorizontalWind;
     float topSpeedOf(const HorizontalWind& wind) const;
-    CanopySample standUpwindOf(const WindPlace& place, const HorizontalWind& wind) const;
+    CanopySample standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const;
     PlaceInStand placeInStand(const WindPlace& place, const HorizontalWind& wind) const;
     PlaceInStand keptPlaceInStand(const WindPlace& place, const HorizontalWind& wind) const;
 

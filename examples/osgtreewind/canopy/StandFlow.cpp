@@ -85,6 +85,19 @@ private:
         for (std::size_t i = _count - 1; i > 0; --i)
             _found[i - 1] += _share[i - 1] * _found[i];
     }
+    /// Adds the transport of a variance, times a factor, and solves for `_found`. @param above its value
+    /// above.
+    void balanceTransported(double factor, double above) {
+        for (std::size_t face = 0; face < _count; ++face) {
+            const double by = factor * diffusion(face);
+            _faces[face] = {by, by};
+        }
+        _faces[_count] = {};
+        const double top = factor * diffusion(_count);
+        _sink[_count - 1] += top;
+        _source[_count - 1] += top * above;
+        balance();
+    }
     /// Moves numbers toward those found. @return the largest change.
     double approach(Numbers& numbers) const {
         double change = 0.0;
@@ -143,26 +156,16 @@ private:
     double findTurbulence() {
         const double energyLoss = 2.0 / dissipation, toIsotropy = 1.0 / (3.0 * isotropy);
         Numbers up = _up;
-        for (std::size_t face = 0; face <= _count; ++face) {
-            const double by = 3.0 * diffusion(face);
-            _faces[face] = face < _count ? Exchange{by, by} : Exchange();
-        }
         for (std::size_t i = 0; i < _count; ++i) {
             const double rate = std::sqrt(_energy[i]) / _length[i] * _step;
             _sink[i] = rate * toIsotropy;
             _source[i] = rate * _energy[i] * (toIsotropy - energyLoss) / 3.0;
         }
-        _sink[_count - 1] += 3.0 * diffusion(_count);
-        _source[_count - 1] += 3.0 * diffusion(_count) * upAbove;
-        balance();
+        balanceTransported(3.0, upAbove);
         approach(up);
         for (std::size_t i = 0; i < _count; ++i)
             up[i] = std::clamp(up[i], 0.02 * _energy[i], 0.6 * _energy[i]);
 
-        for (std::size_t face = 0; face <= _count; ++face) {
-            const double by = diffusion(face);
-            _faces[face] = face < _count ? Exchange{by, by} : Exchange();
-        }
         for (std::size_t i = 0; i < _count; ++i) {
             const double shearBelow = i > 0 ? _wind[i] - _wind[i - 1] : 0.0,
                          shearAbove = i + 1 < _count ? _wind[i + 1] - _wind[i] : _step / lengthAbove(at(i)),
@@ -174,9 +177,7 @@ private:
                        std::max(-produced, 0.0) / _energy[i];
             _source[i] = std::max(produced, 0.0);
         }
-        _sink[_count - 1] += diffusion(_count);
-        _source[_count - 1] += diffusion(_count) * energyAbove;
-        balance();
+        balanceTransported(1.0, energyAbove);
         const double change = approach(_energy);
         _up = std::move(up);
         return change;

@@ -137,8 +137,7 @@ StandLeaves givenStand(const CanopyOptions& options) {
 StandLeaves standOf(const CanopyOptions& options, const PlacedForest& forest) {
     std::vector<CanopyTree> trees;
     for (const PlacedTree& tree : forest.trees)
-        trees.emplace_back(forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves,
-                           glm::vec2(tree.position));
+        trees.emplace_back(forest, tree);
     StandLeaves leaves = meanStandOf(trees);
     if (leaves.drag.empty())
         throw CommandError{BadInput, options.file + ": expected trees for --profile, found none"};

@@ -113,9 +113,8 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
     const Storm storm{options.speed, options.open ? 0.0 : options.spacing, options.seed};
     StormTree tree(job.species, job.tree, storm);
     tree.advance(settlingTime);
-    VectorStatistics moment, push, tip;
+    VectorStatistics moment, push, tip, strain;
     std::vector<glm::dvec2> strains;
-    double largestStrain = 0.0;
     const auto rows = static_cast<std::size_t>(std::llround(options.duration / options.step));
     for (std::size_t row = 1; row <= rows; ++row) {
         const double time = options.step * static_cast<double>(row);
@@ -124,7 +123,7 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
         push.add(now.push);
         tip.add(glm::dvec2(now.tip));
         strains.push_back(now.strain);
-        largestStrain = std::max(largestStrain, glm::length(now.strain));
+        strain.add(now.strain);
         if (trace)
             writeRow(trace, time, now);
     }
@@ -145,7 +144,7 @@ Json measureStorm(const StormJob& job, std::FILE* trace) {
         {"push", push.json()},
         {"tip", tip.json()},
         {"weight_factor", tree.weightFactor()},
-        {"strain_max", largestStrain},
+        {"strain_max", strain.max()},
         {"strain_limit", strainLimit > 0.0 ? Json(strainLimit) : Json()},
         {"features", json(free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt)},
         {"frequency_hz", free ? Json(free->frequency) : Json()},

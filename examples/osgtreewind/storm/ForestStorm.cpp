@@ -27,7 +27,7 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
             continue;
         const TreeModel& model = forest.modelOf(tree);
         const Species& species = forest.speciesOf(tree);
-        standing.emplace_back(model, tree.scale, species, tree.leaves, glm::vec2(tree.position));
+        standing.emplace_back(forest, tree);
         if (slot >= most)
             continue;
         _slots.push_back(slot);

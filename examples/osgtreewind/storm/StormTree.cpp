@@ -21,13 +21,8 @@ namespace {
 
 constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
 
-CanopyTree canopyTreeOf(const PlacedForest& forest) {
-    const PlacedTree& tree = forest.trees.front();
-    return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
-}
-
 LayeredWind windOf(const PlacedForest& forest, const Storm& storm) {
-    const CanopyTree tree = canopyTreeOf(forest);
+    const CanopyTree tree(forest, forest.trees.front());
     const float height = std::max(tree.height, 0.1f);
     const auto wind = std::make_shared<Wind>(
         openCountryWind(static_cast<double>(height), glm::vec3(storm.speed, 0.0f, 0.0f), storm.seed));

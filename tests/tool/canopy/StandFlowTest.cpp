@@ -70,22 +70,23 @@ Errors errorsOf(const std::string& leavesFile, const std::string& windFile) {
     return {std::sqrt(sum.mean), std::sqrt(sum.stress)};
 }
 
-TEST(StandFlow, IsThatMeasuredInScotsPines) {
-    REQUIRE_REAL_DATA(leaves, "canopy/Scots_Pine_canopy_distribution.txt");
-    REQUIRE_REAL_DATA(wind, "canopy/Scots_Pine_Wind.txt");
+/// Expects rms errors of mean wind and stress of at most these in a measured stand.
+void expectErrors(const std::string& stand, float mean, float stress) {
+    REQUIRE_REAL_DATA(leaves, "canopy/" + stand + "_canopy_distribution.txt");
+    REQUIRE_REAL_DATA(wind, "canopy/" + stand + "_Wind.txt");
     const Errors errors = errorsOf(leaves, wind);
-    EXPECT_LE(errors.mean, 0.08f);
-    EXPECT_LE(errors.stress, 0.12f);
+    EXPECT_LE(errors.mean, mean);
+    EXPECT_LE(errors.stress, stress);
+}
+
+TEST(StandFlow, IsThatMeasuredInScotsPines) {
+    expectErrors("Scots_Pine", 0.08f, 0.12f);
 }
 
 /// The measured stress falls by 0.74 u*^2 within 0.05 h. The drag of the measured wind on the measured
 /// leaves, for any factor, has errors of 0.18.
 TEST(StandFlow, IsNearlyThatMeasuredInAHardwoodForest) {
-    REQUIRE_REAL_DATA(leaves, "canopy/Hardwood_canopy_distribution.txt");
-    REQUIRE_REAL_DATA(wind, "canopy/Hardwood_Wind.txt");
-    const Errors errors = errorsOf(leaves, wind);
-    EXPECT_LE(errors.mean, 0.11f);
-    EXPECT_LE(errors.stress, 0.16f);
+    expectErrors("Hardwood", 0.11f, 0.16f);
 }
 
 /// u*^2 over the squared wind at the top is the drag of the leaves and of the ground.
