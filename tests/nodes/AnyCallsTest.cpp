@@ -626,7 +626,7 @@ TEST(AnyCallsTest, EveryPublicHeaderIsCoveredOrExempt) {
         "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h", "model/PalmParameters.h",
         "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h", "motion/damage/TreeDamage.h",
         "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h", "wind/CanopySettings.h",
-        "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
+        "wind/PlaceInStand.h", "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
         // Macros.
         "base/Export.h", "base/Version.h",
         // Files: tests/io, tests/windfiles and tests/fuzz read damaged ones.
