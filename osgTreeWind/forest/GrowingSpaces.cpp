@@ -33,23 +33,6 @@ constexpr double defaultCrownWidth = 0.4;  // relative to the height
 constexpr double defaultTreeHeight = 15.0; // metres
 constexpr double cellSize = 16.0;          // metres
 
-struct Crown {
-    glm::dvec2 position{0.0};
-    double height = 0.0, radius = 0.0;
-};
-
-Crown crownOf(const TreePlacement& tree, const Species& species) {
-    Crown crown;
-    crown.position = glm::dvec2(tree.position);
-    const float usual = usualHeight(species);
-    crown.height = tree.size.height > 0.0f ? static_cast<double>(tree.size.height)
-                   : usual > 0.0f          ? static_cast<double>(usual)
-                                           : defaultTreeHeight;
-    const float width = withCrown(tree.size, species.crown, false).crownWidth;
-    crown.radius = width > 0.0f ? 0.5 * static_cast<double>(width) : 0.5 * defaultCrownWidth * crown.height;
-    return crown;
-}
-
 glm::dvec2 directionOf(std::size_t sector) {
     const double azimuth = glm::two_pi<double>() * (static_cast<double>(sector) + 0.5) / sectorCount;
     return {std::cos(azimuth), std::sin(azimuth)};
@@ -164,6 +147,18 @@ CrownIndex indexCrowns(const ForestDescription& forest) {
 }
 
 } // namespace
+
+Crown crownOf(const TreePlacement& tree, const Species& species) {
+    Crown crown;
+    crown.position = glm::dvec2(tree.position);
+    const float usual = usualHeight(species);
+    crown.height = tree.size.height > 0.0f ? static_cast<double>(tree.size.height)
+                   : usual > 0.0f          ? static_cast<double>(usual)
+                                           : defaultTreeHeight;
+    const float width = withCrown(tree.size, species.crown, false).crownWidth;
+    crown.radius = width > 0.0f ? 0.5 * static_cast<double>(width) : 0.5 * defaultCrownWidth * crown.height;
+    return crown;
+}
 
 void findGrowingSpaces(ForestDescription& forest, const std::vector<DerivedTreeValues>& derived) {
     if (!anyGrowsByLight(forest))

@@ -3,11 +3,22 @@
 
 #include <osgTreeWind/forest/ForestDescription.h>
 
+#include <glm/vec2.hpp>
+
 #include <vector>
 
 namespace osgTreeWind {
 
 class ShapeFamilies;
+
+/// A crown as a circle around the foot of its tree, metres.
+struct Crown {
+    glm::dvec2 position{0.0};
+    double height = 0.0; ///< Of the tree.
+    double radius = 0.0;
+};
+/// The crown of a tree in a stand by the sizes that it or its species states, otherwise by usual ones.
+Crown crownOf(const TreePlacement& tree, const Species& species);
 
 /// Which values of a tree are derived from its neighbours because the file does not set them.
 struct DerivedTreeValues {

@@ -57,6 +57,9 @@ void readGround(TableReader& table, const InputFolders& folders, ForestDescripti
 /// [wind]. @param forest must have its origin. @param seed of gusts.
 Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
               const SceneMap& map, DocumentTrees& trees, std::uint32_t seed);
+/// The canopy of [wind]. Without it, decides whether the trees change the wind, and adds a note.
+/// @param forest must have its wind and growing spaces.
+void readCanopy(TableReader& table, ForestDescription& forest, DocumentTrees& trees);
 
 /// Words of the key `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();

@@ -186,7 +186,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) {
         forest.wind = readWind(table, folders, forest, map, trees, defaults.seed);
-        readKeys(table, forest.canopy);
+        readCanopy(table, forest, trees);
     });
 }
 

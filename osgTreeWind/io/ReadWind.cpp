@@ -440,6 +440,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     known.roughness = options.roughness;
     known.height = options.height;
     known.speedUnit = options.speedUnit;
+    known.mayIncludeTrees = wind.value().summary.mayIncludeTrees;
     known.allowsOutside = allowsOutside;
     setKnown(read, std::move(known));
     return std::move(read);

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Jobs.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/forest/ClosedWood.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/CrownSummary.h>
@@ -251,8 +252,6 @@ private:
     std::optional<TemporaryPath> _new;
     int _descriptor = -1;
 };
-
-using TreeVisitor = std::function<void(const std::vector<TreePlacement>&)>;
 
 /// @param forest without trees. @param visit visits all trees; false on an error.
 Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<bool(const TreeVisitor&)>& visit,

@@ -122,7 +122,7 @@ private:
 
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     const Wind& wind = forest.wind;
-    const CanopySettings defaults;
+    CanopySettings defaults;
     if (wind.isCalm() && areKeysEqual(forest.canopy, defaults))
         return {};
     output << "\n[wind]\n";
@@ -134,6 +134,8 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     for (const auto& [name, frame] : windFrames())
         if (frame == wind.frame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';
+    if (forest.canopy.source == CanopySource::None)
+        defaults.source = CanopySource::Forest; // always written, because a reader would decide it
     writeKeys(output, "wind", keysOf<CanopySettings>(), &forest.canopy, &defaults);
     for (std::size_t i = 0; problem.empty() && i < wind.sources.size(); ++i) {
         output << "\n[[wind.source]]\n";

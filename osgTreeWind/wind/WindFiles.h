@@ -25,6 +25,7 @@ struct WindFiles {
     double roughness = 0.0;        ///< WindFileOptions::roughness
     double height = 0.0;           ///< WindFileOptions::height
     std::string speedUnit = "m/s"; ///< WindFileOptions::speedUnit
+    bool mayIncludeTrees = false;  ///< WindSummary::mayIncludeTrees
     bool allowsOutside = false; ///< Whether a forest completely outside the data gets the wind at their edge.
 };
 

@@ -80,7 +80,8 @@ const Keys& keysOf<CanopySettings>() {
          "",
          {{"none", static_cast<int>(CanopySource::None)},
           {"forest", static_cast<int>(CanopySource::Forest)},
-          {"given", static_cast<int>(CanopySource::Given)}}},
+          {"given", static_cast<int>(CanopySource::Given)},
+          {"auto", static_cast<int>(CanopySource::None)}}}, // until a reader of files decides
         {"canopy_height", at<&P::height>, within(1, 150), "Height of the given stand", "m"},
         {"canopy_frontal_area", at<&P::frontalArea>, within(0.01, 20),
          "Frontal area index of the given stand: half of its leaf area plus the frontal area of its wood, "

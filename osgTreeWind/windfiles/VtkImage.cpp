@@ -43,6 +43,7 @@ WindContent windFromVtk(VtkImage&& image, const std::string& format) {
         grid.times = {*image.time};
     WindContent content;
     content.summary.format = format;
+    content.summary.mayIncludeTrees = true;
     content.summary.direction = "components toward x, y and z, taken as east, north and up";
     content.summary.notes = {std::string(image.ofCells ? "cell" : "point") + " vectors '" + image.name + "'"};
     content.data = std::move(grid);

@@ -26,8 +26,8 @@ struct WindContent {
     auto parts() {
         auto& grid = std::get<GridWind::Grid>(data);
         return std::tie(summary.format, summary.unit, summary.direction, summary.coordinates, summary.crs,
-                        summary.start, summary.notes, grid.points, grid.origin, grid.cell, grid.times,
-                        grid.heights, grid.aboveGround, grid.values, fileExtent);
+                        summary.start, summary.notes, summary.mayIncludeTrees, grid.points, grid.origin,
+                        grid.cell, grid.times, grid.heights, grid.aboveGround, grid.values, fileExtent);
     }
 };
 

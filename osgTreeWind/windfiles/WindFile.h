@@ -56,10 +56,13 @@ struct WindSummary {
     std::string start;
     std::vector<std::string> notes; ///< Assumptions and other remarks, one sentence each.
 
-    glm::ivec3 points{1};      ///< Number of points east, north and up; (1, 1, 1) for a record at one point.
-    glm::dvec3 low{0.0};       ///< South-western lowest point; 0 for a record at one point.
-    glm::dvec3 high{0.0};      ///< North-eastern highest point.
-    WindExtent extent;         ///< Extent of the whole file, of which only a part may have been read.
+    glm::ivec3 points{1}; ///< Number of points east, north and up; (1, 1, 1) for a record at one point.
+    glm::dvec3 low{0.0};  ///< South-western lowest point; 0 for a record at one point.
+    glm::dvec3 high{0.0}; ///< North-eastern highest point.
+    WindExtent extent;    ///< Extent of the whole file, of which only a part may have been read.
+    /// Whether a flow model may have computed the wind among trees, as that of VTK and of NetCDF on a fine
+    /// grid; false for records and the winds of weather models, which know no single trees.
+    bool mayIncludeTrees = false;
     bool aboveGround = false;  ///< Whether heights are above the ground below each place.
     std::vector<double> times; ///< Seconds; empty for a steady wind.
     double slowest = 0.0;      ///< Minimum speed over all points and times, m/s.

@@ -30,6 +30,7 @@ public:
         _winds = windsOf(_file);
         if (_file.good())
             findPoints();
+        summary().mayIncludeTrees = !isOfWeatherModel();
         if (_file.good())
             readValues();
         if (!_file.good())
@@ -147,6 +148,14 @@ private:
                                           dimension.name +
                                           " is read, because this dimension is neither time nor space");
         }
+    }
+
+    /// Whether the cells are too large, or the levels of a kind that only weather models have.
+    bool isOfWeatherModel() const {
+        constexpr double coarse = 1000.0; // metres
+        const NetCdfMeasure level = _points.level ? measureOf(_file, *_points.level) : NetCdfMeasure::None;
+        return level == NetCdfMeasure::Pressure || level == NetCdfMeasure::Model ||
+               _points.xAxis.isDegrees() || _grid.cell.x >= coarse;
     }
 
     void readValues() {

@@ -331,7 +331,7 @@ const BadInput badInputs[] = {
      wind("kind = \"calm\"\n[[wind.source]]\nkind = \"jet\"\nplace = [0, 0, 1]\nradius = @0\n"),
      "wind.source.radius", "(0, 1000]"},
     {"WindCanopyUnknown", wind("kind = \"calm\"\ncanopy = @\"dense\"\n"), "wind.canopy",
-     "\"none\", \"forest\" or \"given\""},
+     "\"none\", \"forest\", \"given\" or \"auto\""},
     {"WindCanopyBare", wind("kind = \"calm\"\ncanopy_frontal_area = @0\n"), "wind.canopy_frontal_area",
      "0.01"},
     {"WindNothing", head + tree + "@[wind]\nkind = \"uniform\"\n", "wind", "either velocity, or speed"},

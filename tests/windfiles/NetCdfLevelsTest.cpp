@@ -77,6 +77,7 @@ TEST(NetCdfLevels, PressureLevelsAreAtTheirGeopotentialHeight) {
         EXPECT_NEAR(heightAt(grid, 0, 0, 0, 0), 120, 1e-3);
         EXPECT_NEAR(heightAt(grid, 1, 2, 1, 2), 1530, 1e-3);
         EXPECT_EQ(velocityAt(grid, 1, 2, 1, 2), glm::vec3(3, 2, 0)) << "change of pressure is ignored";
+        EXPECT_FALSE(summaryOf(path).mayIncludeTrees);
         EXPECT_TRUE(hasNote(summaryOf(path), "w is the change of pressure"));
         EXPECT_TRUE(hasNote(summaryOf(path), "metres above sea level"));
         EXPECT_TRUE(GridWind::check(grid).empty());
