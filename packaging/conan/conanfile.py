@@ -57,6 +57,7 @@ class OsgTreeWind(ConanFile):
         if self.options.matlab:
             self.requires("matio/[>=1.5.23 <2]")
         if self.options.tool:
+            self.requires("cairo/[>=1.16 <2]")
             self.requires("cli11/[>=2.3 <3]")
             self.requires("netcdf/4.8.1")
             self.requires("nlohmann_json/[>=3.7 <4]")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/tool/Pictures.h>
 #include <tests/tool/Tool.h>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,38 @@ TEST(Risk, WritesCriticalWindsAndRatios) {
     EXPECT_EQ(rows[2][2], "300.000");
 }
 
+/// Three trees from west to east, on white, in the middle of the picture.
+TEST(Risk, DrawsTheForestFromAbove) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("three.treewind", three);
+    for (const std::string name : {"map.png", "map.svg"}) {
+        const Outcome outcome = runTool(
+            {"risk", file, "-o", folder.path() + "/risk.csv", "--picture", folder.path() + '/' + name});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    const osg::ref_ptr<osg::Image> map = pictureIn(folder, "map.png");
+    ASSERT_EQ(map->s(), 1000);
+    ASSERT_EQ(map->t(), 800);
+    std::vector<int> trees; // centres of the runs of coloured pixels in the row of the trees
+    int first = -1;
+    for (int x = 0; x < 840; ++x) {
+        const osg::Vec4 colour = map->getColor(static_cast<unsigned>(x), 395);
+        const bool isTree = colour.r() < 0.95f || colour.g() < 0.95f || colour.b() < 0.95f;
+        if (isTree && first < 0)
+            first = x;
+        if (!isTree && first >= 0) {
+            trees.push_back((first + x) / 2);
+            first = -1;
+        }
+    }
+    ASSERT_EQ(trees.size(), 3u);
+    EXPECT_NEAR(trees[1] - trees[0], trees[2] - trees[1], 2);
+    EXPECT_GT(trees[2] - trees[0], 700);
+    const std::string svg = contentOf(folder.path() + "/map.svg");
+    EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
 TEST(Risk, RefusesInvalidOutputsAndOptions) {
     const TemporaryFolder folder;
     const std::string file = folder.write("three.treewind", three);
@@ -68,6 +101,11 @@ TEST(Risk, RefusesInvalidOutputsAndOptions) {
               std::string::npos)
         << text.err;
     EXPECT_EQ(runTool({"risk", file, "-o", "risk.csv", "--speed", "-3"}).exitCode, 2);
+    const Outcome picture = runTool({"risk", file, "-o", "risk.csv", "--picture", "risk.jpg"});
+    EXPECT_EQ(picture.exitCode, 2);
+    EXPECT_NE(picture.err.find("--picture: expected a name that ends in .svg or .png, found risk.jpg"),
+              std::string::npos)
+        << picture.err;
     const Outcome nowhere = runTool({"risk", file, "-o", "/nowhere/risk.gpkg"});
     EXPECT_EQ(nowhere.exitCode, 1);
     EXPECT_EQ(nowhere.err, "/nowhere/risk.gpkg: cannot be written: there is no folder /nowhere\n");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Progress.h>
-
+#include <examples/osgtreewind/pictures/Drawing.h>
+#include <examples/osgtreewind/pictures/TreeMap.h>
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <examples/osgtreewind/storm/ForestStorm.h>
 #include <osgTreeWind/base/AtomicFile.h>
@@ -27,7 +28,7 @@ using namespace osgTreeWind;
 constexpr double stormSpeeds[] = {12.0, 20.0, 34.0};
 
 struct RiskOptions {
-    std::string file, output;
+    std::string file, output, picture;
     std::optional<double> speed;
     double direction = 270.0;
     std::uint32_t seed = 1;
@@ -129,16 +130,41 @@ void write(const PointTable& table, const std::string& output) {
     std::cout << table.rows.size() << " trees in " << output << '\n';
 }
 
+/// The forest from above, with the wind at which each tree falls.
+void drawPicture(const RiskOptions& options, const PlacedForest& forest, const PointTable& table) {
+    const auto number = [&](const PointTable::Row& row, const char* name) {
+        const auto column = std::find(table.numbers.begin(), table.numbers.end(), name);
+        return row.numbers[static_cast<std::size_t>(column - table.numbers.begin())];
+    };
+    std::vector<MapTree> trees;
+    for (std::size_t slot = 0; slot < table.rows.size(); ++slot) {
+        const PointTable::Row& row = table.rows[slot];
+        const std::optional<double> uproot = number(row, "uproot_ms"), breaking = number(row, "break_ms");
+        const double width = static_cast<double>(forest.sizeOf(forest.trees[slot]).crownWidth);
+        trees.push_back({glm::dvec2(row.position), 0.5 * width,
+                         uproot && breaking ? std::min(*uproot, *breaking)
+                         : uproot           ? uproot
+                                            : breaking});
+    }
+    drawTreeMap(trees, "Wind at which trees fall: " + osgDB::getSimpleFileName(options.file),
+                "m/s, mean of an hour 10 m above open country", options.picture);
+}
+
 void run(const RiskOptions& options) {
     const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
     if (extension != "csv" && extension != "gpkg")
         throw CommandError{BadInput,
                            "--output: expected a name that ends in .csv or .gpkg, found " + options.output};
     checkOutputPath(options.output);
+    if (!options.picture.empty())
+        checkDrawingPath("--picture", options.picture);
     ForestPart part = loadPart(options.file, options.tiles);
     part.forest.season = options.season.value_or(part.forest.season);
     const PlacedForest forest(std::move(part.forest));
-    write(tableOf(options, forest, riskOf(options, forest, part.requested)), options.output);
+    const PointTable table = tableOf(options, forest, riskOf(options, forest, part.requested));
+    write(table, options.output);
+    if (!options.picture.empty())
+        drawPicture(options, forest, table);
 }
 
 } // namespace
@@ -161,6 +187,9 @@ void addRiskCommand(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--seed", options->seed, "Seed of the gusts; the same seed gives the same wind")
         ->capture_default_str();
+    command->add_option("--picture", options->picture,
+                        "Also draw the trees from above, coloured by the wind at which they fall (.svg or "
+                        ".png)");
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
     command->footer(
