@@ -52,7 +52,6 @@ set(public_headers
     osgTreeWind/wind/CanopySettings.h
     osgTreeWind/wind/FunctionWind.h
     osgTreeWind/wind/GridWind.h
-    osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
     osgTreeWind/wind/PlaceInStand.h
     osgTreeWind/wind/StreamedWind.h
@@ -64,6 +63,7 @@ set(public_headers
     osgTreeWind/wind/WindClock.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h
+    osgTreeWind/wind/WindGusts.h
     osgTreeWind/wind/WindPlace.h
     osgTreeWind/wind/WindSource.h
     osgTreeWind/windfiles/WindExtent.h

@@ -6,6 +6,7 @@
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/SeasonDay.h>
+#include <osgTreeWind/wind/WindKeys.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <glm/gtc/constants.hpp>
@@ -31,16 +32,16 @@ std::string dateText(float season) {
     return std::to_string(date.tm_mday) + ' ' + month;
 }
 
-/// Whether two winds have the same field, strength and turn.
+/// Whether two winds have the same field, adjustment and gusts.
 bool hasSameField(const Wind& a, const Wind& b) {
-    return a.field == b.field && a.adjustment.strength == b.adjustment.strength &&
-           a.adjustment.turn == b.adjustment.turn;
+    return a.field == b.field && areKeysEqual(a.adjustment, b.adjustment) && areKeysEqual(a.gusts, b.gusts);
 }
 
-/// Copies the field and the adjustment of a wind.
+/// Copies the field, the adjustment and the gusts of a wind.
 void copyField(const Wind& other, Wind& wind) {
     wind.field = other.field;
     wind.adjustment = other.adjustment;
+    wind.gusts = other.gusts;
 }
 
 /// The sources of nextSource() in order: a helicopter of 7 t 15 m above the tree, a fan that blows from the
@@ -232,15 +233,15 @@ std::string ForestControls::windText() const {
     if (!wind.field)
         return "calm" + sources;
     const WindSteering steering = steeringOf(wind);
-    if (steering.isSynthetic)
-        return formatted("%.1f m/s from %.0f\xc2\xb0, gusts %.0f %%", steering.speed, steering.from,
-                         100.0 * steering.gustiness) +
-               sources;
     std::string text = "of the host";
+    if (steering.isSynthetic)
+        text = formatted("%.1f m/s from %.0f\xc2\xb0", steering.speed, steering.from);
     if (steering.strength != 1.0)
         text += formatted(", times %.3g", steering.strength);
     if (steering.turn != 0.0)
         text += formatted(", turned by %.0f\xc2\xb0", steering.turn);
+    if (steering.isSynthetic || steering.gustiness > 0.0)
+        text += formatted(", gusts %.0f %%", 100.0 * steering.gustiness);
     return text + sources;
 }
 

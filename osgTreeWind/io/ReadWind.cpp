@@ -8,7 +8,6 @@
 #include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/wind/GridWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFiles.h>
@@ -83,10 +82,6 @@ glm::vec3 readVelocity(TableReader& table) {
     return velocity * static_cast<float>(unit);
 }
 
-Wind readUniform(TableReader& table) {
-    return std::make_shared<UniformWind>(readVelocity(table));
-}
-
 /// Reads `height` and `roughness`, both or neither. @return false after a problem.
 bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     if (!table.has("height") && !table.has("roughness"))
@@ -103,16 +98,14 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     return complete;
 }
 
-Wind readGusts(TableReader& table, std::uint32_t seed) {
-    GustWind::Parameters gusts;
-    gusts.mean = readVelocity(table);
-    gusts.seed = seed;
-    readKeys(table, gusts);
-    if (gusts.mean.z != 0.0f)
-        table.problem("velocity", "expected a horizontal wind");
-    if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
+Wind readGusts(TableReader& table) {
+    const glm::vec3 velocity = readVelocity(table);
+    std::optional<LogProfile> profile;
+    if (!readProfile(table, profile))
         return nullptr;
-    return checked(GustWind::create(gusts), table);
+    Wind wind(std::make_shared<UniformWind>(velocity, profile));
+    wind.gusts.intensity = 0.2;
+    return wind;
 }
 
 /// Parses finite numbers separated by blanks, line ends, commas or semicolons; '#' starts a comment.
@@ -526,14 +519,15 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
     using Read = std::function<Wind()>;
     const Read readData = [&] { return readWindData(table, folders, forest, trees, windDate); };
     Read read;
-    table.readChoice<Read>("kind", read,
-                           {{"calm", [] { return Wind(nullptr); }},
-                            {"uniform", [&] { return readUniform(table); }},
-                            {"gusts", [&] { return readGusts(table, seed); }},
-                            {"grid", [&] { return readGrid(table, folders, map, origin); }},
-                            {"forest_wind", [&] { return readForestWind(table, folders, map, origin); }},
-                            {"series", [&] { return readSeries(table, folders); }},
-                            {"file", readData}});
+    table.readChoice<Read>(
+        "kind", read,
+        {{"calm", [] { return Wind(nullptr); }},
+         {"uniform", [&] { return Wind(std::make_shared<UniformWind>(readVelocity(table))); }},
+         {"gusts", [&] { return readGusts(table); }},
+         {"grid", [&] { return readGrid(table, folders, map, origin); }},
+         {"forest_wind", [&] { return readForestWind(table, folders, map, origin); }},
+         {"series", [&] { return readSeries(table, folders); }},
+         {"file", readData}});
     const bool isOtherKind = table.has("kind") || table.has("columns") || table.has("points");
     if (!isOtherKind && (table.has("file") || table.has("files")))
         read = readData;
@@ -543,6 +537,11 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
         return nullptr;
     }
     Wind wind = read();
+    if (!table.hasText("kind", "calm")) {
+        readKeys(table, wind.gusts);
+        if (wind.gusts.intensity > 0.0 && !table.has("seed"))
+            wind.gusts.seed = seed;
+    }
     WindClock clock;
     readKeys(table, clock);
     std::string date;

@@ -19,10 +19,12 @@ class WindWriter {
 public:
     WindWriter(std::ostream& output, const ForestDescription& forest) : _output(output), _forest(forest) {}
 
-    /// Writes the field, the clock and the adjustment.
+    /// Writes the field, the gusts, the clock and the adjustment.
     std::string write(const Wind& wind) {
         const WindFiles* const files = filesOf(wind);
-        std::string problem = files ? writeFiles(*files) : writeField(*wind.field);
+        std::string problem = files ? writeFiles(*files) : writeField(*wind.field, wind.gusts);
+        if (!areKeysEqual(wind.gusts, WindGusts()))
+            keepFirst(problem, keys(wind.gusts));
         const WindClock defaults;
         if (wind.clock.start != defaults.start || wind.clock.scale != defaults.scale)
             keepFirst(problem, keys(wind.clock));
@@ -37,13 +39,16 @@ public:
     }
 
 private:
-    std::string writeField(const WindField& field) {
-        if (const auto* uniform = dynamic_cast<const UniformWind*>(&field))
-            return writeUniform(uniform->velocity());
-        if (const auto* gusts = dynamic_cast<const GustWind*>(&field)) {
-            kind("gusts");
-            key("velocity", tomlText(gusts->parameters().mean));
-            return keys(gusts->parameters()) + profile(gusts->parameters().profile);
+    std::string writeField(const WindField& field, const WindGusts& gusts) {
+        if (const auto* uniform = dynamic_cast<const UniformWind*>(&field)) {
+            kind(gusts.intensity > 0.0 || uniform->profile() ? "gusts" : "uniform");
+            key("velocity", tomlText(uniform->velocity()));
+            if (uniform->profile() && areKeysEqual(gusts, WindGusts()))
+                key("intensity", tomlText(0.0));
+            for (const float speed : {uniform->velocity().x, uniform->velocity().y, uniform->velocity().z})
+                if (!windSpeeds.contains(static_cast<double>(speed)))
+                    return "velocity: expected a finite number " + windSpeeds.text();
+            return profile(uniform->profile());
         }
         if (const auto* grid = dynamic_cast<const GridWind*>(&field))
             return kind("grid"), keys(grid->grid());
@@ -51,19 +56,10 @@ private:
             return kind("forest_wind"), keys(thesis->array());
         if (const auto* record = dynamic_cast<const TimeSeriesWind*>(&field))
             return kind("series"), keys(record->series()) + profile(record->series().profile);
-        return "this wind cannot be written to a file: expected a uniform one, gusts, a grid, a series or "
-               "one "
-               "from a file, not a callable or streamed one";
+        return "this wind cannot be written to a file: expected a uniform one, a grid, a series or one from "
+               "a "
+               "file, not a callable or streamed one";
     }
-    std::string writeUniform(const glm::vec3& velocity) {
-        kind("uniform");
-        key("velocity", tomlText(velocity));
-        for (const float speed : {velocity.x, velocity.y, velocity.z})
-            if (!windSpeeds.contains(static_cast<double>(speed)))
-                return "velocity: expected a finite number " + windSpeeds.text();
-        return {};
-    }
-
     template <typename T>
     void key(const char* name, const T& text) {
         _output << name << " = " << text << '\n';

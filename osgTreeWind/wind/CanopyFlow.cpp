@@ -20,26 +20,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float maxSpeedAbove = 1e4f; // m/s
-
-} // namespace
-
-/// The horizontal part of a wind. NaN and more than 10 km/s count as calm; a calm points east.
-struct CanopyFlow::HorizontalWind {
-    float speed = 0.0f;
-    glm::vec3 along{1.0f, 0.0f, 0.0f};
-
-    HorizontalWind() = default;
-    explicit HorizontalWind(const glm::vec3& wind) : speed(std::sqrt(wind.x * wind.x + wind.y * wind.y)) {
-        if (!(speed <= maxSpeedAbove))
-            speed = 0.0f;
-        if (speed > 1e-6f)
-            along = glm::vec3(wind.x / speed, wind.y / speed, 0.0f);
-    }
-};
-
-namespace {
-
 /// Gusts travel at 1.8 U(h) (Raupach, Finnigan and Brunet 1996); those 1.8 h long take h / U(h) to pass.
 constexpr float gustSpeedRatio = 1.8f;
 /// Down to 1/17 of the largest gusts: a quarter of the tree height along the wind.
@@ -56,18 +36,6 @@ WindPlace raisedTo(const WindPlace& place, float height) {
     raised.position.z += height - place.height;
     raised.height = height;
     return raised;
-}
-
-/// Horizontal mean over an hour.
-glm::vec3 hourlyMean(const WindField& wind, float reference) {
-    constexpr int samples = 60;
-    glm::vec3 sum(0.0f);
-    for (int i = 0; i < samples; ++i) {
-        const glm::vec3 velocity = wind.velocity(WindPlace(0.0f, 0.0f, reference), 60.0 * i);
-        if (glm::length(glm::vec2(velocity)) <= maxSpeedAbove)
-            sum += glm::vec3(velocity.x, velocity.y, 0.0f);
-    }
-    return sum / static_cast<float>(samples);
 }
 
 /// Slow gusts over the mean wind, at twice the height of the canopy.

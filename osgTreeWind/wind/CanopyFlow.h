@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/HorizontalWind.h>
 #include <osgTreeWind/wind/PlaceInStand.h>
 #include <osgTreeWind/wind/SlowGusts.h>
 #include <osgTreeWind/wind/WindLayer.h>
@@ -36,7 +37,6 @@ public:
     const glm::vec3& meanWind() const { return _meanWind; }
 
 private:
-    struct HorizontalWind;
     float topSpeedOf(const HorizontalWind& wind) const;
     CanopySample standUpwindOf(const glm::vec3& place, const HorizontalWind& wind) const;
     PlaceInStand placeInStand(const WindPlace& place, const HorizontalWind& wind) const;

@@ -70,11 +70,17 @@ void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
     }
 }
 
+/// Of all points and times, metres.
+double lowestLayer(const GridWind::Grid& grid) {
+    return grid.heights.empty()
+               ? grid.origin.z
+               : static_cast<double>(*std::min_element(grid.heights.begin(), grid.heights.end()));
+}
+
 void checkRoughness(const GridWind::Grid& grid, Diagnostics& problems) {
     if (grid.roughness == 0.0)
         return;
-    const double lowest =
-        grid.heights.empty() ? grid.origin.z : *std::min_element(grid.heights.begin(), grid.heights.end());
+    const double lowest = lowestLayer(grid);
     if (!grid.aboveGround)
         problems.push_back(keyProblem("roughness", "expected heights above the ground, which it needs"));
     else if (!LogProfile{lowest, grid.roughness}.valid())
@@ -232,6 +238,13 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
         return problems;
     return WindFieldPtr(
         std::make_shared<ThesisWind>(ThesisWind::Array{width, length, std::move(values), origin}));
+}
+
+std::optional<LogProfile> GridWind::profile() const {
+    if (!(_grid.roughness > 0.0))
+        return {};
+    const bool isAtTen = _grid.points.z > 1 && _grid.roughness < 10.0;
+    return LogProfile{isAtTen ? 10.0 : lowestLayer(_grid), _grid.roughness};
 }
 
 glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {

@@ -59,6 +59,8 @@ public:
 
     const Grid& grid() const { return _grid; } ///< The grid as given.
 
+    /// With a roughness: of the only layer, or else at 10 m.
+    std::optional<LogProfile> profile() const override;
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 

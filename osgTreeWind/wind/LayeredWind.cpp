@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/LayeredWind.h>
 
+#include <osgTreeWind/wind/GustyWind.h>
 #include <osgTreeWind/wind/SourceGrid.h>
 #include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/wind/WindLayer.h>
@@ -207,11 +208,18 @@ LayeredWind::LayeredWind(std::shared_ptr<const Wind> wind, const glm::dmat4& for
     const auto inForest = [&](const WindFieldPtr& field) -> WindFieldPtr {
         return frame.isIdentity || !field ? field : std::make_shared<FieldInForest>(frame, field);
     };
-    const WindFieldPtr steady = wind->field ? wind->field->withoutGusts() : nullptr;
-    const WindFieldPtr field = adjusted(wind->field), mean = steady ? adjusted(steady) : field;
-    _top = inForest(field);
-    if (canopy && field) {
-        _canopy = std::make_shared<CanopyFlow>(_top, steady ? inForest(mean) : _top, std::move(canopy), seed);
+    const WindFieldPtr mean = adjusted(wind->field), meanInForest = inForest(mean);
+    const auto gusty = [&](const WindFieldPtr& below) {
+        return std::make_shared<GustyWind>(below, wind->gusts, wind->field->profile(), wind->clock);
+    };
+    if (!mean || !(wind->gusts.intensity > 0.0))
+        _top = meanInForest;
+    else if (wind->frame == WindFrame::Geocentric) // only the forest's frame has an axis that points upward
+        _top = gusty(meanInForest);
+    else
+        _top = inForest(gusty(mean));
+    if (canopy && mean) {
+        _canopy = std::make_shared<CanopyFlow>(_top, meanInForest, std::move(canopy), seed);
         _top = _canopy;
     }
     if (!wind->sources.empty())

@@ -41,6 +41,7 @@ public:
 
     const WindSeries& series() const { return _series; } ///< The record as given.
 
+    std::optional<LogProfile> profile() const override { return _series.profile; }
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 

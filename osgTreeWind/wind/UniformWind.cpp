@@ -3,12 +3,26 @@
 
 #include <osgTreeWind/wind/FiniteVelocity.h>
 
+#include <algorithm>
+
 namespace osgTreeWind {
 
-UniformWind::UniformWind(const glm::vec3& velocity) : _velocity(calmUnlessFinite(velocity)) {}
+UniformWind::UniformWind(const glm::vec3& velocity, const std::optional<LogProfile>& profile)
+    : _velocity(calmUnlessFinite(velocity)), _profile(profile && profile->valid() ? profile : std::nullopt) {}
 
-glm::vec3 UniformWind::velocity(const WindPlace&, double) const {
-    return _velocity;
+glm::vec3 UniformWind::velocity(const WindPlace& place, double) const {
+    return _profile
+               ? clampedVelocity(glm::dvec3(_velocity) * _profile->factor(static_cast<double>(place.height)))
+               : _velocity;
+}
+
+void UniformWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    if (!_profile) {
+        std::fill_n(out, count, _velocity);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = i > 0 && places[i].height == places[i - 1].height ? out[i - 1] : velocity(places[i], time);
 }
 
 } // namespace osgTreeWind

@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/WindAdjustment.h>
 #include <osgTreeWind/wind/WindClock.h>
 #include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/WindGusts.h>
 #include <osgTreeWind/wind/WindSource.h>
 
 #include <cstddef>
@@ -30,12 +31,14 @@ enum class WindFrame {
 ///
 ///     Wind wind(std::make_shared<UniformWind>(glm::vec3(6, 0, 0)));
 ///     wind.adjustment.turn = glm::radians(20.0f);
+///     wind.gusts.intensity = 0.2;
 ///     wind.sources.push_back(helicopter);
 ///     report(forest->setWind(wind));
 struct OSGTREEWIND_EXPORT Wind {
     WindFieldPtr field;                 ///< Null: calm.
     WindClock clock;                    ///< Maps scene time to the field's time.
     WindAdjustment adjustment;          ///< Scales and turns velocities.
+    WindGusts gusts;                    ///< Adds gusts to the field.
     WindFrame frame = WindFrame::Scene; ///< The frame of the field and of the sources.
     std::vector<WindSource> sources;    ///< Local sources, such as rotors, above and among the trees.
 
@@ -57,7 +60,7 @@ private:
 /// A wind as a single field, for a forest at the scene's zero; null if calm.
 OSGTREEWIND_EXPORT WindFieldPtr asField(const Wind& wind);
 
-/// The problems of a wind's frame; empty if valid. Adjustments and sources are only clamped.
+/// The problems of a wind's frame and gusts; empty if valid. Adjustments and sources are only clamped.
 [[nodiscard]] OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
 
 } // namespace osgTreeWind

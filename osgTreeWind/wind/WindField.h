@@ -2,12 +2,14 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
+#include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/WindPlace.h>
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace osgTreeWind {
 
@@ -40,8 +42,9 @@ public:
             out[i] = velocity(places[i], time);
     }
 
-    /// This field without its synthetic turbulence; null if it has none.
-    virtual WindFieldPtr withoutGusts() const { return nullptr; }
+    /// The profile that the field has near the ground, valid(); empty if unknown. Gusts over the field use
+    /// it.
+    virtual std::optional<LogProfile> profile() const { return {}; }
 };
 
 } // namespace osgTreeWind

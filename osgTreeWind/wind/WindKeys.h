@@ -4,7 +4,6 @@
 #include <osgTreeWind/base/Key.h>
 #include <osgTreeWind/wind/CanopySettings.h>
 #include <osgTreeWind/wind/GridWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
@@ -17,9 +16,9 @@ constexpr Range windSpeeds = within(-200, 200);
 /// Number of points along a side of a grid, and their spacing in metres.
 constexpr Range gridPoints = within(1, 100000), gridCells = above(0, 1e6);
 
-/// Keys of files for each struct. Without mean and profile, which have keys of their own.
+/// Keys of files for each struct.
 template <>
-const Keys& keysOf<GustWind::Parameters>();
+const Keys& keysOf<WindGusts>();
 template <>
 const Keys& keysOf<GridWind::Grid>();
 template <>

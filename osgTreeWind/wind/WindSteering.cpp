@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindSteering.h>
 
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindFiles.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace osgTreeWind {
 
@@ -18,37 +16,9 @@ namespace {
 
 constexpr LogProfile overShortGrass{10.0, 0.03}; // Wieringa 1993
 
-WindSteering steeringOf(const glm::vec3& mean, double gustiness) {
-    const WindReading reading = windReading(mean, DirectionSense::From);
-    WindSteering steering;
-    steering.speed = reading.speed;
-    steering.from = glm::degrees(reading.direction);
-    steering.gustiness = gustiness;
-    return steering;
-}
-
-/// The steering of a synthetic field; empty for other fields.
-std::optional<WindSteering> syntheticSteering(const WindField& field) {
-    if (const auto* uniform = dynamic_cast<const UniformWind*>(&field))
-        return steeringOf(uniform->velocity(), 0.0);
-    if (const auto* gusts = dynamic_cast<const GustWind*>(&field))
-        return steeringOf(gusts->parameters().mean, gusts->parameters().intensity);
-    return {};
-}
-
-WindFieldPtr steerSynthetic(const WindFieldPtr& like, const WindSteering& steering) {
-    if (!(steering.speed > 0.0))
-        return nullptr;
-    GustWind::Parameters gusts;
-    if (!like)
-        gusts.profile = overShortGrass;
-    else if (const auto* before = dynamic_cast<const GustWind*>(like.get()))
-        gusts = before->parameters();
-    gusts.mean = windVelocity({steering.speed, glm::radians(steering.from)}, DirectionSense::From);
-    gusts.intensity = steering.gustiness;
-    if (like && gusts.intensity == 0.0 && dynamic_cast<const UniformWind*>(like.get()))
-        return std::make_shared<UniformWind>(gusts.mean);
-    return GustWind::create(gusts).value();
+/// The uniform wind that a synthetic wind has; null for another wind and a calm.
+const UniformWind* uniformOf(const Wind& wind) {
+    return dynamic_cast<const UniformWind*>(wind.field.get());
 }
 
 } // namespace
@@ -68,23 +38,35 @@ void WindSteering::changeGustiness(double by) {
 }
 
 WindSteering steeringOf(const Wind& wind) {
-    if (!wind.field)
-        return {};
-    const bool isUnmodified = !mapOf(wind) && wind.clock.isIdentity() && wind.adjustment.isIdentity();
-    if (const auto steering = isUnmodified ? syntheticSteering(*wind.field) : std::nullopt)
-        return *steering;
     WindSteering steering;
-    steering.isSynthetic = false;
-    steering.strength = wind.adjustment.strength;
-    steering.turn = glm::degrees(static_cast<double>(wind.adjustment.turn));
+    if (!wind.field)
+        return steering;
+    steering.gustiness = wind.gusts.intensity;
+    const UniformWind* const uniform = uniformOf(wind);
+    steering.isSynthetic = uniform && !mapOf(wind) && wind.clock.isIdentity() && wind.adjustment.isIdentity();
+    if (steering.isSynthetic) {
+        const WindReading reading = windReading(uniform->velocity(), DirectionSense::From);
+        steering.speed = reading.speed;
+        steering.from = glm::degrees(reading.direction);
+    } else {
+        steering.strength = wind.adjustment.strength;
+        steering.turn = glm::degrees(static_cast<double>(wind.adjustment.turn));
+    }
     return steering;
 }
 
 Wind steered(Wind like, const WindSteering& steering) {
-    if (steering.isSynthetic)
-        like.field = steerSynthetic(like.field, steering);
-    else
+    like.gusts.intensity = steering.gustiness;
+    if (!steering.isSynthetic) {
         like.adjustment = {steering.strength, static_cast<float>(glm::radians(steering.turn))};
+    } else if (steering.speed > 0.0) {
+        const UniformWind* const before = uniformOf(like);
+        like.field = std::make_shared<UniformWind>(
+            windVelocity({steering.speed, glm::radians(steering.from)}, DirectionSense::From),
+            before ? before->profile() : overShortGrass);
+    } else {
+        like.field = nullptr;
+    }
     return like;
 }
 

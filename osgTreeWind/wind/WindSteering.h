@@ -7,8 +7,9 @@ namespace osgTreeWind {
 
 /// Interactive control of a wind: its speed, direction and gustiness.
 ///
-/// Gusts, uniform winds and calms are synthetic, and take any speed and direction. All other winds (measured,
-/// computed or the host's) can only be scaled and turned (WindAdjustment).
+/// Uniform winds and calms are synthetic, and take any speed and direction. All other winds (measured,
+/// computed or the host's) can only be scaled and turned (WindAdjustment). Any wind can have gusts
+/// (Wind::gusts).
 struct WindSteering {
     static constexpr double maxSpeed = 60.0, maxStrength = 10.0;
 
@@ -22,7 +23,6 @@ struct WindSteering {
     /// Adds to the speed of a synthetic wind; adds 0.1 to the strength of another wind for each m/s.
     void strengthen(double metresPerSecond);
     void turnClockwise(double degrees);
-    /// Has no effect on a wind that is not synthetic.
     void changeGustiness(double by);
 };
 

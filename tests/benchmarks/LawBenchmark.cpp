@@ -15,7 +15,6 @@
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LayeredWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -90,10 +89,14 @@ void leaves(benchmark::State& state, std::optional<float> noiseExponent) {
     });
 }
 
-WindFieldPtr gusts() {
-    GustWind::Parameters parameters;
-    parameters.profile = LogProfile{10.0, 0.5};
-    return GustWind::create(parameters).value();
+Wind gusty(WindFieldPtr field) {
+    Wind wind(std::move(field));
+    wind.gusts.intensity = 0.2;
+    return wind;
+}
+
+Wind gusts() {
+    return gusty(std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f), LogProfile{10.0, 0.5}));
 }
 
 /// 64 x 64 points, 20 m apart. @param layers upward. @param times 1 or more, a minute apart.
@@ -277,7 +280,8 @@ BENCHMARK_CAPTURE(modalStep, avx512, InstructionSet::Avx512);
 BENCHMARK(wood)->Args({100000, 0})->Args({100000, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(woodAmongSources)->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(sample, uniform, std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f)));
-BENCHMARK_CAPTURE(sample, gusts, gusts());
+BENCHMARK_CAPTURE(sample, gusts, asField(gusts()));
+BENCHMARK_CAPTURE(sample, gustsOverAGrid, asField(gusty(GridWind::create(someGrid(1, 1)).value())));
 BENCHMARK_CAPTURE(sample, gustsInAWood, gustsInAWood());
 BENCHMARK_CAPTURE(sample, grid, GridWind::create(someGrid(1, 1)).value());
 BENCHMARK_CAPTURE(sample, gridOf8Layers, GridWind::create(someGrid(8, 1)).value());

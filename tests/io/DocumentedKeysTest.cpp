@@ -206,7 +206,7 @@ void addRows(std::vector<std::string>& rows, const std::string& table) {
 /// Updates the manual if the environment variable OSGTREEWIND_WRITE_MANUAL is set.
 TEST(DocumentedKeys, ManualMatchesTheFields) {
     std::vector<std::string> rows;
-    addRows<GustWind::Parameters>(rows, "wind");
+    addRows<WindGusts>(rows, "wind");
     addRows<WindClock>(rows, "wind");
     addRows<WindAdjustment>(rows, "wind");
     addRows<WindSource>(rows, "wind.source");

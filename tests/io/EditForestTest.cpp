@@ -4,7 +4,7 @@
 
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
 
@@ -111,12 +111,13 @@ TEST_F(EditForestTest, insertsSourcesAfterTheWind) {
 }
 
 TEST_F(EditForestTest, replacesTheSectionForAnotherKindOfWind) {
-    now.wind = GustWind::create({}).value();
+    now.wind = std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f));
+    now.wind.gusts.intensity = 0.2;
     const std::string text = edit();
     for (const char* kept :
          {"# Wäldchen am Fluß\n", "# see the calendar", "# Our trees\n", "# beside this", "# all"})
         EXPECT_TRUE(hasPart(text, kept)) << kept << " in\n" << text;
-    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(again().wind.field));
+    EXPECT_EQ(again().wind.gusts.intensity, 0.2);
     EXPECT_LT(text.find("gusts"), text.find("# Our trees"));
 }
 

@@ -49,6 +49,8 @@ public:
             forest.wind.clock = {number(within(-1e12, 1e12)), number(within(-1e6, 1e6))};
         if (forest.wind.field && maybe(0.3))
             fill(forest.wind.adjustment);
+        if (forest.wind.field && maybe())
+            fill(forest.wind.gusts);
         if (maybe(0.3)) {
             std::vector<WindSource> sources(static_cast<std::size_t>(whole(1, 3)));
             for (WindSource& source : sources)
@@ -66,8 +68,8 @@ public:
         if (maybe())
             text += "noise = \"1/f\"\nnoise_exponent = " + decimal(noiseExponents) + '\n';
         text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 199)) +
-                "\nunit = \"kn\"\ndirection_from = " + decimal(within(-360, 360)) + '\n' +
-                keys<GustWind::Parameters>() + keys<WindClock>();
+                "\nunit = \"kn\"\ndirection_from = " + decimal(within(-360, 360)) + '\n' + keys<WindGusts>() +
+                keys<WindClock>();
         text.replace(text.find("\"kn\""), 4, maybe() ? "\"km/h\"" : "\"m/s\"");
         for (const char* name : {"ash", "Bush"}) {
             text += std::string("[[species]]\nname = \"") + name + "\"\nshapes = 2\n[species.appearance]\n" +
@@ -258,13 +260,8 @@ private:
             return nullptr;
         case 1:
             return std::make_shared<UniformWind>(velocity());
-        case 2: {
-            GustWind::Parameters gusts;
-            fill(gusts);
-            gusts.mean = 0.7f * velocity() * glm::vec3(1, 1, 0);
-            gusts.profile = profile();
-            return GustWind::create(gusts).value();
-        }
+        case 2:
+            return std::make_shared<UniformWind>(velocity(), profile());
         case 3: {
             GridWind::Grid grid;
             grid.points = {whole(1, 3), whole(1, 3), whole(1, 2)};

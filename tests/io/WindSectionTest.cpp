@@ -219,12 +219,13 @@ TEST(WindSection, FilesWithKeysOfOtherKindsNeedAKind) {
 TEST(WindSection, GustsVaryAroundTheMean) {
     const auto forest = readWith("kind = \"gusts\"\nspeed = 36\nunit = \"km/h\"\ndirection_from = 270\n"
                                  "intensity = 0.1\nlength_scale = 30\n");
+    const WindFieldPtr wind = asField(forest.value().wind);
     glm::vec3 sum(0.0f);
     for (int i = 0; i < 4000; ++i)
-        sum += windOf(forest, {0, 0, 5}, 2.0 * i);
+        sum += wind->velocity({0, 0, 5}, 2.0 * i);
     EXPECT_NEAR(sum.x / 4000, 10.0f, 0.2f);
     EXPECT_NEAR(sum.y / 4000, 0.0f, 0.2f);
-    EXPECT_NE(windOf(forest, {0, 0, 5}, 0.0), windOf(forest, {0, 0, 5}, 1.0));
+    EXPECT_NE(wind->velocity({0, 0, 5}, 0.0), wind->velocity({0, 0, 5}, 1.0));
 }
 
 TEST(WindSection, GustsUseTheSeedOfTheForest) {
@@ -239,9 +240,28 @@ TEST(WindSection, GustsWithAProfileVanishAtTheGround) {
     EXPECT_EQ(windOf(forest, {0, 0, 0.1f}), glm::vec3(0.0f));
 }
 
-TEST(WindSection, GustsMustBeHorizontal) {
-    EXPECT_TRUE(hasPart(firstProblem(readWith("kind = \"gusts\"\nvelocity = [10, 0, 1]\n")),
-                        "expected a horizontal wind"));
+TEST(WindSection, AnyFieldCanHaveGusts) {
+    const std::string file =
+        "kind = \"file\"\nfile = \"pair_vel.asc\"\noffset = [900, 1800, 0]\nbeyond = \"hold\"\n";
+    const std::string grid = "kind = \"grid\"\npoints = [2, 1]\ncell = [9, 9]\nvalues = [3, 0, 0, 4, 1, 0]\n";
+    const std::string keys = "intensity = 0.3\nlength_scale = 25\n";
+    for (const std::string& wind : {file, grid, record + std::string()}) {
+        const auto steady = readWith(wind), gusty = readWith(wind + keys, "seed = 5\n");
+        EXPECT_NE(windOf(steady, {1, 2, 9}, 3.0), windOf(gusty, {1, 2, 9}, 3.0)) << wind;
+        EXPECT_EQ(windOf(steady, {1, 2, 9}, 3.0), windOf(readWith(wind + "intensity = 0\n"), {1, 2, 9}, 3.0));
+        std::ostringstream text;
+        ASSERT_TRUE(writeForest(gusty.value(), text).empty());
+        std::istringstream again(text.str());
+        const auto back = readForest(again, {"f.treewind", "."});
+        EXPECT_EQ(windOf(back, {1, 2, 9}, 3.0), windOf(gusty, {1, 2, 9}, 3.0)) << text.str();
+        EXPECT_EQ(back.value().wind.gusts.lengthScale, 25.0);
+        EXPECT_EQ(back.value().wind.gusts.seed, 5u) << "that of the forest";
+    }
+    EXPECT_TRUE(hasPart(firstProblem(readWith(grid + "intensity = -0.1\n")),
+                        "f.treewind:9:13: wind.intensity: expected a finite number in [0, 1], found -0.1"));
+    EXPECT_TRUE(hasPart(firstProblem(readWith(file + "intensity = 1.5\n")), "wind.intensity: expected"));
+    EXPECT_TRUE(hasPart(firstProblem(readWith(file + "length_scale = 0\n")), "wind.length_scale: expected"));
+    EXPECT_TRUE(hasPart(firstProblem(readWith("kind = \"calm\"\nintensity = 0.2\n")), "wind.intensity"));
 }
 
 } // namespace osgTreeWind

@@ -62,6 +62,7 @@ struct Differences {
     }
     void wind(const Wind& a, const Wind& b) {
         field(a.field, b.field);
+        fields("wind.gusts", a.gusts, b.gusts);
         fields("wind.clock", a.clock, b.clock);
         fields("wind.adjustment", a.adjustment, b.adjustment);
         compare("wind.source", a.sources.size(), b.sources.size());
@@ -75,10 +76,7 @@ struct Differences {
             return compare("wind", a, b);
         if (const UniformWind * x, *y; areBoth(a, b, x, y)) {
             compare("wind.velocity", x->velocity(), y->velocity());
-        } else if (const GustWind * x, *y; areBoth(a, b, x, y)) {
-            compare("wind.velocity", x->parameters().mean, y->parameters().mean);
-            fields("wind", x->parameters(), y->parameters());
-            optionalFields("wind", x->parameters().profile, y->parameters().profile);
+            optionalFields("wind", x->profile(), y->profile());
         } else if (const GridWind * x, *y; areBoth(a, b, x, y)) {
             fields("wind", x->grid(), y->grid());
         } else if (const ThesisWind * x, *y; areBoth(a, b, x, y)) {

@@ -6,7 +6,7 @@
 #include <osgTreeWind/io/TiledForest.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 #include <tests/Folders.h>
 
 #include <gtest/gtest.h>
@@ -92,11 +92,11 @@ void expectEverything(const ForestDescription& forest) {
     EXPECT_EQ(sources[5].time, 8.0);
     EXPECT_EQ(forest.wind.clock.start, 30.0);
     EXPECT_EQ(forest.wind.clock.scale, 1.5);
-    const auto gusts = std::dynamic_pointer_cast<const GustWind>(forest.wind.field);
-    ASSERT_TRUE(gusts);
-    EXPECT_EQ(gusts->parameters().intensity, 0.25);
-    EXPECT_EQ(gusts->parameters().seed, 5u);
-    EXPECT_NEAR(glm::length(gusts->parameters().mean), 9.0f, 1e-5f);
+    const auto mean = std::dynamic_pointer_cast<const UniformWind>(forest.wind.field);
+    ASSERT_TRUE(mean);
+    EXPECT_EQ(forest.wind.gusts.intensity, 0.25);
+    EXPECT_EQ(forest.wind.gusts.seed, 5u);
+    EXPECT_NEAR(glm::length(mean->velocity()), 9.0f, 1e-5f);
 }
 
 const TreePlacement& treeNamed(const ForestDescription& forest, std::string_view name) {

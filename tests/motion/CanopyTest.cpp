@@ -4,7 +4,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
 
@@ -33,10 +33,8 @@ ForestDescription stand(CanopySource source, double reach = 100.0) {
         for (double y = -reach; y <= reach; y += 4.0)
             if (x != 0.0 || y != 0.0)
                 forest.trees.push_back(spruceAt(x, y));
-    GustWind::Parameters gusts;
-    gusts.mean = {12.0f, 0.0f, 0.0f};
-    gusts.profile = LogProfile{20.0, 0.05};
-    forest.wind = GustWind::create(gusts).value();
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(12.0f, 0.0f, 0.0f), LogProfile{20.0, 0.05});
+    forest.wind.gusts.intensity = 0.2;
     forest.canopy.source = source;
     return forest;
 }

@@ -5,8 +5,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
 
@@ -154,10 +154,9 @@ TEST(ForestSimulation, WindDependsOnTheHeightAboveTheFootOfATree) {
     series.times = {0.0};
     series.velocities = {{6.0f, 2.0f, 0.0f}};
     series.profile = LogProfile{10.0, 0.1};
-    GustWind::Parameters gusts;
-    gusts.profile = series.profile;
-    for (const WindFieldPtr& wind : {WindFieldPtr(TimeSeriesWind::create(series).value()),
-                                     WindFieldPtr(GustWind::create(gusts).value())}) {
+    Wind gusts(std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f), series.profile));
+    gusts.gusts.intensity = 0.2;
+    for (const Wind& wind : {Wind(TimeSeriesWind::create(series).value()), gusts}) {
         ForestDescription forest = oneTree(MotionLaw::ThesisSmooth);
         forest.wind = wind;
         forest.trees.resize(3);

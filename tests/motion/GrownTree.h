@@ -6,7 +6,8 @@
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/species/GrowthLaws.h>
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <string>
 #include <utility>
@@ -70,10 +71,9 @@ inline JointTree::Point tipPoint(const GrownTree& tree, const JointTree& joints,
 
 /// A gusty wind along x with this mean speed at all heights and an intensity of 0.25 at 10 m.
 inline WindFieldPtr gustsOf(float speed) {
-    GustWind::Parameters parameters;
-    parameters.mean = {speed, 0.0f, 0.0f};
-    parameters.intensity = 0.25;
-    return GustWind::create(parameters).value();
+    Wind wind(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)));
+    wind.gusts.intensity = 0.25;
+    return asField(wind);
 }
 
 } // namespace osgTreeWind

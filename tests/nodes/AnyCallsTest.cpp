@@ -94,7 +94,7 @@ public:
             {"species/Season.h", {&C::setSeason}},
             {"wind/UniformWind.h", {&C::setUniformWind}},
             {"wind/FunctionWind.h", {&C::setFunctionWind}},
-            {"wind/GustWind.h", {&C::setGusts}},
+            {"wind/WindGusts.h", {&C::setGusts}},
             {"wind/LogProfile.h", {&C::setGusts, &C::setSeries}},
             {"wind/ThesisWind.h", {&C::setThesisGrid}},
             {"wind/GridWind.h", {&C::setGrid, &C::setThesisGrid}},
@@ -505,14 +505,9 @@ private:
         return {any.oneIn(2) ? 10.0 : any.number<double>(), any.oneIn(2) ? 0.1 : any.number<double>()};
     }
     void setGusts() {
-        GustWind::Parameters parameters;
-        any.corrupt(parameters);
-        if (any.oneIn(3))
-            parameters.mean[static_cast<int>(any.below(3))] = any.number<float>();
-        if (any.oneIn(3))
-            parameters.profile = profile();
-        if (const auto wind = GustWind::create(parameters); expect(wind))
-            blow(wind.value());
+        Wind wind(std::make_shared<UniformWind>(any.vector<float>(), profile()));
+        any.corrupt(wind.gusts);
+        blow(wind);
     }
     GridWind::Grid grid() {
         GridWind::Grid all;

@@ -8,7 +8,6 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 
 #include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
@@ -54,8 +53,6 @@ protected:
 
     Wind randomWind() {
         const glm::vec3 mean(uniform(-20.0, 20.0), uniform(-20.0, 20.0), 0.0);
-        GustWind::Parameters gusts;
-        gusts.mean = mean;
         WindSource source;
         source.kind = static_cast<WindSource::Kind>(randomBelow(5));
         source.position = {uniform(-5.0, 15.0), uniform(-5.0, 15.0), uniform(0.0, 20.0)};
@@ -65,7 +62,9 @@ protected:
         case 0:
             return wind;
         case 1:
-            return GustWind::create(gusts).value();
+            wind = std::make_shared<UniformWind>(mean);
+            wind.gusts.intensity = 0.2;
+            return wind;
         case 2:
             wind = std::make_shared<UniformWind>(mean);
             wind.sources = {source};

@@ -36,6 +36,7 @@ TEST(Info, ReferenceTreeHasTheCountsOfTheThesis) {
     }
     EXPECT_EQ(info["motion"]["law"], "thesis");
     EXPECT_NEAR(info["wind"]["velocityAtOrigin10m"][0], 4.0, 1e-6);
+    EXPECT_EQ(info["wind"]["intensity"], 0.0);
 }
 
 TEST(Info, TotalsAreTheSumsOfTheSpecies) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/wind/Winds.h>
 
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -85,11 +84,15 @@ TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     }
 }
 
+Wind gusty(const glm::vec3& mean, const std::optional<LogProfile>& profile = {}) {
+    Wind wind(std::make_shared<UniformWind>(mean, profile));
+    wind.gusts.intensity = 0.2;
+    return wind;
+}
+
 /// Gusts of this mean speed in the stand.
 LayeredWind gustsOf(float speed, std::uint32_t seed = 1) {
-    GustWind::Parameters gusts;
-    gusts.mean = {speed, 0.0f, 0.0f};
-    return inStand(GustWind::create(gusts).value(), *stand(), height, seed);
+    return inStand(gusty({speed, 0.0f, 0.0f}), *stand(), height, seed);
 }
 
 // Strains of trees in five minutes vary by 0.25 to 0.32 of their mean from one block to the next; without
@@ -227,12 +230,8 @@ TEST(CanopyFlow, InvalidOrExcessiveWindIsCalm) {
 }
 
 TEST(CanopyFlow, WhatItKeepsOfAPlaceChangesNoWind) {
-    GustWind::Parameters gusts;
-    gusts.mean = {-10.0f, 0.0f, 0.0f};
-    const WindFieldPtr open = GustWind::create(gusts).value();
-    gusts.mean = {6.0f, 7.0f, 0.0f};
-    const LayeredWind winds[] = {inStand(open, *edge(), 60.0f, 1),
-                                 inStand(GustWind::create(gusts).value(), *edge(), 60.0f, 1), windOf(10.0f)};
+    const LayeredWind winds[] = {inStand(gusty({-10.0f, 0.0f, 0.0f}), *edge(), 60.0f, 1),
+                                 inStand(gusty({6.0f, 7.0f, 0.0f}), *edge(), 60.0f, 1), windOf(10.0f)};
     PlaceInStand kept;
     for (int i = 0; i < 300; ++i) { // places, winds and times in turn
         WindPlace place(2.0f * static_cast<float>(i / 9) - 60.0f, 3.0f, i % 2 == 0 ? 12.0f : 25.0f);
@@ -246,9 +245,8 @@ TEST(CanopyFlow, WhatItKeepsOfAPlaceChangesNoWind) {
 }
 
 TEST(CanopyFlow, KeepsWhatItKnowsWhileTheDirectionStays) {
-    GustWind::Parameters gusts;
-    gusts.mean = {2.0f, 3.5f, 0.0f}; // within the first CanopySpeedStep
-    const LayeredWind wind = inStand(GustWind::create(gusts).value(), *stand(), height, 1);
+    // within the first CanopySpeedStep
+    const LayeredWind wind = inStand(gusty({2.0f, 3.5f, 0.0f}), *stand(), height, 1);
     PlaceInStand kept;
     WindPlace place(3.0f, 4.0f, 12.0f);
     place.stand = &kept;
@@ -262,11 +260,9 @@ TEST(CanopyFlow, KeepsWhatItKnowsWhileTheDirectionStays) {
 }
 
 TEST(CanopyFlow, BlendsSmoothlyFromOpenCountryIntoTheStand) {
-    GustWind::Parameters gusts;
-    gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east, toward the edge
-    gusts.profile = LogProfile{10.0, 0.05};
-    const WindFieldPtr open = GustWind::create(gusts).value();
-    const LayeredWind wind = inStand(open, *edge(), 60.0f, 1);
+    const Wind given = gusty({-10.0f, 0.0f, 0.0f}, LogProfile{10.0, 0.05}); // from the east, toward the edge
+    const WindFieldPtr open = asField(given);
+    const LayeredWind wind = inStand(given, *edge(), 60.0f, 1);
     const WindPlace at(30.0f, 0.0f, 12.0f);
     EXPECT_EQ(wind.velocity(at, 9.0), open->velocity(at, 9.0));
     EXPECT_LT(glm::length(wind.velocity(WindPlace(-200.0f, 0.0f, 2.0f), 9.0)),

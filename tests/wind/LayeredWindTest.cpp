@@ -4,7 +4,6 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFiles.h>
 
@@ -34,10 +33,9 @@ glm::dmat4 turned(double angle, const glm::dvec3& about = {0, 0, 1}) {
 }
 
 WindFieldPtr gusts() {
-    GustWind::Parameters parameters;
-    parameters.mean = {7.0f, 2.0f, 0.0f};
-    parameters.profile = LogProfile{10.0, 0.1};
-    return GustWind::create(parameters).value();
+    Wind wind(std::make_shared<UniformWind>(glm::vec3(7.0f, 2.0f, 0.0f), LogProfile{10.0, 0.1}));
+    wind.gusts.intensity = 0.2;
+    return asField(wind);
 }
 
 TEST(LayeredWind, IdentityTransformChangesNothing) {

@@ -2,7 +2,6 @@
 #include <tests/wind/Extremes.h>
 #include <tests/wind/Winds.h>
 
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>

@@ -37,10 +37,10 @@ inline LayeredWind withAdjustment(WindFieldPtr field, const WindAdjustment& adju
     return sampler(std::move(wind));
 }
 
-inline LayeredWind inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
+inline LayeredWind inStand(Wind wind, const CanopyMap& stand, float reference, std::uint32_t seed) {
     auto map = std::make_shared<CanopyMap>(stand);
     map->setReference(reference);
-    return LayeredWind(std::make_shared<const Wind>(std::move(field)), glm::dmat4(1.0), map, seed);
+    return LayeredWind(std::make_shared<const Wind>(std::move(wind)), glm::dmat4(1.0), map, seed);
 }
 
 } // namespace osgTreeWind

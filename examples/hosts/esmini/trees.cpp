@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Linked into esmini: it reads .treewind files, and its forests get the wind of the scenario.
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 
 #include <osgDB/Registry>
 
@@ -35,13 +35,9 @@ private:
 /// Sets the Wind of a scenario, with gusts around its speed. @param scene the forests are below it
 /// @param direction where it blows to, radians counterclockwise from x @param speed m/s
 void setTreeWind(osg::Node& scene, double direction, double speed) {
-    osgTreeWind::GustWind::Parameters gusts;
-    gusts.mean = {speed * std::cos(direction), speed * std::sin(direction), 0.0};
-    const auto wind = osgTreeWind::GustWind::create(gusts);
-    if (!wind) {
-        OSG_WARN << toString(wind.problems());
-        return;
-    }
-    SetWind setWind(wind.value());
+    osgTreeWind::Wind wind(std::make_shared<osgTreeWind::UniformWind>(
+        glm::vec3(speed * std::cos(direction), speed * std::sin(direction), 0.0)));
+    wind.gusts.intensity = 0.2;
+    SetWind setWind(wind);
     scene.accept(setWind);
 }

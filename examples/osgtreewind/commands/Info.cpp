@@ -135,7 +135,9 @@ Json windOf(const ForestDescription& forest) {
     const glm::vec3 above{0.0f, 0.0f, 10.0f};
     const WindFieldPtr wind = asField(forest.wind);
     const glm::vec3 velocity = wind ? wind->velocity(above, 0.0) : glm::vec3(0.0f);
-    return {{"calm", !wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
+    return {{"calm", !wind},
+            {"velocityAtOrigin10m", vectorJson(velocity)},
+            {"intensity", forest.wind.gusts.intensity}};
 }
 
 /// Bytes of vertex and index buffers (which grow with the shapes) and of state textures (which grow with the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/storm/OpenCountry.h>
 
-#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,12 @@ LogProfile openCountryProfile(double height) {
     return {height, 0.03};
 }
 
-WindFieldPtr openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed) {
-    GustWind::Parameters gusts;
-    gusts.profile = openCountryProfile(height);
-    gusts.mean = mean;
-    gusts.intensity = std::min(2.4 * 0.4 / std::log(height / gusts.profile->roughness), 1.0);
-    gusts.seed = seed;
-    return GustWind::create(gusts).value();
+Wind openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed) {
+    const LogProfile profile = openCountryProfile(height);
+    Wind wind(std::make_shared<UniformWind>(mean, profile));
+    wind.gusts.intensity = std::min(2.4 * 0.4 / std::log(height / profile.roughness), 1.0);
+    wind.gusts.seed = seed;
+    return wind;
 }
 
 } // namespace osgTreeWind

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/wind/LogProfile.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <glm/vec3.hpp>
 
@@ -15,6 +15,6 @@ LogProfile openCountryProfile(double height);
 
 /// Gusty wind over short grass. The standard deviation along the wind is 2.4 u* (Panofsky and Dutton 1984).
 /// @param height metres, at least 0.1. @param mean mean wind at that height, horizontal, m/s, at most 200.
-WindFieldPtr openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed);
+Wind openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed);
 
 } // namespace osgTreeWind

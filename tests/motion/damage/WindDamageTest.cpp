@@ -5,7 +5,6 @@
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/wind/FunctionWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -237,9 +236,8 @@ TEST(WindDamage, ASeasonDoesNotRaiseFallenTrees) {
 
 TEST(WindDamage, EveryTreeInAHurricaneStandsOrIsReportedOnce) {
     ForestDescription description = spruces(300, 0.0f);
-    GustWind::Parameters gusts;
-    gusts.mean = {25.0f, 0.0f, 0.0f};
-    description.wind = GustWind::create(gusts).value();
+    description.wind = std::make_shared<UniformWind>(glm::vec3(25.0f, 0.0f, 0.0f));
+    description.wind.gusts.intensity = 0.2;
     ForestSimulation forest(description);
     std::map<TreeId, int> told;
     for (const TreeDamage& damage : damageBetween(forest, 0.0, 60.0))

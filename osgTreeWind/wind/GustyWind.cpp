@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/GustyWind.h>
+
+#include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/HorizontalWind.h>
+#include <osgTreeWind/wind/WindKeys.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Deviations of the velocity along the wind, across it and upward over that along (IEC 61400-1, Kaimal).
+constexpr glm::vec3 deviations(1.0f, 0.8f, 0.5f);
+
+/// The terrain where the wind has this intensity: 1 / ln(z / z0) (EN 1991-1-4). Above 0 for any intensity.
+LogProfile terrainOf(double intensity) {
+    return {10.0, 10.0 * std::exp(-1.0 / std::max(intensity, 0.01))};
+}
+
+/// Height below which the intensity is constant: 1, 2, 5 and 10 m for a roughness of 0.01, 0.05, 0.3 and 1 m
+/// (EN 1991-1-4).
+double lowestHeight(const LogProfile& terrain) {
+    return std::min(std::max(10.0 * std::sqrt(terrain.roughness), 2.0 * terrain.roughness), terrain.height);
+}
+
+} // namespace
+
+GustyWind::GustyWind(WindFieldPtr mean, const WindGusts& given, const std::optional<LogProfile>& profile,
+                     const WindClock& clock)
+    : _mean(std::move(mean)), _clock(clock), _intensity(static_cast<float>(clampedKeys(given).intensity)),
+      _terrain(profile.value_or(terrainOf(clampedKeys(given).intensity))),
+      _lowestFactor(_terrain.factor(lowestHeight(_terrain))),
+      _travel(hourlyMean(*_mean, static_cast<float>(_terrain.height))),
+      _noise(given.seed, clampedKeys(given).lengthScale, HorizontalWind(_travel).along,
+             static_cast<double>(_intensity * glm::length(deviations))) {}
+
+void GustyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    _mean->sample(places, count, time, out);
+    const GustNoise::Advected noise =
+        _noise.advected(_travel * clampedTime(_clock.at(_clock.origin, time), 1e12));
+    for (std::size_t first = 0; first < count; first += GustNoise::blockSize) {
+        const std::size_t size = std::min(count - first, GustNoise::blockSize);
+        NoisePoint turbulence[GustNoise::blockSize];
+        noise.sample(places + first, size, turbulence);
+        float intensity = 0.0f;
+        glm::vec3 given(0.0f);
+        HorizontalWind mean(given);
+        for (std::size_t n = 0; n < size; ++n) {
+            const float height = places[first + n].height;
+            if (n == 0 || height != places[first + n - 1].height)
+                intensity =
+                    _intensity /
+                    static_cast<float>(std::max(_terrain.factor(static_cast<double>(height)), _lowestFactor));
+            glm::vec3& wind = out[first + n];
+            if (wind != given) {
+                given = wind;
+                mean = HorizontalWind(given);
+            }
+            const float* u = turbulence[n].values;
+            const glm::vec3 left(-mean.along.y, mean.along.x, 0.0f), up(0.0f, 0.0f, 1.0f);
+            wind +=
+                intensity * mean.speed *
+                (deviations.x * u[0] * mean.along + deviations.y * u[1] * left + deviations.z * u[2] * up);
+        }
+    }
+}
+
+} // namespace osgTreeWind

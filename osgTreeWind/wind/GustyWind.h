@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/LogProfile.h>
+#include <osgTreeWind/wind/WindClock.h>
+#include <osgTreeWind/wind/WindGusts.h>
+#include <osgTreeWind/wind/WindLayer.h>
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+
+namespace osgTreeWind {
+
+/// Adds gusts to a mean wind.
+class GustyWind final : public WindLayer {
+public:
+    /// @param mean not null. @param gusts values out of range are clamped. @param profile that of the mean;
+    /// if empty, the roughness of the ground is that which makes the intensity at 10 m.
+    /// @param clock for the time of the gusts; the mean wind has its own.
+    GustyWind(WindFieldPtr mean, const WindGusts& gusts, const std::optional<LogProfile>& profile,
+              const WindClock& clock);
+
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+
+private:
+    WindFieldPtr _mean;
+    WindClock _clock;
+    float _intensity;
+    LogProfile _terrain;  ///< Its factor divides the intensity.
+    double _lowestFactor; ///< Limits it near the ground.
+    glm::dvec3 _travel;   ///< Velocity with which the gusts travel, m/s.
+    GustNoise _noise;
+};
+
+} // namespace osgTreeWind
