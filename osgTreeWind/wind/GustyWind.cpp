@@ -33,17 +33,21 @@ double lowestHeight(const LogProfile& terrain) {
 
 GustyWind::GustyWind(WindFieldPtr mean, const WindGusts& given, const std::optional<LogProfile>& profile,
                      const WindClock& clock)
-    : _mean(std::move(mean)), _clock(clock), _intensity(static_cast<float>(clampedKeys(given).intensity)),
-      _terrain(profile.value_or(terrainOf(clampedKeys(given).intensity))),
-      _lowestFactor(_terrain.factor(lowestHeight(_terrain))),
-      _travel(hourlyMean(*_mean, static_cast<float>(_terrain.height))),
-      _noise(given.seed, clampedKeys(given).lengthScale, HorizontalWind(_travel).along,
-             static_cast<double>(_intensity * glm::length(deviations))) {}
+    : _mean(std::move(mean)), _clock(clock) {
+    const WindGusts gusts = clampedKeys(given);
+    const LogProfile terrain = profile.value_or(terrainOf(gusts.intensity));
+    _roughness = terrain.roughness;
+    _lowest = lowestHeight(terrain);
+    _timesLog = gusts.intensity * std::log(terrain.height / terrain.roughness);
+    _travel = hourlyMean(*_mean, static_cast<float>(terrain.height));
+    _noise.emplace(gusts.seed, gusts.lengthScale, HorizontalWind(_travel).along,
+                   gusts.intensity * static_cast<double>(glm::length(deviations)));
+}
 
 void GustyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     _mean->sample(places, count, time, out);
     const GustNoise::Advected noise =
-        _noise.advected(_travel * clampedTime(_clock.at(_clock.origin, time), 1e12));
+        _noise->advected(_travel * clampedTime(_clock.at(_clock.origin, time), 1e12));
     for (std::size_t first = 0; first < count; first += GustNoise::blockSize) {
         const std::size_t size = std::min(count - first, GustNoise::blockSize);
         NoisePoint turbulence[GustNoise::blockSize];
@@ -54,9 +58,8 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
         for (std::size_t n = 0; n < size; ++n) {
             const float height = places[first + n].height;
             if (n == 0 || height != places[first + n - 1].height)
-                intensity =
-                    _intensity /
-                    static_cast<float>(std::max(_terrain.factor(static_cast<double>(height)), _lowestFactor));
+                intensity = static_cast<float>(
+                    _timesLog / std::log(std::max(_lowest, static_cast<double>(height)) / _roughness));
             glm::vec3& wind = out[first + n];
             if (wind != given) {
                 given = wind;

@@ -27,11 +27,11 @@ public:
 private:
     WindFieldPtr _mean;
     WindClock _clock;
-    float _intensity;
-    LogProfile _terrain;  ///< Its factor divides the intensity.
-    double _lowestFactor; ///< Limits it near the ground.
-    glm::dvec3 _travel;   ///< Velocity with which the gusts travel, m/s.
-    GustNoise _noise;
+    double _roughness;               ///< Of the ground, metres.
+    double _lowest;                  ///< Height below which the intensity is constant, metres.
+    double _timesLog;                ///< Intensity times ln(height / roughness), at any height above.
+    glm::dvec3 _travel;              ///< Velocity with which the gusts travel, m/s.
+    std::optional<GustNoise> _noise; ///< Never empty.
 };
 
 } // namespace osgTreeWind

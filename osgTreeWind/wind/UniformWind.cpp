@@ -11,9 +11,9 @@ UniformWind::UniformWind(const glm::vec3& velocity, const std::optional<LogProfi
     : _velocity(calmUnlessFinite(velocity)), _profile(profile && profile->valid() ? profile : std::nullopt) {}
 
 glm::vec3 UniformWind::velocity(const WindPlace& place, double) const {
-    return _profile
-               ? clampedVelocity(glm::dvec3(_velocity) * _profile->factor(static_cast<double>(place.height)))
-               : _velocity;
+    if (!_profile)
+        return _velocity;
+    return clampedVelocity(glm::dvec3(_velocity) * _profile->factor(static_cast<double>(place.height)));
 }
 
 void UniformWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {

@@ -9,12 +9,9 @@ const Keys& keysOf<WindGusts>() {
     static const Keys keys = {
         {"intensity", at<&P::intensity>, within(0, 1),
          "Strength of [gusts](#gusts): their standard deviation along the wind over the mean speed, at "
-         "`height` "
-         "or else at 10 m; without it, 0.2 for `\"gusts\"` and 0 (no gusts) for other kinds. It is 0.15 in "
-         "open "
-         "country, 0.25 in suburbs, and 0.3 and more over a forest. Across the wind, 0.8 of this value; "
-         "upward, "
-         "0.5"},
+         "`height` or else at 10 m; without it, 0.2 for `\"gusts\"` and 0 (no gusts) for other kinds. It "
+         "is 0.15 in open country, 0.25 in suburbs, and 0.3 and more over a forest. Across the wind, 0.8 "
+         "of this value; upward, 0.5"},
         {"length_scale", at<&P::lengthScale>, within(1, 1e5),
          "Integral length scale of the gusts along the wind. The largest gusts are longer", "m"},
         {"seed", at<&P::seed>, {}, "Seed of the gusts; without it, the `seed` of the file"},

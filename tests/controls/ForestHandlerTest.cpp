@@ -113,6 +113,9 @@ TEST_F(ForestHandlerTest, SteeringStartsFromTheHostsWind) {
     press(Event::KEY_Down);
     EXPECT_NEAR(asField(forest->getWind())->velocity({}, 0.0).x, 3.6f, 1e-5f);
     EXPECT_TRUE(shows("of the host, times 0.9"));
+    press(Event::KEY_Page_Up);
+    EXPECT_TRUE(shows("of the host, times 0.9, gusts 5 %"));
+    EXPECT_NE(asField(forest->getWind())->velocity({}, 0.0).x, 3.6f);
 }
 
 TEST_F(ForestHandlerTest, BracketKeysChangeTheSeason) {

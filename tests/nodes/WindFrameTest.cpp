@@ -109,12 +109,19 @@ TEST(WindFrameTest, ASceneWindUsesTheAxesOfTheRoot) {
     expectSameLeans(leansAt(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS), *turned), expected, "turned");
 }
 
-TEST(WindFrameTest, ACopyHasTheWindInTheSameFrame) {
+TEST(WindFrameTest, ACopyHasTheWindInTheSameFrameAndItsGusts) {
     const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
-    EXPECT_TRUE(forest->setWind({toward(osg::X_AXIS, false), WindFrame::Geocentric}).empty());
+    Wind wind(toward(osg::X_AXIS, false), WindFrame::Geocentric);
+    wind.gusts.intensity = 0.3;
+    EXPECT_TRUE(forest->setWind(wind).empty());
     const osg::ref_ptr<Forest> copy = new Forest(*forest);
     EXPECT_EQ(copy->getWind().frame, WindFrame::Geocentric);
-    EXPECT_EQ(copy->getSimulation().currentDescription().wind.frame, WindFrame::Geocentric);
+    const Wind now = copy->getSimulation().currentDescription().wind;
+    EXPECT_EQ(now.frame, WindFrame::Geocentric);
+    EXPECT_EQ(now.gusts.intensity, 0.3);
+    wind.gusts.intensity = 1.01;
+    EXPECT_FALSE(forest->setWind(wind).empty());
+    EXPECT_EQ(forest->getWind().gusts.intensity, 0.3) << "unchanged";
 }
 
 TEST(WindFrameTest, ACanopyDoesNotWeakenSourcesAtAnyPlace) {

@@ -122,7 +122,7 @@ TEST(WindGusts, WithoutIntensityTheFieldIsUnchanged) {
 }
 
 TEST(WindGusts, AreContinuousAcrossCells) {
-    const WindFieldPtr wind = asField(withGusts(turning(), 0.5));
+    const WindFieldPtr wind = asField(withGusts(turning()));
     for (const double time : {3.0, 5000.0, 1e6}) {
         glm::vec3 last = wind->velocity(WindPlace(-200.0f, -180.0f, 10.0f), time);
         for (float at = -200.0f; at < 200.0f; at += 0.005f) {
