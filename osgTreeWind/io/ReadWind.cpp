@@ -195,6 +195,10 @@ Wind readGrid(TableReader& table, const InputFolders& folders, const SceneMap& m
                 !table.has("roughness");
     complete &= table.read("above_ground", grid.aboveGround) || !table.has("above_ground");
     complete &= readValues(table, folders, grid.values);
+    std::vector<double> deviations;
+    complete &= table.read("deviations", deviations, keyAt(keysOf<GridWind::Grid>(), "deviations").range) ||
+                !table.has("deviations");
+    grid.deviations.assign(deviations.begin(), deviations.end());
     if (!complete)
         return nullptr;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -541,6 +545,9 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
         readKeys(table, wind.gusts);
         if (wind.gusts.intensity > 0.0 && !table.has("seed"))
             wind.gusts.seed = seed;
+        if (wind.gusts.intensity > 0.0 && wind.field && wind.field->turbulence())
+            table.note(
+                "gusts have the strength of the turbulence in the wind data, not that of wind.intensity");
     }
     WindClock clock;
     readKeys(table, clock);

@@ -184,7 +184,16 @@ private:
 
 } // namespace
 
-GridWind::GridWind(Grid grid) : _grid(std::move(grid)) {}
+GridWind::GridWind(Grid grid) : _grid(std::move(grid)) {
+    if (_grid.deviations.empty())
+        return;
+    Grid deviations = _grid;
+    deviations.roughness = 0.0; // it is nearly constant near the ground
+    for (std::size_t i = 0; i < _grid.values.size(); ++i)
+        deviations.values[i] = i % 3 == 0 ? _grid.deviations[i / 3] : 0.0f;
+    deviations.deviations.clear();
+    _turbulence.reset(new GridWind(std::move(deviations)));
+}
 
 Diagnostics GridWind::check(const Grid& grid) {
     Diagnostics problems = checkTimes(grid.times);
@@ -207,6 +216,13 @@ Diagnostics GridWind::check(const Grid& grid) {
     if (!grid.times.empty())
         shape += " x " + std::to_string(steps) + " times";
     checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
+    const std::vector<float>& deviations = grid.deviations;
+    if (!deviations.empty() && 3 * deviations.size() != grid.values.size())
+        problems.push_back(keyProblem("deviations", "expected one number for each point and time, found " +
+                                                        std::to_string(deviations.size())));
+    if (!std::all_of(deviations.begin(), deviations.end(),
+                     [](float each) { return each >= 0.0f && std::isfinite(each); }))
+        problems.push_back(keyProblem("deviations", "expected finite m/s of at least 0"));
     if (problems.empty() && !grid.heights.empty())
         checkHeights(grid, problems);
     if (problems.empty())

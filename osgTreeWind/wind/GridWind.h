@@ -40,6 +40,9 @@ public:
         double roughness = 0.0;
         /// Velocities u, v, w (m/s toward east, north, up) of each point: x fastest, then y, z and time.
         std::vector<float> values;
+        /// Standard deviation of the turbulence along the wind at each point, m/s, in the order of `values`;
+        /// empty if unknown.
+        std::vector<float> deviations;
     };
 
     /// Checks the grid and returns the wind, or diagnostics with the member's name as key.
@@ -61,6 +64,7 @@ public:
 
     /// With a roughness: of the only layer, or else at 10 m.
     std::optional<LogProfile> profile() const override;
+    WindFieldPtr turbulence() const override { return _turbulence; }
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
@@ -68,6 +72,7 @@ private:
     explicit GridWind(Grid grid);
 
     Grid _grid;
+    WindFieldPtr _turbulence; ///< A grid with the deviations as the first component.
 };
 
 } // namespace osgTreeWind

@@ -31,16 +31,17 @@ double lowestHeight(const LogProfile& terrain) {
 
 } // namespace
 
-GustyWind::GustyWind(WindFieldPtr mean, const WindGusts& given, const std::optional<LogProfile>& profile,
-                     const WindClock& clock)
-    : _mean(std::move(mean)), _clock(clock) {
+GustyWind::GustyWind(WindFieldPtr mean, WindFieldPtr turbulence, const WindGusts& given,
+                     const std::optional<LogProfile>& profile, const WindClock& clock)
+    : _mean(std::move(mean)), _turbulence(std::move(turbulence)), _clock(clock) {
     const WindGusts gusts = clampedKeys(given);
     const LogProfile terrain = profile.value_or(terrainOf(gusts.intensity));
     _roughness = terrain.roughness;
     _lowest = lowestHeight(terrain);
     _timesLog = gusts.intensity * std::log(terrain.height / terrain.roughness);
     _travel = hourlyMean(*_mean, static_cast<float>(terrain.height));
-    _noise.emplace(gusts.seed, gusts.lengthScale, HorizontalWind(_travel).along,
+    _along = HorizontalWind(_travel).along;
+    _noise.emplace(gusts.seed, gusts.lengthScale, _along,
                    gusts.intensity * static_cast<double>(glm::length(deviations)));
 }
 
@@ -50,8 +51,11 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
         _noise->advected(_travel * clampedTime(_clock.at(_clock.origin, time), 1e12));
     for (std::size_t first = 0; first < count; first += GustNoise::blockSize) {
         const std::size_t size = std::min(count - first, GustNoise::blockSize);
-        NoisePoint turbulence[GustNoise::blockSize];
-        noise.sample(places + first, size, turbulence);
+        NoisePoint noises[GustNoise::blockSize];
+        noise.sample(places + first, size, noises);
+        glm::vec3 known[GustNoise::blockSize];
+        if (_turbulence)
+            _turbulence->sample(places + first, size, time, known);
         float intensity = 0.0f;
         glm::vec3 given(0.0f);
         HorizontalWind mean(given);
@@ -65,11 +69,12 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
                 given = wind;
                 mean = HorizontalWind(given);
             }
-            const float* u = turbulence[n].values;
-            const glm::vec3 left(-mean.along.y, mean.along.x, 0.0f), up(0.0f, 0.0f, 1.0f);
-            wind +=
-                intensity * mean.speed *
-                (deviations.x * u[0] * mean.along + deviations.y * u[1] * left + deviations.z * u[2] * up);
+            const float deviation = _turbulence ? glm::length(known[n]) : intensity * mean.speed;
+            const glm::vec3& along = _turbulence ? _along : mean.along;
+            const float* u = noises[n].values;
+            const glm::vec3 left(-along.y, along.x, 0.0f), up(0.0f, 0.0f, 1.0f);
+            wind += deviation *
+                    (deviations.x * u[0] * along + deviations.y * u[1] * left + deviations.z * u[2] * up);
         }
     }
 }

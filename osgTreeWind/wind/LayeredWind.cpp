@@ -209,15 +209,16 @@ LayeredWind::LayeredWind(std::shared_ptr<const Wind> wind, const glm::dmat4& for
         return frame.isIdentity || !field ? field : std::make_shared<FieldInForest>(frame, field);
     };
     const WindFieldPtr mean = adjusted(wind->field), meanInForest = inForest(mean);
-    const auto gusty = [&](const WindFieldPtr& below) {
-        return std::make_shared<GustyWind>(below, wind->gusts, wind->field->profile(), wind->clock);
+    const auto gusty = [&](const WindFieldPtr& below, const WindFieldPtr& turbulence) {
+        return std::make_shared<GustyWind>(below, turbulence, wind->gusts, wind->field->profile(),
+                                           wind->clock);
     };
     if (!mean || !(wind->gusts.intensity > 0.0))
         _top = meanInForest;
     else if (wind->frame == WindFrame::Geocentric) // only the forest's frame has an axis that points upward
-        _top = gusty(meanInForest);
+        _top = gusty(meanInForest, inForest(adjusted(wind->field->turbulence())));
     else
-        _top = inForest(gusty(mean));
+        _top = inForest(gusty(mean, adjusted(wind->field->turbulence())));
     if (canopy && mean) {
         _canopy = std::make_shared<CanopyFlow>(_top, meanInForest, std::move(canopy), seed);
         _top = _canopy;

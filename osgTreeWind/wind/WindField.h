@@ -45,6 +45,10 @@ public:
     /// The profile that the field has near the ground, valid(); empty if unknown. Gusts over the field use
     /// it.
     virtual std::optional<LogProfile> profile() const { return {}; }
+
+    /// A field whose speed is the standard deviation of the turbulence of this field along its mean, m/s;
+    /// null if unknown. Gusts over the field use it.
+    virtual WindFieldPtr turbulence() const { return nullptr; }
 };
 
 } // namespace osgTreeWind

@@ -13,10 +13,11 @@ namespace osgTreeWind {
 /// 61400-1, Kaimal). The intensity falls with the height above the ground as the inverse of the logarithmic
 /// profile (EN 1991-1-4).
 ///
-/// Strength and direction of the gusts follow the mean wind at each place. All gusts travel with one
-/// velocity, as a box of turbulence does (Taylor's hypothesis; TurbSim, Jonkman 2009), and change on their
-/// way (Simley and Pao 2015). It is the mean of the wind's first hour at (0, 0), at the height of the field's
-/// profile, or else at 10 m.
+/// Strength and direction of the gusts follow the mean wind at each place. Where the field knows its
+/// turbulence (WindField::turbulence()), it sets their strength, and their direction is that in which they
+/// travel. All gusts travel with one velocity, as a box of turbulence does (Taylor's hypothesis; TurbSim,
+/// Jonkman 2009), and change on their way (Simley and Pao 2015). It is the mean of the wind's first hour at
+/// (0, 0), at the height of the field's profile, or else at 10 m.
 ///
 ///     Wind wind(std::make_shared<UniformWind>(windVelocity({8.0, glm::radians(240.0)},
 ///     DirectionSense::From),

@@ -32,6 +32,8 @@ const Keys& keysOf<GridWind::Grid>() {
         {"above_ground", at<&P::aboveGround>, {}, "Whether heights count from the ground below each place"},
         {"roughness", at<&P::roughness>, within(0, 100), "Roughness length of the ground", "m"},
         {"values", at<&P::values>, windSpeeds, "Velocity components u, v, w of each point", "m/s"},
+        {"deviations", at<&P::deviations>, within(0, 200),
+         "Standard deviation of the turbulence along the wind at each point", "m/s"},
     };
     return keys;
 }

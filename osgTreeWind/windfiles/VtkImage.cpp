@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -25,6 +26,10 @@ double VtkImage::vectorCount() const {
     return n.x * n.y * n.z;
 }
 
+bool isTurbulentEnergy(std::string_view name) {
+    return name == "k" || name == "tke" || name == "TKE";
+}
+
 WindContent windFromVtk(VtkImage&& image, const std::string& format) {
     GridWind::Grid grid;
     grid.points = image.vectorCounts();
@@ -39,6 +44,10 @@ WindContent windFromVtk(VtkImage&& image, const std::string& format) {
         else if (i > 0)
             grid.heights.push_back(0.5f * (image.levels[i - 1] + image.levels[i]));
     grid.values = std::move(image.values);
+    // half the sum of the squares of the deviations, which are 1, 0.8 and 0.5 (IEC 61400-1, Kaimal)
+    constexpr float energyOfUnit = 0.5f * (1.0f + 0.8f * 0.8f + 0.5f * 0.5f);
+    for (const float energy : image.energy)
+        grid.deviations.push_back(energy > 0.0f ? std::sqrt(energy / energyOfUnit) : 0.0f);
     if (image.time)
         grid.times = {*image.time};
     WindContent content;

@@ -22,6 +22,7 @@ struct VtkImage {
     bool ofCells = false;        ///< Vectors belong to cells, one fewer than points along each axis.
     std::string name;            ///< Name of the array of vectors.
     std::vector<float> values;   ///< Three for each point or cell.
+    std::vector<float> energy;   ///< Turbulent kinetic energy at each, m^2/s^2; empty if the file has none.
     std::optional<double> time;  ///< Seconds, if the file contains a time.
 
     /// Number of vectors along each axis.
@@ -31,6 +32,9 @@ struct VtkImage {
     /// Number of vectors; a double, so that a product of sizes does not overflow.
     double vectorCount() const;
 };
+
+/// Whether an array with this name is the turbulent kinetic energy: k, as in OpenFOAM, or TKE.
+bool isTurbulentEnergy(std::string_view name);
 
 /// Converts an image to wind.
 WindContent windFromVtk(VtkImage&& image, const std::string& format);

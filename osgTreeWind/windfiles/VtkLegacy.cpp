@@ -157,6 +157,7 @@ private:
         if (const std::string problem = _image.normalizeSpacing(); !problem.empty())
             return _tokens.fail(problem);
         _image.ofCells = ofCells;
+        _image.energy.clear();
         expectCount("a number of points", 0.0, _image.vectorCount());
         _isCountRead = true;
     }
@@ -247,8 +248,14 @@ private:
         _isWindRead = _tokens.good();
     }
 
+    void readEnergy(const std::string& type) {
+        std::vector<float> energy;
+        readArray(type, _image.vectorCount(), energy);
+        _image.energy = std::move(energy);
+    }
+
     void readScalars() {
-        _tokens.next(); // name
+        const bool isEnergy = isTurbulentEnergy(_tokens.next());
         const std::string type = upper(_tokens.next());
         TextTokens ahead = _tokens;
         const auto components = parseNumber(ahead.next());
@@ -256,7 +263,11 @@ private:
             _tokens.next();
         expect("LOOKUP_TABLE");
         _tokens.next(); // name
-        skipArray(type, components.value_or(1.0) * _image.vectorCount());
+        const double numbers = components.value_or(1.0) * _image.vectorCount();
+        if (isEnergy && isReal(type) && numbers == _image.vectorCount())
+            readEnergy(type);
+        else
+            skipArray(type, numbers);
     }
 
     void readColours(bool table) {
@@ -287,6 +298,9 @@ private:
                     _tokens.fail("expected a TimeValue within 1e15 s, found " + numberText(time.front()));
                 if (_tokens.good())
                     _image.time = time.front();
+            } else if (isTurbulentEnergy(name) && _isCountRead && numbers == _image.vectorCount() &&
+                       isReal(type)) {
+                readEnergy(type);
             } else {
                 skipArray(type, numbers);
             }

@@ -153,12 +153,23 @@ private:
         if (!array)
             return fail(_piece, "PointData", "expected a DataArray of 3 components");
         _image.name = array.attribute("Name").as_string("without a name");
+        for (pugi::xml_node each : array.parent().children("DataArray"))
+            if (isTurbulentEnergy(each.attribute("Name").value()) &&
+                each.attribute("NumberOfComponents").as_string("1") == std::string("1") &&
+                !readArray(each, 1.0, _image.energy))
+                return false;
+        return readArray(array, 3.0, _image.values);
+    }
+
+    /// @param components of each point or cell.
+    bool readArray(pugi::xml_node array, double components, std::vector<float>& values) {
+        const double count = components * _image.vectorCount();
         bool wide = false;
         if (!readFlag(array, "type", "Float32", "Float64", wide))
             return false;
         const std::string format = array.attribute("format").as_string("ascii");
         if (format == "ascii")
-            return readText(array);
+            return readText(array, count, values);
         if (format != "binary" && format != "appended")
             return fail(array, "format", expectedFound("ascii, binary or appended", format));
         const std::string_view packed = format == "binary" ? array.child_value() : appendedAt(array);
@@ -166,11 +177,10 @@ private:
             return fail(array, format == "binary" ? "DataArray" : "offset",
                         "expected data there, found none");
         _packing.base64 = format == "binary" || !_appendedRaw;
-        const Result<std::string> bytes =
-            unpackVtk(packed, _packing, 3.0 * _image.vectorCount() * (wide ? 8 : 4));
+        const Result<std::string> bytes = unpackVtk(packed, _packing, count * (wide ? 8 : 4));
         if (!bytes)
-            return fail(array, _image.name, bytes.problems().front().message);
-        _image.values = numbersOf<float>(bytes.value(), wide, _packing.order);
+            return fail(array, array.attribute("Name").value(), bytes.problems().front().message);
+        values = numbersOf<float>(bytes.value(), wide, _packing.order);
         return true;
     }
 
@@ -181,21 +191,21 @@ private:
         return _appended.substr(static_cast<std::size_t>(*offset));
     }
 
-    bool readText(pugi::xml_node array) {
+    bool readText(pugi::xml_node array, double count, std::vector<float>& values) {
         const std::string_view text = array.child_value();
-        const double count = 3.0 * _image.vectorCount();
         if (2.0 * count - 1.0 > static_cast<double>(text.size()))
-            return fail(array, _image.name, "the data end before " + numberText(count) + " numbers");
+            return fail(array, array.attribute("Name").value(),
+                        "the data end before " + numberText(count) + " numbers");
         TextTokens tokens(text, {});
-        _image.values.reserve(static_cast<std::size_t>(count));
+        values.reserve(static_cast<std::size_t>(count));
         for (double i = 0; i < count && tokens.good(); ++i)
-            _image.values.push_back(static_cast<float>(tokens.number("a number", -1e30, 1e30)));
+            values.push_back(static_cast<float>(tokens.number("a number", -1e30, 1e30)));
         if (tokens.good())
             if (const std::string_view extra = tokens.next(); !extra.empty())
                 tokens.fail(expectedFound("the end after " + numberText(count) + " numbers", extra));
         return tokens.good() ||
                fail(array.first_child().offset_debug() + static_cast<std::ptrdiff_t>(tokens.offset()),
-                    _image.name, tokens.problem().message);
+                    array.attribute("Name").value(), tokens.problem().message);
     }
 
     std::string_view _bytes, _appended;

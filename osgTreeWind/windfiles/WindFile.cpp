@@ -74,6 +74,11 @@ Diagnostics convertVelocities(WindContent& content, const std::string& defaultUn
                                           ofAll + " is faster")};
         std::copy(&velocity.x, &velocity.x + 3, values);
     }
+    if (grid)
+        for (float& deviation : grid->deviations)
+            if (!((deviation *= static_cast<float>(unit.value())) <= static_cast<float>(maxMeasuredSpeed)))
+                return {fileProblem(path, "expected turbulence of at most 200 m/s, found " +
+                                              numberText(static_cast<double>(deviation)))};
     if (content.missingCount == count)
         return {fileProblem(path, "has no data at any" + ofAll + " places and times")};
     return {};

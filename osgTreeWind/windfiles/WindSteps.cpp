@@ -46,6 +46,7 @@ std::string difference(const WindContent& first, const WindContent& step, const 
         {"coordinates", first.summary.coordinates, step.summary.coordinates},
         {"unit of speed", first.summary.unit, step.summary.unit},
         {"zero of heights", heightDatum(a), heightDatum(b)},
+        {"turbulence", a.deviations.empty() ? "" : "known", b.deviations.empty() ? "" : "known"},
     };
     for (const auto& [name, expected, found] : properties) {
         if (expected == found)
@@ -81,6 +82,7 @@ bool append(GridWind::Grid& grid, GridWind::Grid& step) {
     } else if (grid.heights.size() > points)
         grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
     grid.values.insert(grid.values.end(), step.values.begin(), step.values.end());
+    grid.deviations.insert(grid.deviations.end(), step.deviations.begin(), step.deviations.end());
     return true;
 }
 

@@ -278,6 +278,8 @@ private:
             if (grid.aboveGround && !grid.heights.empty() && maybe(0.5))
                 grid.roughness = 0.05;
             grid.values = speeds(3 * points * std::max(1, steps));
+            for (std::size_t i = 0; i < grid.values.size() / 3 && grid.points.x > 1; ++i)
+                grid.deviations.push_back(std::abs(grid.values[3 * i]));
             return GridWind::create(grid).value();
         }
         case 4:

@@ -257,6 +257,14 @@ TEST(WindSection, AnyFieldCanHaveGusts) {
         EXPECT_EQ(back.value().wind.gusts.lengthScale, 25.0);
         EXPECT_EQ(back.value().wind.gusts.seed, 5u) << "that of the forest";
     }
+    const auto known = readWith(grid + keys + "deviations = [1, 2]\n");
+    ASSERT_TRUE(known) << firstProblem(known);
+    EXPECT_NE(windOf(known, {1, 2, 9}, 3.0), windOf(readWith(grid + keys), {1, 2, 9}, 3.0));
+    ASSERT_FALSE(known.value().notes.empty());
+    EXPECT_TRUE(hasPart(known.value().notes.back(), "gusts have the strength of the turbulence"));
+    EXPECT_TRUE(hasPart(firstProblem(readWith(grid + "deviations = [1]\n")),
+                        "wind.deviations: expected one number for each point and time, found 1"));
+    EXPECT_TRUE(hasPart(firstProblem(readWith(grid + "deviations = [1, -1]\n")), "wind.deviations: "));
     EXPECT_TRUE(hasPart(firstProblem(readWith(grid + "intensity = -0.1\n")),
                         "f.treewind:9:13: wind.intensity: expected a finite number in [0, 1], found -0.1"));
     EXPECT_TRUE(hasPart(firstProblem(readWith(file + "intensity = 1.5\n")), "wind.intensity: expected"));

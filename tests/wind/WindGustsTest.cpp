@@ -165,6 +165,38 @@ TEST(WindGusts, HaveTheLengthScaleAndTravelWithTheMeanWind) {
     EXPECT_LT(upwind / squares, 0.4);
 }
 
+/// The direction of gusts is then that of the mean at (0, 0).
+TEST(WindGusts, HaveTheTurbulenceOfTheField) {
+    GridWind::Grid grid = turningGrid();
+    for (int i = 0; i < 16; ++i)
+        grid.deviations.push_back(0.5f * static_cast<float>(1 + i / 4)); // northward
+    std::fill_n(grid.values.begin(), 12, 0.0f);                          // calm in the south
+    Wind wind = withGusts(GridWind::create(grid).value());
+    wind.adjustment.strength = 2.0;
+    const glm::dvec3 travel(wind.field->velocity(WindPlace(0.0f, 0.0f, 10.0f), 0.0));
+    for (const float y : {-150.0f, 0.0f, 150.0f}) {
+        const double expected = 2.0 * 0.5 * (1.0 + (static_cast<double>(y) + 150.0) / 100.0);
+        double along = 0.0, across = 0.0, up = 0.0, count = 0.0;
+        for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+            wind.gusts.seed = seed;
+            const WindFieldPtr gusty = asField(wind);
+            for (int i = 0; i < 250; ++i, ++count) {
+                const WindPlace place(40.0f, y, 10.0f);
+                const glm::dvec3 u(gusty->velocity(place, 29.0 * i) -
+                                   2.0f * wind.field->velocity(place, 0.0));
+                along += std::pow((u.x * travel.x + u.y * travel.y) / std::hypot(travel.x, travel.y), 2.0);
+                across += std::pow((u.x * travel.y - u.y * travel.x) / std::hypot(travel.x, travel.y), 2.0);
+                up += u.z * u.z;
+            }
+        }
+        EXPECT_NEAR(std::sqrt(along / count) / expected, 1.0, 0.1) << y;
+        EXPECT_NEAR(std::sqrt(across / count) / expected, 0.8, 0.08) << y;
+        EXPECT_NEAR(std::sqrt(up / count) / expected, 0.5, 0.05) << y;
+    }
+    wind.gusts.intensity = 0.0;
+    EXPECT_EQ(asField(wind)->velocity({1, 2, 3}, 4.0), 2.0f * wind.field->velocity({1, 2, 3}, 4.0));
+}
+
 TEST(WindGusts, FollowClockAndAdjustment) {
     const auto field = turning();
     const WindPlace place(40.0f, -30.0f, 12.0f);

@@ -136,4 +136,35 @@ TEST(WindFormats, VtkMayHaveUnevenLevelsAndAxesOfOnePoint) {
         << firstProblem(none);
 }
 
+/// Half of the sum of the variances, which are 1, 0.8^2 and 0.5^2 of that along the wind.
+TEST(WindFormats, VtkMayContainTurbulentKineticEnergy) {
+    const std::vector<float> expected = {0.0f, 2.0f};
+    const auto expectEnergy = [&](const Result<WindContent>& read) {
+        ASSERT_TRUE(read) << firstProblem(read);
+        const auto& grid = std::get<GridWind::Grid>(read.value().data);
+        ASSERT_EQ(grid.deviations.size(), 2u);
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(grid.deviations[i], expected[i], 1e-5f);
+        EXPECT_EQ(grid.values, (std::vector<float>{1, 0, 0, 2, 0, 0}));
+    };
+    const std::string legacy = "# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\n"
+                               "DIMENSIONS 2 1 1\nORIGIN 0 0 3\nSPACING 10 1 1\nPOINT_DATA 2\n";
+    expectEnergy(
+        readVtkLegacy(legacy + "FIELD attributes 2\nk 1 2 float\n0 3.78\nU 3 2 float\n1 0 0 2 0 0\n", "f"));
+    expectEnergy(readVtkLegacy(
+        legacy + "SCALARS TKE double 1\nLOOKUP_TABLE default\nnan 3.78\nVECTORS U float\n1 0 0 2 0 0\n",
+        "f"));
+    const auto xml = [](const std::string& energy) {
+        return readVtkXml(
+            "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 0 0 0\"><Piece Extent=\"0 1 0 0 "
+            "0 0\"><PointData><DataArray type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\">1 0 0 2 0 "
+            "0</DataArray><DataArray type=\"Float32\" Name=\"k\">" +
+                energy + "</DataArray></PointData></Piece></ImageData></VTKFile>",
+            "f");
+    };
+    expectEnergy(xml("0 3.78"));
+    EXPECT_NE(firstProblem(xml("3.78")).find("k: expected a number, found nothing"), std::string::npos)
+        << firstProblem(xml("3.78"));
+}
+
 } // namespace osgTreeWind
