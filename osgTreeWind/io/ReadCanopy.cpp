@@ -4,7 +4,6 @@
 #include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadKeys.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFiles.h>
@@ -24,8 +23,7 @@ bool isOpenWind(const Wind& wind) {
     if (const WindFiles* files = filesOf(wind))
         return !files->mayIncludeTrees;
     const WindField* field = wind.field.get();
-    return dynamic_cast<const UniformWind*>(field) || dynamic_cast<const GustWind*>(field) ||
-           dynamic_cast<const TimeSeriesWind*>(field);
+    return dynamic_cast<const UniformWind*>(field) || dynamic_cast<const TimeSeriesWind*>(field);
 }
 
 /// shareInClosedWood() of a world in tiles. Its summary tells the crowns in each cell, which are taken to

@@ -25,7 +25,7 @@ namespace {
 using namespace osgTreeWind;
 
 /// Simulated mean winds 10 m above open country, m/s: few trees fall in the first, few stand in the last.
-constexpr double stormSpeeds[] = {12.0, 20.0, 34.0};
+constexpr double stormSpeeds[] = {12.0, 15.5, 20.0, 26.0, 34.0};
 
 struct RiskOptions {
     std::string file, output, picture;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/storm/ForestStorm.h>
 
+#include <examples/osgtreewind/storm/StormTree.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/wind/LogProfile.h>
 
 #include <gtest/gtest.h>
@@ -71,6 +73,35 @@ TEST(ForestStorm, GivesTheWindAtTheTopOfTrees) {
     const std::vector<float> winds = ForestStorm(forest, toEast, runInTurn).topWinds();
     EXPECT_NEAR(winds[alone], LogProfile({10.0, 0.03}).factor(20.0), 0.01);
     EXPECT_LT(winds[leeward], winds[alone]);
+}
+
+/// The largest moment of an hour, in the mean of some hours, by the two ways to compute it: 8 trees with four
+/// modes in a forest, and one tree with all its modes in a stand without end.
+TEST(ForestStorm, AgreesWithOneTreeInAStand) {
+    constexpr double spacing = 2.8, top = 10.0; // metres, m/s
+    ForestDescription stand = wood();
+    stand.trees.resize(8);
+    for (std::size_t i = 0; i < stand.trees.size(); ++i)
+        stand.trees[i].position = {60.0 * static_cast<double>(i % 2), 60.0 * static_cast<double>(i / 2), 0.0};
+    stand.canopy.source = CanopySource::Given;
+    PlacedForest forest(stand);
+    const CanopyTree crown(forest, forest.trees.front());
+    stand.canopy.height = static_cast<double>(crown.height);
+    stand.canopy.frontalArea = static_cast<double>(crown.frontalArea) / (spacing * spacing);
+    forest = PlacedForest(stand);
+    const ForestStorm storm(forest, toEast, ThreadPool::executor());
+    const double speed = top / static_cast<double>(storm.topWinds().front());
+    double inForest = 0.0, single = 0.0;
+    constexpr std::uint32_t forestHours = 1, hours = 5;
+    for (std::uint32_t seed = 1; seed <= forestHours; ++seed)
+        for (const double moment : feetOf(storm.largestLoads(speed, seed)))
+            inForest += moment / (forestHours * 8.0);
+    for (std::uint32_t seed = 1; seed <= hours; ++seed) {
+        StormTree tree(stand.species.front(), stand.trees.front(), {top, spacing, seed});
+        (void)tree.advance(60.0);
+        single += tree.largestMoment(3660.0) / hours;
+    }
+    EXPECT_NEAR(inForest / single, 1.0, 0.1);
 }
 
 } // namespace osgTreeWind
