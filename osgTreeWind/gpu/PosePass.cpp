@@ -189,7 +189,8 @@ void PosePass::fillRequest(const ModalMotion& motion, std::size_t tree, std::siz
     }
     if (request.firstTexel < 0.0f)
         return;
-    motion.poseVector(tree, request.vector);
+    const ModalMotion::PoseVector vector = motion.poseVector(tree);
+    std::copy_n(vector.begin(), model.columns(), request.vector);
     request.streamlining = foliage.streamlining;
     request.breezeStreamlining = foliage.breezeStreamlining;
     request.streamlinedTo = foliage.streamlinedTo;

@@ -61,8 +61,7 @@ std::vector<ForestStorm::Loads> ForestStorm::largestLoads(double speed, std::uin
         if (lean < 0.8f * leans[i]) // moments are largest near the largest lean
             return;
         leans[i] = std::max(leans[i], lean);
-        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-        motion.poseVector(i, vector);
+        const ModalMotion::PoseVector vector = motion.poseVector(i);
         const auto momentAt = [&](const BreakableJoint& base) {
             return static_cast<double>(static_cast<float>(base.moment(motion, i, vector)));
         };

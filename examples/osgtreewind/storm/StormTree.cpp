@@ -68,20 +68,8 @@ void StormTree::advance(double time, const std::function<void()>& stepped) {
 double StormTree::largestMoment(double time) {
     const BreakableJoint foot{0, static_cast<float>(_load.stiffness()), 0.0f};
     double largest = 0.0;
-    advance(time, [&] { largest = std::max(largest, foot.moment(_motion, 0)); });
+    advance(time, [&] { largest = std::max(largest, foot.moment(_motion, 0, _motion.poseVector(0))); });
     return largest;
-}
-
-std::vector<UnitPose> StormTree::posesOf(const std::vector<float>& vector) const {
-    const PlacedTree& tree = _forest.trees.front();
-    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
-    std::vector<glm::vec2> angles(skeleton.units.size());
-    for (std::size_t i = 0; i < angles.size(); ++i)
-        angles[i] = _motion.unitAngles(0, i, vector.data());
-    std::vector<glm::quat> rotations(angles.size());
-    std::vector<UnitPose> poses(angles.size());
-    composeModalPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
-    return poses;
 }
 
 glm::vec2 StormTree::tipOf(const std::vector<UnitPose>& poses) const {
@@ -92,9 +80,7 @@ glm::vec2 StormTree::tipOf(const std::vector<UnitPose>& poses) const {
 
 StormState StormTree::advance(double time) {
     advance(time, [] {});
-    std::vector<float> vector(_motion.model(0).columns());
-    _motion.poseVector(0, vector.data());
-    _poses.resize(vector.size());
+    const ModalMotion::PoseVector vector = _motion.poseVector(0);
     std::transform(vector.begin(), vector.end(), _poses.begin(), _poses.begin(), std::plus<double>());
     ++_states;
     const std::vector<UnitPose> poses = posesOf(vector);
@@ -112,7 +98,7 @@ StormState StormTree::advance(double time) {
 }
 
 double StormTree::weightFactor() const {
-    std::vector<float> vector(_poses.size());
+    ModalMotion::PoseVector vector;
     for (std::size_t i = 0; i < vector.size(); ++i)
         vector[i] = static_cast<float>(_poses[i] / static_cast<double>(_states));
     const float lean = glm::length(tipOf(posesOf(vector)));

@@ -4,11 +4,12 @@
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/damage/FootLoad.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/modal/ModalPoses.h>
 #include <osgTreeWind/wind/LayeredWind.h>
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -53,8 +54,9 @@ public:
 
 private:
     void advance(double time, const std::function<void()>& stepped);
-    /// Poses of the units for a ModalMotion::poseVector().
-    std::vector<UnitPose> posesOf(const std::vector<float>& vector) const;
+    std::vector<UnitPose> posesOf(const ModalMotion::PoseVector& vector) const {
+        return modalPoses(_forest, 0, _motion, vector);
+    }
     glm::vec2 tipOf(const std::vector<UnitPose>& poses) const;
 
     PlacedForest _forest;
@@ -62,8 +64,9 @@ private:
     LayeredWind _wind;
     FootLoad _load;
     double _time = 0.0;
-    double _strain = 0.0;       ///< Of the wood at the foot, per moment there, 1/(N m).
-    std::vector<double> _poses; ///< Sum of the ModalMotion::poseVector() of all states.
+    double _strain = 0.0; ///< Of the wood at the foot, per moment there, 1/(N m).
+    /// Sum of the ModalMotion::poseVector() of all states.
+    std::array<double, std::tuple_size_v<ModalMotion::PoseVector>> _poses{};
     std::size_t _states = 0;
     std::size_t _middle = 0; ///< Unit at half the height of the trunk.
 };

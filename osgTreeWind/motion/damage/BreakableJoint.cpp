@@ -9,15 +9,10 @@
 
 namespace osgTreeWind {
 
-double BreakableJoint::moment(const ModalMotion& motion, std::size_t tree, const float* vector) const {
+double BreakableJoint::moment(const ModalMotion& motion, std::size_t tree,
+                              const ModalMotion::PoseVector& vector) const {
     return static_cast<double>(stiffness) *
            static_cast<double>(glm::length(motion.unitAngles(tree, unit, vector)));
-}
-
-double BreakableJoint::moment(const ModalMotion& motion, std::size_t tree) const {
-    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-    motion.poseVector(tree, vector);
-    return moment(motion, tree, vector);
 }
 
 std::vector<BreakableJoint> thickestBoughs(const TreeForm& tree, const std::vector<UnitLoad>& loads) {

@@ -16,8 +16,7 @@ struct BreakableJoint {
 
     /// Present moment at the joint from weight, inertia and wind, K theta, N m. @param tree its number in
     /// `motion`. @param vector ModalMotion::poseVector() of the tree.
-    double moment(const ModalMotion& motion, std::size_t tree, const float* vector) const;
-    double moment(const ModalMotion& motion, std::size_t tree) const; ///< Computes the pose vector itself.
+    double moment(const ModalMotion& motion, std::size_t tree, const ModalMotion::PoseVector& vector) const;
 };
 
 /// Base joints of the 32 thickest boughs of a tree, thickest first; the limit follows from the diameter

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/damage/FootLoad.h>
 
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
+#include <osgTreeWind/motion/modal/ModalPoses.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -10,23 +11,6 @@
 #include <utility>
 
 namespace osgTreeWind {
-
-namespace {
-
-/// @param ahead seconds for which the modes move on at their present speeds.
-std::vector<UnitPose> posesOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion,
-                              float ahead) {
-    const PlacedTree& tree = forest.trees[slot];
-    const Skeleton& skeleton = forest.modelOf(tree).skeleton;
-    std::vector<glm::vec2> angles(skeleton.units.size());
-    std::vector<glm::quat> rotations(angles.size());
-    std::vector<UnitPose> poses(angles.size());
-    motion.angles(slot, angles.data(), ahead);
-    composeModalPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
-    return poses;
-}
-
-} // namespace
 
 FootLoad::FootLoad(const TreeForm& tree) : _strength(*tree.model, tree.scale, *tree.species) {
     JointTree joints = makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
@@ -58,8 +42,8 @@ TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion&
     constexpr float instant = 1e-3f; // seconds
     const PlacedTree& tree = forest.trees[slot];
     const FootLoad load(makeModalTree(forest, tree).form);
-    const std::vector<UnitPose> now = posesOf(forest, slot, motion, 0.0f),
-                                next = posesOf(forest, slot, motion, instant);
+    const std::vector<UnitPose> now = modalPoses(forest, slot, motion, motion.poseVector(slot)),
+                                next = modalPoses(forest, slot, motion, motion.poseVector(slot, instant));
     const std::vector<BranchUnit>& units = forest.modelOf(tree).skeleton.units;
     const auto isLower = [](const BranchUnit& a, const BranchUnit& b) { return a.tip.z < b.tip.z; };
     const auto highest = std::max_element(units.begin(), units.end(), isLower);

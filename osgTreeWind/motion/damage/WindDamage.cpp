@@ -68,8 +68,7 @@ void WindDamage::updateTree(PlacedForest& forest, const ModalMotion& sway, std::
     if (sway.lean(slot) == tree.lean)
         return;
     tree.lean = sway.lean(slot);
-    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-    sway.poseVector(slot, vector);
+    const ModalMotion::PoseVector vector = sway.poseVector(slot);
     const float exaggeration = std::max(forest.description().gain, 1.0e-3f);
     const auto momentAt = [&](const BreakableJoint& base) {
         return static_cast<float>(base.moment(sway, slot, vector)) / exaggeration;

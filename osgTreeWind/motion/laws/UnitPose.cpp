@@ -27,11 +27,4 @@ void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::q
     }
 }
 
-void composeModalPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
-                       glm::quat* rotations, UnitPose* poses) {
-    for (std::size_t i = 0; i < skeleton.units.size(); ++i)
-        rotations[i] = swungRotation(skeleton.units[i], scale, angles[i]);
-    composePoses(skeleton, scale, rotations, poses);
-}
-
 } // namespace osgTreeWind

@@ -22,8 +22,4 @@ void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::q
 /// Rotation of a unit from the angles about its two axes (law `modal`).
 glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles);
 
-/// Computes rotations and poses from the angles of each unit about its two axes (law `modal`).
-void composeModalPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
-                       glm::quat* rotations, UnitPose* poses);
-
 } // namespace osgTreeWind

@@ -176,8 +176,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     setWinds(tree, numbers.data() + 2 * from.modes.size(),
              archetype(tree).otherPatches(static_cast<std::size_t>(wanted)));
     if (modes < to.modes.size()) { // additional modes start in equilibrium with the present wind
-        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-        poseVector(tree, vector);
+        const PoseVector vector = poseVector(tree);
         for (std::size_t k = modes; k < to.modes.size(); ++k)
             _state.number(tree, k) = staticAmplitude(tree, k, vector);
     }
@@ -236,7 +235,8 @@ void ModalMotion::spinUp(const std::vector<std::size_t>& trees, const WindField*
     }
 }
 
-void ModalMotion::poseVector(std::size_t tree, float* vector) const {
+ModalMotion::PoseVector ModalMotion::poseVector(std::size_t tree, float ahead) const {
+    PoseVector vector{};
     const ModalGroup& group = _state.groupOf(tree);
     const ModalModel& model = group.model();
     const std::size_t modes = model.modes.size(), patches = model.patches.size();
@@ -245,7 +245,7 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     const LaneColumn<OneLane> numbers(block, lane), wind(block + 2 * modes, lane);
     ModalAir<OneLane> air(model, block, lane, _state.gain);
     for (std::size_t k = 0; k < modes; ++k)
-        vector[k] = numbers[k];
+        vector[k] = numbers[k] + ahead * numbers[modes + k];
     const LaneFactors<OneLane>& factors = air.factors();
     const float rest = // residual flexibility: gain l / stiffness
         factors.forceScale / (factors.omegaSquare * factors.sizeFactor(model.modes.front().stiffness));
@@ -255,11 +255,12 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
             vector[modes + 3 * p + c] = rest * air.brake(p) * air.relativeWind(p)[c];
     }
     if (const TreeFall* fall = this->fall(tree))
-        for (std::size_t i = 0; i < model.columns(); ++i)
-            vector[i] *= fall->sway;
+        for (float& number : vector)
+            number *= fall->sway;
+    return vector;
 }
 
-float ModalMotion::staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const {
+float ModalMotion::staticAmplitude(std::size_t tree, std::size_t mode, const PoseVector& vector) const {
     const ModalModel& model = this->model(tree);
     const std::size_t modes = model.modes.size();
     const LaneFactors<OneLane> factors = factorsOfTree(_state, tree);
@@ -289,17 +290,13 @@ void ModalMotion::patchWinds(std::size_t tree, glm::vec3* winds) const {
     }
 }
 
-void ModalMotion::angles(std::size_t tree, glm::vec2* angles, float ahead) const {
-    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-    poseVector(tree, vector);
-    const std::size_t modes = model(tree).modes.size();
-    for (std::size_t k = 0; k < modes; ++k)
-        vector[k] += ahead * _state.swayShare(tree) * _state.number(tree, modes + k);
+void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
+    const PoseVector vector = poseVector(tree);
     for (std::size_t unit = 0; unit < model(tree).joints / 2; ++unit)
         angles[unit] = unitAngles(tree, unit, vector);
 }
 
-glm::vec2 ModalMotion::unitAngles(std::size_t tree, std::size_t unit, const float* vector) const {
+glm::vec2 ModalMotion::unitAngles(std::size_t tree, std::size_t unit, const PoseVector& vector) const {
     const ModalModel& model = this->model(tree);
     const std::size_t columns = model.columns();
     const float* row = model.poses.data() + 2 * unit * columns;

@@ -7,6 +7,8 @@
 #include <osgTreeWind/motion/modal/ModalTree.h>
 #include <osgTreeWind/wind/CanopyMap.h>
 
+#include <array>
+
 namespace osgTreeWind {
 
 /// The law `modal` for a forest. Eight trees of an archetype are stepped at a time; the state of a tree is a
@@ -20,6 +22,7 @@ class ModalMotion {
 public:
     using Tree = ModalTree;
     using Level = ModalLevel;
+    using PoseVector = std::array<float, ModalDetail::maxModes + 3 * ModalDetail::maxPatches>;
     static constexpr float farStep = ModalStepJob::farStep;
 
     /// @param gain on the response to wind, [0, 100]. @param exact see ModalArchetypes.
@@ -82,13 +85,14 @@ public:
 
     /// Modal amplitudes, then forces of the air on the patches, all times TreeFall::sway. ModalModel::poses
     /// times this vector gives the joint angles.
-    /// @param vector model(tree).columns() elements.
-    void poseVector(std::size_t tree, float* vector) const;
+    /// @param ahead seconds for which the modes move on at their present speeds.
+    /// @return model(tree).columns() elements, then zeros.
+    PoseVector poseVector(std::size_t tree, float ahead = 0.0f) const;
     /// Angles of each unit about its two axes, bounded by the species' maximum, radians.
-    /// @param angles one per unit. @param ahead seconds for which the modes move on at their present speeds.
-    void angles(std::size_t tree, glm::vec2* angles, float ahead = 0.0f) const;
+    /// @param angles one per unit.
+    void angles(std::size_t tree, glm::vec2* angles) const;
     /// angles() of one unit. @param vector poseVector() of the tree.
-    glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
+    glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const PoseVector& vector) const;
     /// Last wind at each patch times TreeFall::sway, m/s, in the tree's own axes.
     /// @param winds model(tree).patches.size() elements.
     void patchWinds(std::size_t tree, glm::vec3* winds) const;
@@ -101,7 +105,7 @@ public:
     /// Natural angular frequency of a mode, with the effect of weight, rad/s.
     float omega(std::size_t tree, std::size_t mode) const;
     /// Static amplitude of a mode under the present wind. @param vector poseVector() of the tree.
-    float staticAmplitude(std::size_t tree, std::size_t mode, const float* vector) const;
+    float staticAmplitude(std::size_t tree, std::size_t mode, const PoseVector& vector) const;
 
     std::size_t archetypeCount() const { return _archetypes.size(); }
     std::size_t archetypeBytes() const { return _archetypes.bytes(); }

@@ -8,6 +8,18 @@
 
 namespace osgTreeWind {
 
+std::vector<UnitPose> modalPoses(const PlacedForest& forest, std::size_t slot, const ModalMotion& modal,
+                                 const ModalMotion::PoseVector& vector) {
+    const PlacedTree& tree = forest.trees[slot];
+    const Skeleton& skeleton = forest.modelOf(tree).skeleton;
+    std::vector<glm::quat> rotations;
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i)
+        rotations.push_back(swungRotation(skeleton.units[i], tree.scale, modal.unitAngles(slot, i, vector)));
+    std::vector<UnitPose> poses(rotations.size());
+    composePoses(skeleton, tree.scale, rotations.data(), poses.data());
+    return poses;
+}
+
 TreeMotion ModalPoses::motion(std::size_t slot, UnitValues& values) const {
     if (!modal.holds(slot))
         return {};
@@ -17,15 +29,13 @@ TreeMotion ModalPoses::motion(std::size_t slot, UnitValues& values) const {
     values.resize(units, withLeaves ? forest.leafCount(tree) : 0);
     modal.angles(slot, values.angles.data());
     modal.winds(slot, values.winds.data());
-    for (std::size_t i = 0; i < units; ++i)
+    const TreeFall* fall = modal.fall(slot);
+    for (std::size_t i = 0; i < units; ++i) {
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
-    composeModalPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(),
-                      values.poses.data());
-    if (const TreeFall* fall = modal.fall(slot)) {
-        for (std::size_t unit = 0; unit < units; ++unit)
-            values.rotations[unit] = fall->turned(unit, values.rotations[unit]);
-        composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
+        const glm::quat swung = swungRotation(skeleton.units[i], tree.scale, values.angles[i]);
+        values.rotations[i] = fall ? fall->turned(i, swung) : swung;
     }
+    composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
     if (withLeaves) {
         pull(slot, values);
         flutter(tree, values);
@@ -41,8 +51,7 @@ TreeMotion ModalPoses::motion(std::size_t slot, UnitValues& values) const {
 UnitMotion ModalPoses::unitMotion(std::size_t slot, std::size_t unit) const {
     const PlacedTree& tree = forest.trees[slot];
     const std::vector<BranchUnit>& units = forest.modelOf(tree).skeleton.units;
-    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-    modal.poseVector(slot, vector);
+    const ModalMotion::PoseVector vector = modal.poseVector(slot);
     const TreeFall* fall = modal.fall(slot);
     const auto motionOf = [&](const auto& self, std::size_t at) -> UnitMotion {
         const int parent = units[at].parent;

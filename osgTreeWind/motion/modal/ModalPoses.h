@@ -6,6 +6,10 @@
 
 namespace osgTreeWind {
 
+/// Poses of the units of a tree, all of them in place, for a ModalMotion::poseVector().
+std::vector<UnitPose> modalPoses(const PlacedForest& forest, std::size_t slot, const ModalMotion& modal,
+                                 const ModalMotion::PoseVector& vector);
+
 /// The poses of trees under the law `modal`, computed on request. Different threads may ask for different
 /// trees, as long as nothing changes the trees.
 struct ModalPoses {

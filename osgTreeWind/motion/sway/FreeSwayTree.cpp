@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/modal/ModalPoses.h>
 #include <osgTreeWind/species/ShapeCount.h>
 
 #include <glm/gtc/constants.hpp>
@@ -81,8 +82,7 @@ PlacedForest makeSingleTreeForest(const Species& species, const TreePlacement& t
 
 FreeSwayTree::FreeSwayTree(const Species& species, const TreePlacement& tree)
     : _forest(makeSingleTreeForest(species, tree)),
-      _motion({makeModalTree(_forest, _forest.trees.front())}, 1.0f, {}, true), _angles(_forest.units),
-      _rotations(_forest.units), _poses(_forest.units) {
+      _motion({makeModalTree(_forest, _forest.trees.front())}, 1.0f, {}, true) {
     const PlacedTree& placed = _forest.trees.front();
     const std::vector<BranchUnit>& units = _forest.modelOf(placed).skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -103,13 +103,10 @@ void FreeSwayTree::step(double seconds) {
 }
 
 std::vector<glm::vec3> FreeSwayTree::tipDisplacements() {
-    const PlacedTree& tree = _forest.trees.front();
-    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
-    _motion.angles(0, _angles.data());
-    composeModalPoses(skeleton, tree.scale, _angles.data(), _rotations.data(), _poses.data());
+    const std::vector<UnitPose> poses = modalPoses(_forest, 0, _motion, _motion.poseVector(0));
     std::vector<glm::vec3> shifts(_rest.size());
     for (std::size_t i = 0; i < _rest.size(); ++i)
-        shifts[i] = _poses[i].apply(_rest[i]) - _rest[i];
+        shifts[i] = poses[i].apply(_rest[i]) - _rest[i];
     return shifts;
 }
 

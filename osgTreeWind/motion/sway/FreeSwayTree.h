@@ -49,9 +49,6 @@ private:
     std::vector<glm::vec3> _rest; ///< Tips of the units at rest.
     std::size_t _top = 0;
     double _time = 0.0;
-    std::vector<glm::vec2> _angles;
-    std::vector<glm::quat> _rotations;
-    std::vector<UnitPose> _poses;
 };
 
 } // namespace osgTreeWind

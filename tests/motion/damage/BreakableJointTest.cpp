@@ -27,8 +27,7 @@ std::vector<double> largestShares(const GrownTree& tree, ModalLevel level, float
         motion.step(wind.get(), step * i, static_cast<float>(step));
         if (step * i < 60.0)
             continue;
-        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-        motion.poseVector(0, vector);
+        const ModalMotion::PoseVector vector = motion.poseVector(0);
         for (std::size_t b = 0; b < boughs.size(); ++b)
             largest[b] = std::max(largest[b],
                                   static_cast<double>(boughs[b].moment(motion, 0, vector) / boughs[b].limit));

@@ -48,7 +48,9 @@ LeanErrors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion:
         if (i < 300 || i % 16 != 0)
             continue;
         motion.angles(0, angles.data());
-        composeModalPoses(tree.model.skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+        for (std::size_t i = 0; i < angles.size(); ++i)
+            rotations[i] = swungRotation(tree.model.skeleton.units[i], tree.scale, angles[i]);
+        composePoses(tree.model.skeleton, tree.scale, rotations.data(), poses.data());
         glm::vec2 full(0.0f), leaning(0.0f);
         for (const LeafCluster& leaf : tree.model.leaves) {
             const glm::vec3 rest = tree.scale.axes * leaf.anchor;
