@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyFile.h>
+#include <examples/osgtreewind/output/NetCdfFile.h>
 
 #include <osgTreeWind/places/CrsTransform.h>
-#include <osgTreeWind/places/GridMapping.h>
 #include <osgTreeWind/species/SeasonDay.h>
-
-#include <netcdf.h>
 
 #include <algorithm>
 #include <ctime>
@@ -51,153 +49,95 @@ glm::dvec2 degreesOf(glm::dvec2 place, const std::optional<Crs>& map) {
 
 class NetCdfCanopy final : public CanopyFile {
 public:
-    ~NetCdfCanopy() override { close(); }
     NetCdfCanopy(const std::string& path, const CanopyHead& head, bool isPalm)
-        : _cells(head.grid.cells), _isPalm(isPalm) {
-        create(path);
+        : _cells(head.grid.cells), _isPalm(isPalm), _file(path, formatFor(_cells)) {
         const CanopyGrid& grid = head.grid;
         const int levels = _cells.z + isPalm; // PALM's first level is the ground
-        const std::vector<int> dimensions = {defineDimension(isPalm ? "zlad" : "z", levels),
-                                             defineDimension("y", _cells.y), defineDimension("x", _cells.x)};
-        const int z = defineVariable(isPalm ? "zlad" : "z", NC_DOUBLE, {dimensions[0]}),
-                  y = defineVariable("y", NC_DOUBLE, {dimensions[1]}),
-                  x = defineVariable("x", NC_DOUBLE, {dimensions[2]});
+        const char* const height = isPalm ? "zlad" : "z";
+        const auto dimension = [&](const char* name, int size) {
+            return _file.defineDimension(name, static_cast<std::size_t>(size));
+        };
+        const std::vector<int> dimensions = {dimension(height, levels), dimension("y", _cells.y),
+                                             dimension("x", _cells.x)};
+        const int z = _file.defineVariable(height, NC_DOUBLE, {dimensions[0]}),
+                  y = _file.defineVariable("y", NC_DOUBLE, {dimensions[1]}),
+                  x = _file.defineVariable("x", NC_DOUBLE, {dimensions[2]});
         const std::optional<Crs> map = mapOf(head);
         describeAxes(x, y, z, map && !isPalm);
-        const int crs = map ? defineMap(*map) : -1;
+        const int crs = map ? _file.defineMap(*map) : -1;
         _leaf = defineField("lad", "leaf area density", dimensions, map.has_value());
         _drag = defineField("cda", "drag area density: Cd A of a force 0.5 rho Cd A U^2, in a m3 of air",
                             dimensions, map.has_value());
         describeFile(head, map);
-        call(nc_enddef);
+        _file.endDefinitions();
         if (map)
-            write(crs, {0.0});
+            _file.write(crs, std::vector{0.0});
         const glm::dvec3 low = isPalm ? glm::dvec3(0.0) : grid.low;
-        write(x, middles(low.x, grid.cell.x, _cells.x));
-        write(y, middles(low.y, grid.cell.y, _cells.y));
+        _file.write(x, middles(low.x, grid.cell.x, _cells.x));
+        _file.write(y, middles(low.y, grid.cell.y, _cells.y));
         std::vector<double> heights = middles(grid.low.z, grid.cell.z, _cells.z);
         if (isPalm)
             heights.insert(heights.begin(), 0.0);
-        write(z, heights);
+        _file.write(z, heights);
     }
 
     bool write(const CanopyRow& row) override {
         writeRow(_leaf, row.row, row.leaf, row);
         writeRow(_drag, row.row, row.drag, row);
-        return _problem.empty();
+        return _file.problem().empty();
     }
 
-    bool close() override {
-        if (_open)
-            check(nc_close(_file));
-        _open = false;
-        return _problem.empty();
-    }
-
-    std::string problem() const override { return _problem; }
+    bool close() override { return _file.close(); }
+    std::string problem() const override { return _file.problem(); }
 
 private:
-    void create(const std::string& path) {
-        // All programs read the classic format with long offsets; its arrays are limited to 4 GiB.
-        const double bytes = sizeof(float) * static_cast<double>(_cells.x) * _cells.y * (_cells.z + 1);
-        check(
-            nc_create(path.c_str(), NC_CLOBBER | (bytes < 4.0e9 ? NC_64BIT_OFFSET : NC_64BIT_DATA), &_file));
-        _open = _problem.empty();
-        int before = 0;
-        call(nc_set_fill, NC_NOFILL, &before); // every value will be written
-    }
-
-    /// Remembers the first error.
-    void check(int status) {
-        if (status != NC_NOERR && _problem.empty())
-            _problem = nc_strerror(status);
-    }
-    /// Calls a function of the library, unless there was an error.
-    template <typename Function, typename... Arguments>
-    void call(Function function, Arguments... arguments) {
-        if (_problem.empty())
-            check(function(_file, arguments...));
-    }
-
-    int defineDimension(const char* name, int size) {
-        int id = 0;
-        call(nc_def_dim, name, static_cast<std::size_t>(size), &id);
-        return id;
-    }
-    int defineVariable(const char* name, int type, const std::vector<int>& dimensions) {
-        int id = 0;
-        call(nc_def_var, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id);
-        return id;
-    }
-    void setAttribute(int variable, const char* name, const std::string& text) {
-        call(nc_put_att_text, variable, name, text.size(), text.c_str());
-    }
-    void setAttribute(int variable, const char* name, const std::vector<double>& numbers) {
-        call(nc_put_att_double, variable, name, NC_DOUBLE, numbers.size(), numbers.data());
-    }
-    void write(int variable, const std::vector<double>& numbers) {
-        call(nc_put_var_double, variable, numbers.data());
+    /// All programs read the classic format with long offsets; its arrays are limited to 4 GiB.
+    static int formatFor(const glm::ivec3& cells) {
+        const double bytes = sizeof(float) * static_cast<double>(cells.x) * cells.y * (cells.z + 1);
+        return bytes < 4.0e9 ? NC_64BIT_OFFSET : NC_64BIT_DATA;
     }
 
     void describeAxes(int x, int y, int z, bool onMap) {
         for (const auto& [variable, axis] : {std::pair(x, "x"), std::pair(y, "y")}) {
             const std::string name = axis;
-            setAttribute(variable, "long_name",
-                         _isPalm ? "distance to origin in " + name + "-direction"
-                                 : name + " of the middle of the cell");
+            _file.setAttribute(variable, "long_name",
+                               _isPalm ? "distance to origin in " + name + "-direction"
+                                       : name + " of the middle of the cell");
             if (onMap)
-                setAttribute(variable, "standard_name", "projection_" + name + "_coordinate");
-            setAttribute(variable, "units", "m");
-            setAttribute(variable, "axis", name == "x" ? "X" : "Y");
+                _file.setAttribute(variable, "standard_name", "projection_" + name + "_coordinate");
+            _file.setAttribute(variable, "units", "m");
+            _file.setAttribute(variable, "axis", name == "x" ? "X" : "Y");
         }
-        setAttribute(z, "long_name", _isPalm ? "height above ground" : "height of the middle of the cell");
-        setAttribute(z, "units", "m");
-        setAttribute(z, "axis", "Z");
-        setAttribute(z, "positive", "up");
-    }
-
-    int defineMap(const Crs& map) {
-        const int crs = defineVariable("crs", NC_DOUBLE, {});
-        const Result<GridMapping> described = gridMappingOf(map);
-        const GridMapping mapping = described ? described.value() : GridMapping();
-        setAttribute(crs, "long_name", "coordinate reference system");
-        if (!mapping.name.empty())
-            setAttribute(crs, "grid_mapping_name", mapping.name);
-        for (const auto& [name, numbers] : mapping.numbers)
-            setAttribute(crs, name.c_str(), numbers);
-        setAttribute(crs, "crs_wkt", mapping.wkt);
-        setAttribute(crs, "units", "m");
-        if (const std::string text = map.text(); text.rfind("EPSG:", 0) == 0)
-            setAttribute(crs, "epsg_code", text);
-        return crs;
+        _file.setAttribute(z, "long_name",
+                           _isPalm ? "height above ground" : "height of the middle of the cell");
+        _file.setAttribute(z, "units", "m");
+        _file.setAttribute(z, "axis", "Z");
+        _file.setAttribute(z, "positive", "up");
     }
 
     int defineField(const char* name, const char* words, const std::vector<int>& dimensions, bool onMap) {
-        const int id = defineVariable(name, NC_FLOAT, dimensions);
+        const int id = _file.defineVariable(name, NC_FLOAT, dimensions);
         if (_isPalm)
-            call(nc_put_att_float, id, "_FillValue", NC_FLOAT, std::size_t(1), &noPlants);
-        setAttribute(id, "long_name", words);
-        setAttribute(id, "units", "m2 m-3");
+            _file.setAttribute(id, "_FillValue", noPlants);
+        _file.describe(id, words, "m2 m-3");
         if (onMap)
-            setAttribute(id, "grid_mapping", "crs");
+            _file.setAttribute(id, "grid_mapping", "crs");
         return id;
     }
 
     void describeFile(const CanopyHead& head, const std::optional<Crs>& map) {
-        constexpr int file = NC_GLOBAL;
-        setAttribute(file, "Conventions", "CF-1.7");
-        setAttribute(file, "title", "Leaf area and drag area of a forest");
-        setAttribute(file, "source", "osgtreewind " OSGTREEWIND_VERSION);
+        constexpr int file = NetCdfFile::global;
+        _file.describeFile("Leaf area and drag area of a forest");
         if (!_isPalm)
             return;
         const glm::dvec2 degrees = degreesOf(head.grid.low, map);
-        setAttribute(file, "origin_x", std::vector{head.grid.low.x});
-        setAttribute(file, "origin_y", std::vector{head.grid.low.y});
-        setAttribute(file, "origin_z", std::vector{0.0});
-        setAttribute(file, "origin_lon", std::vector{degrees.x});
-        setAttribute(file, "origin_lat", std::vector{degrees.y});
-        setAttribute(file, "origin_time", dateOf(head.season));
-        setAttribute(file, "rotation_angle", std::vector{0.0});
+        _file.setAttribute(file, "origin_x", std::vector{head.grid.low.x});
+        _file.setAttribute(file, "origin_y", std::vector{head.grid.low.y});
+        _file.setAttribute(file, "origin_z", std::vector{0.0});
+        _file.setAttribute(file, "origin_lon", std::vector{degrees.x});
+        _file.setAttribute(file, "origin_lat", std::vector{degrees.y});
+        _file.setAttribute(file, "origin_time", dateOf(head.season));
+        _file.setAttribute(file, "rotation_angle", std::vector{0.0});
     }
 
     /// Writes a row of an array. In PALM's format a column without plants has the fill value at each level.
@@ -213,16 +153,14 @@ private:
             for (std::size_t z = 0; z < levels + ground && isBare; ++z)
                 _levels[z * width + x] = noPlants;
         }
-        const std::size_t start[] = {0, static_cast<std::size_t>(row), 0},
-                          count[] = {levels + ground, 1, width};
-        call(nc_put_vara_float, variable, &start[0], &count[0], _levels.data());
+        _file.write(variable, {0, static_cast<std::size_t>(row), 0}, {levels + ground, 1, width},
+                    _levels.data());
     }
 
     glm::ivec3 _cells;
     bool _isPalm;
-    int _file = 0, _leaf = 0, _drag = 0;
-    bool _open = false;
-    std::string _problem;
+    NetCdfFile _file;
+    int _leaf = 0, _drag = 0;
     std::vector<float> _levels;
 };
 
