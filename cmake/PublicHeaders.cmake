@@ -36,6 +36,7 @@ set(public_headers
     osgTreeWind/model/TreeSize.h
     osgTreeWind/motion/ForestSimulation.h
     osgTreeWind/motion/SimulationOptions.h
+    osgTreeWind/motion/damage/BranchLoad.h
     osgTreeWind/motion/damage/TreeDamage.h
     osgTreeWind/motion/damage/TreeSway.h
     osgTreeWind/motion/laws/TreeMotion.h

@@ -438,6 +438,8 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     known.height = options.height;
     known.speedUnit = options.speedUnit;
     known.mayIncludeTrees = wind.value().summary.mayIncludeTrees;
+    if (date && read.clock.scale == 1.0)
+        known.date = *date - read.clock.start;
     known.allowsOutside = allowsOutside;
     setKnown(read, std::move(known));
     return std::move(read);

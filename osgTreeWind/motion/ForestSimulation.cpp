@@ -185,4 +185,8 @@ std::optional<TreeSway> ForestSimulation::sway(TreeId tree) const {
     return _forest->sway(tree);
 }
 
+std::vector<BranchLoad> ForestSimulation::branchLoads(TreeId tree) const {
+    return _forest->branchLoads(tree);
+}
+
 } // namespace osgTreeWind

@@ -6,6 +6,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
+#include <osgTreeWind/motion/damage/BranchLoad.h>
 #include <osgTreeWind/motion/damage/TreeSway.h>
 #include <osgTreeWind/motion/laws/TreeMotion.h>
 
@@ -129,6 +130,9 @@ public:
     /// or fallen tree and under a branchwise law. Takes some tenths of a millisecond;
     /// different threads may call it between two calls of advance().
     std::optional<TreeSway> sway(TreeId tree) const;
+    /// The present load at the base of each unit of a tree, as damage computes it; empty as sway(). A torn
+    /// bough has the load that it would have on the tree. Cost and threads as sway().
+    std::vector<BranchLoad> branchLoads(TreeId tree) const;
 
 private:
     friend class Forest;

@@ -370,4 +370,10 @@ std::optional<TreeSway> MovingForest::sway(TreeId tree) const {
     return sway;
 }
 
+std::vector<BranchLoad> MovingForest::branchLoads(TreeId tree) const {
+    if (!_modal || !isStanding(tree))
+        return {};
+    return branchLoadsOf(_placed, slotOfTree(tree), *_modal);
+}
+
 } // namespace osgTreeWind

@@ -83,6 +83,7 @@ public:
     /// One unit of motion(), for the cost of its ancestor units. @param slot must hold a tree.
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
     std::optional<TreeSway> sway(TreeId tree) const;
+    std::vector<BranchLoad> branchLoads(TreeId tree) const;
 
 private:
     std::optional<float> advanceTime(double time);

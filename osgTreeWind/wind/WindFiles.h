@@ -26,6 +26,8 @@ struct WindFiles {
     double height = 0.0;           ///< WindFileOptions::height
     std::string speedUnit = "m/s"; ///< WindFileOptions::speedUnit
     bool mayIncludeTrees = false;  ///< WindSummary::mayIncludeTrees
+    /// Date of time 0 of the field, seconds since 1970-01-01T00:00Z; empty: unknown.
+    std::optional<double> date{};
     bool allowsOutside = false; ///< Whether a forest completely outside the data gets the wind at their edge.
 };
 
@@ -37,6 +39,14 @@ inline const WindFiles* knownOf(const Wind& wind) {
 inline void setKnown(Wind& wind, WindFiles known) {
     known.field = wind.field;
     wind._known = std::make_shared<const WindFiles>(std::move(known));
+}
+
+/// Date of scene time 0, seconds since 1970-01-01T00:00Z; empty: unknown, or the wind's clock runs faster or
+/// slower than the scene's.
+inline std::optional<double> startDateOf(const Wind& wind) {
+    const WindFiles* known = knownOf(wind);
+    return known && known->date && wind.clock.scale == 1.0 ? std::optional(*known->date + wind.clock.start)
+                                                           : std::nullopt;
 }
 
 /// The files that the field was read from; null if it was not read for a forest file.

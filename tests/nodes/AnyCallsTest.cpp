@@ -76,6 +76,7 @@ public:
               &C::changeTree, &C::changeTree, &C::removeTree, &C::findTree, &C::queryTrees, &C::follow,
               &C::setExecutor, &C::setDamageCallback, &C::update, &C::update}},
             {"nodes/TreeUnit.h", {&C::findUnit}},
+            {"motion/damage/BranchLoad.h", {&C::readSway}},
             {"motion/damage/TreeSway.h", {&C::readSway}},
             {"motion/ForestSimulation.h", {&C::simulate, &C::advance}},
             {"motion/SimulationOptions.h", {&C::simulate}},
@@ -355,6 +356,8 @@ private:
             EXPECT_TRUE(std::isfinite(sway->moment() + sway->frequency + sway->limit)) << _header;
             EXPECT_TRUE(std::isfinite(glm::length(sway->displacement) + glm::length(sway->velocity)));
         }
+        for (const BranchLoad& load : _forest->getSimulation().branchLoads(tree()))
+            EXPECT_TRUE(std::isfinite(glm::length(load.moment) + load.limit + load.strain)) << _header;
     }
 
     // Simulation and ground

@@ -85,7 +85,7 @@ StormState StormTree::advance(double time) {
     ++_states;
     const std::vector<UnitPose> poses = posesOf(vector);
     StormState now;
-    now.moment = _load.moment(poses);
+    now.moment = _load.moment(_motion.unitAngles(0, 0, vector));
     now.push = now.moment - _load.weightMoment(poses);
     now.strain = now.moment * _strain;
     const glm::vec3 up(0.0f, 0.0f, 1.0f);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/motion/damage/BranchLoad.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+
+#include <glm/geometric.hpp>
 
 #include <vector>
 
@@ -16,11 +19,18 @@ struct BreakableJoint {
 
     /// Present moment at the joint from weight, inertia and wind, K theta, N m. @param tree its number in
     /// `motion`. @param vector ModalMotion::poseVector() of the tree.
-    double moment(const ModalMotion& motion, std::size_t tree, const ModalMotion::PoseVector& vector) const;
+    double moment(const ModalMotion& motion, std::size_t tree, const ModalMotion::PoseVector& vector) const {
+        return static_cast<double>(stiffness) *
+               static_cast<double>(glm::length(motion.unitAngles(tree, unit, vector)));
+    }
 };
 
 /// Base joints of the 32 thickest boughs of a tree, thickest first; the limit follows from the diameter
 /// (breakingMoment()). @param loads makeUnitLoads() of the tree.
 std::vector<BreakableJoint> thickestBoughs(const TreeForm& tree, const std::vector<UnitLoad>& loads);
+
+/// The present loads of all units of a tree.
+std::vector<BranchLoad> branchLoadsOf(const PlacedForest& forest, std::size_t slot,
+                                      const ModalMotion& motion);
 
 } // namespace osgTreeWind

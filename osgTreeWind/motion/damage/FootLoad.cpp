@@ -2,6 +2,8 @@
 #include <osgTreeWind/motion/damage/FootLoad.h>
 
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
+#include <osgTreeWind/motion/laws/Rotations.h>
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
 #include <osgTreeWind/motion/modal/ModalPoses.h>
 
 #include <glm/gtc/constants.hpp>
@@ -17,16 +19,14 @@ FootLoad::FootLoad(const TreeForm& tree) : _strength(*tree.model, tree.scale, *t
     _stiffness = joints.links.front().stiffness;
     _weights = std::move(joints.points);
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
+    _direction = ScaledUnit(units.front(), tree.scale).direction();
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level == 0)
             _top = i;
 }
 
-glm::dvec2 FootLoad::moment(const std::vector<UnitPose>& poses) const {
-    const glm::vec3 up(0.0f, 0.0f, 1.0f);
-    const glm::dvec2 turned(glm::vec2(poses.front().rotation * up - up));
-    const double sine = std::min(glm::length(turned), 1.0);
-    return turned * (_stiffness * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+glm::dvec2 FootLoad::moment(const glm::vec2& angles) const {
+    return _stiffness * glm::dvec2(swing(angles, _direction));
 }
 
 glm::dvec2 FootLoad::weightMoment(const std::vector<UnitPose>& poses) const {
@@ -38,17 +38,22 @@ glm::dvec2 FootLoad::weightMoment(const std::vector<UnitPose>& poses) const {
     return moment;
 }
 
+std::size_t highestUnit(const Skeleton& skeleton) {
+    const auto isLower = [](const BranchUnit& a, const BranchUnit& b) { return a.tip.z < b.tip.z; };
+    return static_cast<std::size_t>(std::max_element(skeleton.units.begin(), skeleton.units.end(), isLower) -
+                                    skeleton.units.begin());
+}
+
 TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion) {
     constexpr float instant = 1e-3f; // seconds
     const PlacedTree& tree = forest.trees[slot];
     const FootLoad load(makeModalTree(forest, tree).form);
-    const std::vector<UnitPose> now = modalPoses(forest, slot, motion, motion.poseVector(slot)),
+    const ModalMotion::PoseVector vector = motion.poseVector(slot);
+    const std::vector<UnitPose> now = modalPoses(forest, slot, motion, vector),
                                 next = modalPoses(forest, slot, motion, motion.poseVector(slot, instant));
-    const std::vector<BranchUnit>& units = forest.modelOf(tree).skeleton.units;
-    const auto isLower = [](const BranchUnit& a, const BranchUnit& b) { return a.tip.z < b.tip.z; };
-    const auto highest = std::max_element(units.begin(), units.end(), isLower);
-    const auto topUnit = static_cast<std::size_t>(highest - units.begin());
-    const glm::vec3 top = tree.scale.axes * highest->tip, shifted = now[topUnit].apply(top);
+    const Skeleton& skeleton = forest.modelOf(tree).skeleton;
+    const std::size_t topUnit = highestUnit(skeleton);
+    const glm::vec3 top = tree.scale.axes * skeleton.units[topUnit].tip, shifted = now[topUnit].apply(top);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     const auto inForest = [&](const glm::vec2& own) {
         return glm::vec2(cosine * own.x - sine * own.y, sine * own.x + cosine * own.y);
@@ -60,9 +65,10 @@ TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion&
     // The gain exaggerates what is seen, not the loads.
     const double gain = static_cast<double>(std::max(forest.description().gain, 1e-3f));
     sway.weightMoment = glm::dvec2(inForest(glm::vec2(load.weightMoment(now)))) / gain;
-    sway.windMoment = glm::dvec2(inForest(glm::vec2(load.moment(now)))) / gain - sway.weightMoment;
-    const double uproot = load.strength().uproot, breaking = load.strength().breaking;
-    sway.limit = uproot > 0.0 && breaking > 0.0 ? std::min(uproot, breaking) : std::max(uproot, breaking);
+    sway.windMoment =
+        glm::dvec2(inForest(glm::vec2(load.moment(motion.unitAngles(slot, 0, vector))))) / gain -
+        sway.weightMoment;
+    sway.limit = load.strength().limit();
     if (!motion.model(slot).modes.empty())
         sway.frequency = static_cast<double>(motion.omega(slot, 0)) / glm::two_pi<double>();
     return sway;

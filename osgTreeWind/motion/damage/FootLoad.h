@@ -12,14 +12,14 @@
 
 namespace osgTreeWind {
 
-/// The moments at the foot of a tree, from the poses of its units.
+/// The moments at the foot of a tree.
 class FootLoad {
 public:
     explicit FootLoad(const TreeForm& tree);
 
     /// Moment of weight, air and inertia, K theta, N m, in the tree's own axes; it points to where the tree
-    /// turns.
-    glm::dvec2 moment(const std::vector<UnitPose>& poses) const;
+    /// turns. @param angles ModalMotion::unitAngles() of the first unit.
+    glm::dvec2 moment(const glm::vec2& angles) const;
     /// The part of moment() that is of the overhanging weight.
     glm::dvec2 weightMoment(const std::vector<UnitPose>& poses) const;
 
@@ -29,10 +29,14 @@ public:
 
 private:
     double _stiffness;
+    glm::vec3 _direction; ///< Of the first unit.
     TreeStrength _strength;
     std::vector<JointTree::Point> _weights;
     std::size_t _top = 0;
 };
+
+/// The unit with the highest tip.
+std::size_t highestUnit(const Skeleton& skeleton);
 
 /// The present sway of a tree, without `windAtTop`. Takes some tenths of a millisecond.
 TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion& motion);

@@ -33,4 +33,8 @@ TreeStrength::TreeStrength(const TreeModel& model, const TreeScale& scale, const
     breaking = breakingMoment(species.wood, diameter) * pushed / (pushed - breast);
 }
 
+double TreeStrength::limit() const {
+    return uproot > 0.0 && breaking > 0.0 ? std::min(uproot, breaking) : std::max(uproot, breaking);
+}
+
 } // namespace osgTreeWind

@@ -17,6 +17,8 @@ struct TreeStrength {
     double uproot = 0.0;   ///< overturningMoment()
     double breaking = 0.0; ///< breakingMoment() at breast height, converted to the foot.
 
+    double limit() const; ///< The smaller of the two that are known; 0: none.
+
     TreeStrength() = default;
     TreeStrength(const TreeModel& model, const TreeScale& scale, const Species& species);
 };

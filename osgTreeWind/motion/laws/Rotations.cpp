@@ -21,6 +21,10 @@ glm::quat swungRotation(const glm::vec2& angles, const glm::vec3& direction) {
     return asQuat(Laws().swungRotation(angles.x, angles.y, direction));
 }
 
+glm::vec3 swing(const glm::vec2& angles, const glm::vec3& direction) {
+    return angles.x * Laws().branchAxis1(direction) + angles.y * Laws().branchAxis3(direction);
+}
+
 glm::quat leafRotation(const glm::vec4& state) {
     return asQuat(Laws().leafRotation(state.x, state.y, state.z));
 }

@@ -16,6 +16,10 @@ glm::quat branchRotation(const glm::vec4& state);
 /// @param direction from base to tip of the scaled unit at rest, unit length.
 glm::quat swungRotation(const glm::vec2& angles, const glm::vec3& direction);
 
+/// Where that rotation turns the tip of the branch, across it, in the tree's rest axes. Its length is the
+/// angle, radians.
+glm::vec3 swing(const glm::vec2& angles, const glm::vec3& direction);
+
 /// Rotation of a leaf cluster in its own frame. A corner of the leaf mesh is drawn, before the pose of its
 /// branch, at scaled anchor + size * (orientation * (leafRotation * corner)). @param state from
 /// TreeMotion::leaves.
