@@ -3,22 +3,41 @@
 
 #include <osgTreeWind/places/GridMapping.h>
 
+#include <cerrno>
+#include <cstring>
+
+#include <dlfcn.h>
+
 using namespace osgTreeWind;
 
-/// Remembers the first error.
+namespace {
+
+/// Keeps HDF5 from closing files when the process ends: it crashes if a file could not be written.
+void skipClosingAtExit() {
+    using Function = int (*)();
+    static const auto skip = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, "H5dont_atexit"));
+    static const int result = skip ? skip() : 0;
+    static_cast<void>(result);
+}
+
+} // namespace
+
+/// Remembers the first error. HDF5 errors have their reason in errno.
 void NetCdfFile::check(int status) {
     if (status != NC_NOERR && _problem.empty())
-        _problem = nc_strerror(status);
+        _problem = status == NC_EHDFERR && errno != 0 ? std::strerror(errno) : nc_strerror(status);
 }
 
 /// Calls a function of the library, unless there was an error.
 template <typename Function, typename... Arguments>
 void NetCdfFile::call(Function function, Arguments... arguments) {
+    errno = 0;
     if (_problem.empty())
         check(function(_file, arguments...));
 }
 
 NetCdfFile::NetCdfFile(const std::string& path, int format) {
+    skipClosingAtExit();
     check(nc_create(path.c_str(), NC_CLOBBER | format, &_file));
     _open = _problem.empty();
     int before = 0;
