@@ -3,6 +3,7 @@
 #include <examples/osgtreewind/output/AtomicTable.h>
 #include <examples/osgtreewind/output/Progress.h>
 #include <examples/osgtreewind/output/Signals.h>
+#include <examples/osgtreewind/pictures/Drawing.h>
 #include <examples/osgtreewind/simulate/MotionFile.h>
 #include <examples/osgtreewind/simulate/MotionPlot.h>
 
@@ -167,12 +168,8 @@ void checkOptions(const SimulateOptions& options, const ForestDescription& fores
     if (options.damage && isNetCdf(options))
         throw CommandError{BadInput, "--output: --damage is written as CSV; expected another name than " +
                                          options.output};
-    const std::string plot = osgDB::getLowerCaseFileExtension(options.plot);
-    if (!options.plot.empty() && plot != "svg" && plot != "png")
-        throw CommandError{BadInput,
-                           "--plot: expected a name that ends in .svg or .png, found " + options.plot};
     if (!options.plot.empty())
-        checkOutputPath(options.plot);
+        checkDrawingPath("--plot", options.plot);
     if (isNetCdf(options))
         checkOutputPath(options.output);
 }

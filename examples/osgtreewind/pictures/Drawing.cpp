@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/pictures/Drawing.h>
 
+#include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgDB/FileNameUtils>
@@ -51,6 +52,7 @@ void checkDrawingPath(const std::string& option, const std::string& path) {
     const std::string extension = osgDB::getLowerCaseFileExtension(path);
     if (extension != "svg" && extension != "png")
         throw CommandError{BadInput, option + ": expected a name that ends in .svg or .png, found " + path};
+    checkOutputPath(path);
 }
 
 Drawing::Drawing(const std::string& path, const glm::dvec2& size)

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// Throws CommandError unless a drawing can be written to the path: it ends in .svg or .png.
+/// Throws CommandError unless a drawing can be written to the path, which ends in .svg or .png.
 /// @param option that gave the path.
 void checkDrawingPath(const std::string& option, const std::string& path);
 

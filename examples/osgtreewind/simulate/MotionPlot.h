@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+class Drawing;
+
 /// A picture of the sway of one tree under the law `modal`: the path of its top from above, and the moment at
 /// its foot over time.
 class MotionPlot {
@@ -16,7 +18,7 @@ public:
     MotionPlot(const osgTreeWind::ForestSimulation& simulation, osgTreeWind::TreeId tree);
 
     void add(double time); ///< Adds the present state, at a later time than the last one, seconds.
-    /// Writes SVG, or a picture in another format of the file extension. Throws CommandError on failure.
+    /// Writes SVG or PNG, by the file extension. Throws CommandError on failure.
     void write(const std::string& path) const;
 
 private:
@@ -24,12 +26,16 @@ private:
     struct Point {
         double time = 0.0;
         std::optional<glm::vec2> shift; ///< Of the top, metres; empty: fallen.
-        double moment = 0.0;            ///< N m
+        double moment = 0.0;            ///< kN m
     };
-    std::string svg() const;
+    /// Draws the points while the tree stands. @param at place of a point in the picture.
+    template <typename At>
+    void drawLine(Drawing& drawing, const At& at) const;
+    void drawPath(Drawing& drawing) const;
+    void drawMoment(Drawing& drawing) const;
 
     const osgTreeWind::ForestSimulation& _simulation;
     osgTreeWind::TreeId _tree;
-    double _limit = 0.0; ///< Moment that fells the tree, N m; 0: unknown.
+    double _limit = 0.0; ///< Moment that fells the tree, kN m; 0: unknown.
     std::vector<Point> _points;
 };
