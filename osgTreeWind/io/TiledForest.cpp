@@ -173,7 +173,7 @@ CanopySettings computeTiledCanopy(const TileWriter& written, const Executor& exe
         std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
     if (stride == 1)
         stands.resize(1);
-    return withCanopyStatistics(shapes.description().canopy, stands);
+    return withCanopyStatistics(shapes.description().canopy, stands, all.treeCount());
 }
 
 /// The folder of a tiled forest while it is written. A lock excludes other processes.

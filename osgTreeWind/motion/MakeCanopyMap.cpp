@@ -23,6 +23,7 @@ namespace {
 /// down into the stand (Stacey et al. 1994, Gardiner et al. 1997).
 constexpr float reachInHeights = 2.0f;
 constexpr float cellsPerReach = 4.0f;
+constexpr float endless = 1e9f; // metres
 constexpr float maxMapCells = 0x1p20f, farthestCell = 0x1p23f;
 
 /// Sums over the trees around a place, per ground area.
@@ -165,6 +166,11 @@ struct MeanStand {
     }
 };
 
+/// Side of a square that these trees fill at the density of their stands, metres.
+float extentOf(const MeanHeight& trees, const MeanStand& usual) {
+    return usual.weights > 0.0f ? std::sqrt(trees.areas / usual.area()) : 0.0f;
+}
+
 /// The trees around each cell.
 std::vector<StandSum> sumAround(const CanopyMap& map, const std::vector<CanopyTree>& trees) {
     std::vector<StandSum> sums(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.length));
@@ -217,14 +223,16 @@ CanopyTree::CanopyTree(const PlacedForest& forest, const PlacedTree& tree) : pla
 }
 
 std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees, const CanopySettings& canopy) {
-    if (canopy.source == CanopySource::Given)
-        return makeUniformCanopyMap(trees, static_cast<float>(canopy.height),
-                                    static_cast<float>(canopy.frontalArea));
+    if (canopy.source == CanopySource::Given) {
+        auto map = makeUniformCanopyMap(trees, static_cast<float>(canopy.height),
+                                        static_cast<float>(canopy.frontalArea));
+        map->extent = canopy.extent > 0.0 ? static_cast<float>(canopy.extent) : endless;
+        return map;
+    }
     if (trees.empty())
         return std::make_shared<CanopyMap>();
     MeanHeight mean;
-    if (!(canopy.reach > 0.0))
-        mean.add(trees);
+    mean.add(trees);
     CanopyMap map = makeEmptyMap(trees, canopy.reach > 0.0 ? static_cast<float>(canopy.reach) : mean.reach());
     const MeanStand usual = fillCells(map, trees);
     if (usual.weights > 0.0f) {
@@ -233,14 +241,18 @@ std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees, c
             canopy.usualFrontalArea > 0.0 ? static_cast<float>(canopy.usualFrontalArea) : usual.area());
     }
     map.usual.closure = std::min(usual.weights, 1.0f);
+    map.extent = canopy.extent > 0.0 ? static_cast<float>(canopy.extent) : extentOf(mean, usual);
     return std::make_shared<CanopyMap>(std::move(map));
 }
 
-CanopySettings withCanopyStatistics(CanopySettings canopy,
-                                    const std::vector<std::vector<CanopyTree>>& parts) {
+CanopySettings withCanopyStatistics(CanopySettings canopy, const std::vector<std::vector<CanopyTree>>& parts,
+                                    std::size_t trees) {
     MeanHeight mean;
-    for (const std::vector<CanopyTree>& part : parts)
+    double sampled = 0.0; // trees
+    for (const std::vector<CanopyTree>& part : parts) {
         mean.add(part);
+        sampled += static_cast<double>(part.size());
+    }
     MeanStand usual;
     for (const std::vector<CanopyTree>& part : parts) {
         if (part.empty())
@@ -254,6 +266,9 @@ CanopySettings withCanopyStatistics(CanopySettings canopy,
     if (usual.weights > 0.0f) {
         canopy.usualHeight = static_cast<double>(usual.height());
         canopy.usualFrontalArea = static_cast<double>(usual.area());
+        if (!(canopy.extent > 0.0))
+            canopy.extent =
+                static_cast<double>(extentOf(mean, usual)) * std::sqrt(static_cast<double>(trees) / sampled);
     }
     return canopy;
 }

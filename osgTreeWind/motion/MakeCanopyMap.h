@@ -34,8 +34,8 @@ struct CanopyTree {
 ///
 /// A stand takes no more momentum out of the air than flows down into it: where crowns would take more, they
 /// shelter each other until the mean drag of the trees per ground area is rho u*^2. This is solved for each
-/// wind speed, since crowns streamline. If `canopy` gives its reach and its mean stand, the value at a place
-/// depends, to the bit, only on the trees within shelterReach() of it.
+/// wind speed, since crowns streamline. If `canopy` gives its reach, its mean stand and its extent, the value
+/// at a place depends, to the bit, only on the trees within shelterReach() of it.
 /// @param canopy with CanopySource::Given, the map is a single uniform stand.
 std::shared_ptr<CanopyMap> makeCanopyMap(const std::vector<CanopyTree>& trees,
                                          const CanopySettings& canopy = {});
@@ -54,9 +54,11 @@ struct StandLeaves {
 /// The mean stand around the leaves of a forest.
 StandLeaves meanStandOf(const std::vector<CanopyTree>& trees);
 
-/// Fills in the reach, the mean stand and the reference height of a whole forest, so that each tile uses the
-/// statistics of all tiles. @param parts trees of sample areas that represent the forest.
-CanopySettings withCanopyStatistics(CanopySettings canopy, const std::vector<std::vector<CanopyTree>>& parts);
+/// Fills in the reach, the mean stand, the extent and the reference height of a whole forest, so that each
+/// tile uses the statistics of all tiles. @param parts trees of sample areas that represent the forest.
+/// @param trees number of trees in the whole forest.
+CanopySettings withCanopyStatistics(CanopySettings canopy, const std::vector<std::vector<CanopyTree>>& parts,
+                                    std::size_t trees);
 
 /// Distance up to which trees influence the wind at other trees, metres. @param canopy with a reach.
 double shelterReach(const CanopySettings& canopy);

@@ -64,9 +64,12 @@ void WindCache::rebuildMap(const PlacedForest& forest) {
         alive.push_back(*_trees[slot]);
     }
     const std::shared_ptr<CanopyMap> made = makeCanopyMap(alive, _settings);
-    if (_meanStand.closure > 0.0f)
+    if (_meanStand.closure > 0.0f) {
         made->usual = _meanStand;
+        made->extent = _extent;
+    }
     _meanStand = made->usual;
+    _extent = made->extent;
     made->setReference(static_cast<float>(_settings.reference));
     _map = made;
     _flow = nullptr;

@@ -54,6 +54,7 @@ private:
     bool _changed = true;                          ///< Whether trees have changed since `_map` was built.
     double _rebuildTime = 0.0;                     ///< Time of the last rebuild, seconds.
     CanopyCell _meanStand; ///< Mean stand of the first canopy that has trees; kept so that gusts do not jump.
+    float _extent = 0.0f;  ///< CanopyMap::extent of that canopy.
 };
 
 } // namespace osgTreeWind

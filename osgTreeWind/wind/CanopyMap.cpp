@@ -28,7 +28,7 @@ void CanopyMap::setReference(float height) {
     for (const CanopyCell& one : cells)
         reference = std::max(reference, one.profile.height);
     const auto scale = [&](CanopyCell& one) {
-        one.topSpeedRatio = one.closure > 0.0f ? 1.0f / one.profile.mean(reference) : 1.0f;
+        one.topSpeedRatio = one.closure > 0.0f ? one.profile.topSpeedRatio(reference, extent) : 1.0f;
     };
     scale(usual);
     std::for_each(cells.begin(), cells.end(), scale);

@@ -20,7 +20,8 @@ struct CanopyCell {
     float closure = 0.0f;    ///< See closureOf(); 0 in open country.
     float crownCover = 0.0f; ///< Share of the ground under crowns, [0, 1].
     CanopyProfile profile;
-    float topSpeedRatio = 1.0f; ///< Mean wind at the top of the stand over that at CanopyMap::reference.
+    float topSpeedRatio =
+        1.0f; ///< Mean wind at the top of the stand over the open one at CanopyMap::reference.
     /// Wind between leaves over the wind beside the crown, for mean speeds at the top of 0, speedStep, ...
     std::array<float, speedCount> shelter{};
 };
@@ -57,6 +58,8 @@ struct CanopyMap {
     float reference = 0.0f;        ///< Height at which the wind is known, metres above the ground.
     /// Distance from a place to the centre of the stand upwind of it, and radius of that stand, metres.
     float fetch = 0.0f;
+    /// CanopySettings::extent of these trees, metres; 0: the wind is that over the trees.
+    float extent = 0.0f;
     CanopyCell usual;       ///< The stand that sets the size and speed of gusts.
     bool isUniform = false; ///< True: `usual` covers all places, and `cells` is empty.
 

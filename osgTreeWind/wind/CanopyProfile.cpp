@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyProfile.h>
 
+#include <osgTreeWind/wind/LogProfile.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +41,24 @@ CanopyProfile CanopyProfile::ofStand(float height, float frontalArea) {
 
 float CanopyProfile::displacement() const {
     return 1.0f - friction / (2.0f * karman * attenuation);
+}
+
+float CanopyProfile::roughness() const {
+    return 2.0f * height * (1.0f - displacement()) * std::exp(-karman / friction - 0.5f);
+}
+
+float CanopyProfile::topSpeedRatio(float reference, float extent) const {
+    constexpr auto open = static_cast<float>(openCountryRoughness);
+    const float rough = roughness(), fetch = 0.5f * extent; // mean distance to the edge of a square
+    const float slowed =
+        rough * (0.75f - 0.03f * std::log(rough / open)) * std::pow(fetch / rough, 0.8f); // above d
+    const float layer = slowed + height * displacement(), ratio = 1.0f / mean(reference);
+    if (!(layer > reference))
+        return ratio;
+    // u* over that of open country: winds are equal at the top of the layer
+    const float frictions =
+        std::max(std::log(layer / open) / std::log(slowed / rough), std::pow(rough / open, 0.07f));
+    return std::min(frictions * karman / (friction * std::log(reference / open)), ratio);
 }
 
 float CanopyProfile::mean(float z) const {

@@ -24,6 +24,13 @@ struct CanopyProfile {
 
     /// Zero-plane displacement over `height`.
     float displacement() const;
+    /// Roughness length, metres.
+    float roughness() const;
+    /// Mean wind at the top over that of open country at a height, metres, of at least the top. From the edge
+    /// of the forest grows a layer of air that its roughness has slowed (Elliott 1958). Up to `reference` it
+    /// has no effect; above, the friction velocity falls, down to that of an endless forest (EN 1991-1-4).
+    /// @param extent side of a square as large as the forest, metres.
+    float topSpeedRatio(float reference, float extent) const;
     /// Mean wind at z metres above the ground. Finite for any z.
     float mean(float z) const;
     WindSpread spread(float z) const;

@@ -5,6 +5,9 @@
 
 namespace osgTreeWind {
 
+/// Roughness length of short grass, metres (Wieringa 1993).
+constexpr double openCountryRoughness = 0.03;
+
 /// Logarithmic wind profile of the neutral surface layer:
 /// u(z) = u(height) * ln(z / roughness) / ln(height / roughness).
 struct OSGTREEWIND_EXPORT LogProfile {

@@ -91,12 +91,14 @@ const Keys& keysOf<CanopySettings>() {
          "Frontal area index of the given stand: half of its leaf area plus the frontal area of its wood, "
          "per ground area"},
         {"canopy_reference", at<&P::reference>, within(1, 1000),
-         "Height above the ground at which the wind is given; raised to the tree tops if they are higher",
+         "Height above the ground at which the wind of open country is given; raised to the tree tops if "
+         "they are "
+         "higher",
          "m"},
         {"canopy_seed", at<&P::seed>, {}, "Seed of the turbulence among the trees"},
         {"canopy_reach", at<&P::reach>, within(0, 1000),
          "With `\"forest\"`, radius of the area that counts as one stand; 0: twice the mean tree height. "
-         "`osgtreewind tile` writes this key and the next two",
+         "`osgtreewind tile` writes this key and the next three",
          "m"},
         {"canopy_usual_height", at<&P::usualHeight>, within(0, 150),
          "With `\"forest\"`, height of the stand that sets the size and speed of gusts; 0: the mean of all "
@@ -104,6 +106,10 @@ const Keys& keysOf<CanopySettings>() {
          "m"},
         {"canopy_usual_frontal_area", at<&P::usualFrontalArea>, within(0, 20),
          "Frontal area index of that stand; 0: the mean of all stands"},
+        {"canopy_extent", at<&P::extent>, within(0, 1e6),
+         "Side of a square as large as the forest; trees slow the wind more in a larger one. 0: that of the "
+         "forest's own trees, or endless for a given stand; 1 for a wind measured above the trees",
+         "m"},
     };
     return keys;
 }

@@ -135,7 +135,7 @@ TEST(MakeCanopyMap, APartOfAForestHasTheCanopyOfTheWholeToTheBit) {
         tree.height += 4.0f * std::sin(tree.place.x) + 2.0f * std::sin(0.01f * tree.place.y);
     for (float x = 500.0f; x < 800.0f; x += 7.0f)
         trees.push_back(treeAt(x, 33.3f));
-    const CanopySettings canopy = withCanopyStatistics({}, {trees});
+    const CanopySettings canopy = withCanopyStatistics({}, {trees}, trees.size());
     EXPECT_NEAR(canopy.reach, 40.0, 4.0) << "twice the mean height";
     std::vector<CanopyTree> around;
     for (const CanopyTree& tree : trees)
@@ -148,6 +148,31 @@ TEST(MakeCanopyMap, APartOfAForestHasTheCanopyOfTheWholeToTheBit) {
         expectSame(*part, *whole, {0.0f, y});
     EXPECT_EQ(part->usual.profile.height, whole->usual.profile.height);
     EXPECT_EQ(part->usual.profile.friction, whole->usual.profile.friction);
+}
+
+TEST(MakeCanopyMap, KnowsTheExtentOfAForest) {
+    const std::vector<CanopyTree> trees = plantation();
+    EXPECT_NEAR(makeCanopyMap(trees)->extent, 244.0f, 50.0f) << "stands at edges are thinner";
+    EXPECT_NEAR(withCanopyStatistics({}, {trees}, 4 * trees.size()).extent, 488.0, 100.0)
+        << "these are a quarter of the trees";
+    CanopySettings canopy;
+    canopy.extent = 3000.0;
+    EXPECT_EQ(makeCanopyMap(trees, canopy)->extent, 3000.0f);
+    EXPECT_EQ(withCanopyStatistics(canopy, {trees}, trees.size()).extent, 3000.0);
+}
+
+TEST(MakeCanopyMap, AGivenStandIsEndlessUnlessItsExtentIsGiven) {
+    const auto topSpeed = [](double extent) {
+        CanopySettings canopy;
+        canopy.source = CanopySource::Given;
+        canopy.extent = extent;
+        const auto map = makeCanopyMap({treeAt(0.0f, 0.0f)}, canopy);
+        map->setReference(60.0f);
+        return map->usual.topSpeedRatio;
+    };
+    EXPECT_EQ(topSpeed(0.0), CanopyProfile::ofStand(20.0f, 2.0f).topSpeedRatio(60.0f, 1e9f));
+    EXPECT_LT(topSpeed(0.0), topSpeed(2000.0));
+    EXPECT_LT(topSpeed(2000.0), topSpeed(1.0));
 }
 
 TEST(MakeCanopyMap, AUniformCanopyIsTheSameEverywhere) {

@@ -65,6 +65,47 @@ TEST(CanopyProfile, SpreadMatchesCanopyAndSurfaceLayer) {
     EXPECT_EQ(profile.skewness(20.0f), 0.0f);
 }
 
+/// u* over that of open country with a roughness of 0.03 m, from the top speeds that a profile gives.
+double frictionRatio(const CanopyProfile& stand, float reference, float extent) {
+    const double open = 0.4 / std::log(static_cast<double>(reference) / 0.03);
+    return static_cast<double>(stand.friction * stand.topSpeedRatio(reference, extent)) / open;
+}
+
+TEST(CanopyProfile, ASmallWoodDoesNotChangeTheWindAtTheReference) {
+    const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
+    for (const float extent : {0.0f, 1.0f, 100.0f})
+        EXPECT_EQ(profile.topSpeedRatio(60.0f, extent), 1.0f / profile.mean(60.0f)) << extent;
+}
+
+TEST(CanopyProfile, AForestSlowsTheLayerOfElliott) {
+    for (const double fetch : {500.0, 1000.0, 5000.0}) {
+        const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
+        const double rough = 20.0 * Raupach(2.0).roughness,
+                     layer = 20.0 * Raupach(2.0).displacement + std::pow(rough, 0.2) * std::pow(fetch, 0.8) *
+                                                                    (0.75 + 0.03 * std::log(0.03 / rough));
+        const auto ratio = static_cast<double>(profile.topSpeedRatio(60.0f, static_cast<float>(2.0 * fetch)));
+        EXPECT_NEAR(ratio * static_cast<double>(profile.mean(static_cast<float>(layer))),
+                    std::log(layer / 0.03) / std::log(60.0 / 0.03), 0.005)
+            << fetch << ": winds differ at the top of the layer of " << layer << " m";
+    }
+}
+
+TEST(CanopyProfile, AnEndlessForestHasTheGeostrophicDragOfTheEuropeanWindAtlas) {
+    const CanopyProfile profile = CanopyProfile::ofStand(20.0f, 2.0f);
+    const auto friction =
+        [](double roughness) { // under a geostrophic wind of 30 m/s at a latitude of 50 degrees
+            double found = 1.0;
+            for (int i = 0; i < 50; ++i)
+                found = 0.4 * 30.0 / std::hypot(std::log(found / (1.12e-4 * roughness)) - 1.8, 4.5);
+            return found;
+        };
+    const double drag = friction(20.0 * Raupach(2.0).roughness) / friction(0.03);
+    EXPECT_NEAR(frictionRatio(profile, 60.0f, 1e9f) / drag, 1.0, 0.05);
+    EXPECT_NEAR(frictionRatio(profile, 80.0f, 1e9f) / frictionRatio(profile, 60.0f, 1e9f), 1.0, 1e-4);
+    EXPECT_GT(frictionRatio(profile, 60.0f, 1e4f), frictionRatio(profile, 60.0f, 1e9f));
+    EXPECT_GT(frictionRatio(profile, 60.0f, 1e3f), frictionRatio(profile, 60.0f, 1e4f));
+}
+
 TEST(CanopyProfile, SparseStandIsNearlyOpenCountry) {
     EXPECT_EQ(closureOf(0.0f), 0.0f);
     EXPECT_EQ(closureOf(0.5f), 1.0f);

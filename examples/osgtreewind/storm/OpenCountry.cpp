@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 
 LogProfile openCountryProfile(double height) {
-    return {height, 0.03};
+    return {height, openCountryRoughness};
 }
 
 Wind openCountryWind(double height, const glm::vec3& mean, std::uint32_t seed) {
