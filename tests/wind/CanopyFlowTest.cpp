@@ -97,9 +97,9 @@ LayeredWind gustsOf(float speed, std::uint32_t seed = 1) {
 
 // Strains of trees in five minutes vary by 0.25 to 0.32 of their mean from one block to the next; without
 // slow gusts, by 0.1.
-TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadOfTheProfile) {
+TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadAndSkewnessOfTheProfile) {
     const CanopyProfile profile = CanopyProfile::ofStand(height, 2.0f);
-    double squares = 0.0, slow = 0.0, blocks = 0.0;
+    double squares = 0.0, cubes = 0.0, slow = 0.0, blocks = 0.0;
     for (std::uint32_t seed = 1; seed <= 24; ++seed) {
         const LayeredWind wind = gustsOf(10.0f, seed);
         for (int block = 0; block < 12; ++block) {
@@ -109,6 +109,7 @@ TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadOfTheProfile) {
                 const double u = wind.velocity(top, 300.0 * block + i).x - 10.0f;
                 sum += u / 300.0;
                 squares += u * u / 300.0;
+                cubes += u * u * u / 300.0;
             }
             slow += sum * sum;
             blocks += 1.0;
@@ -116,6 +117,8 @@ TEST(CanopyFlow, GustsVaryOverMinutesWithTheSpreadOfTheProfile) {
     }
     EXPECT_NEAR(std::sqrt(squares / blocks) / static_cast<double>(10.0f * profile.spread(height).along), 1.0,
                 0.05);
+    EXPECT_NEAR(cubes / blocks / std::pow(squares / blocks, 1.5),
+                static_cast<double>(profile.skewness(height)), 0.1);
     // sqrt(2.4^2 - 1.8^2) u* over the mean at 2 h; some of it averages out in five minutes
     const float above = profile.mean(2.0f * height);
     EXPECT_NEAR(std::sqrt(slow / blocks) / 10.0,
