@@ -17,6 +17,7 @@ void checkDrawingPath(const std::string& option, const std::string& path);
 class Drawing {
 public:
     enum class Align { Left, Centre, Right };
+    static constexpr glm::vec3 black{0.1f}; ///< Of text and axes.
 
     /// @param path as for checkDrawingPath().
     Drawing(const std::string& path, const glm::dvec2& size);

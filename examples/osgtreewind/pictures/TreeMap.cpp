@@ -13,8 +13,8 @@ namespace {
 
 using Align = Drawing::Align;
 
-constexpr glm::dvec2 size(1000.0, 800.0), mapCorner(30.0, 60.0), mapSize(800.0, 690.0);
-constexpr glm::vec3 black(0.1f), grey(0.6f);
+constexpr glm::dvec2 pictureSize(1000.0, 800.0), mapCorner(30.0, 60.0), mapSize(800.0, 690.0);
+constexpr glm::vec3 outline(0.6f);
 
 /// Red to blue, distinct to colour-blind eyes (RdYlBu of ColorBrewer, Brewer 1994).
 glm::vec3 colourOf(double share) {
@@ -89,22 +89,22 @@ void drawLegend(Drawing& drawing, const ValueRange& range, const std::string& qu
         drawing.fillRectangle({corner.x, corner.y + bar.y * (1.0 - (i + 1.0) / strips)},
                               {bar.x, bar.y / strips + 0.5});
     }
-    drawing.setColour(black);
+    drawing.setColour(Drawing::black);
     for (const double tick : range.ticks) {
         drawing.drawLine({{corner.x + bar.x, heightOf(tick)}, {corner.x + bar.x + 5.0, heightOf(tick)}});
         drawing.write(osgTreeWind::numberText(tick), {corner.x + bar.x + 10.0, heightOf(tick)}, Align::Left);
     }
     drawing.write(quantity, {corner.x - 14.0, corner.y + 0.5 * bar.y}, Align::Centre, 13.0, true);
-    drawing.setColour(grey);
+    drawing.setColour(outline);
     drawing.drawCircle({corner.x + 0.5 * bar.x, corner.y + bar.y + 34.0}, 8.0);
-    drawing.setColour(black);
+    drawing.setColour(Drawing::black);
     drawing.write("unknown", {corner.x + bar.x + 10.0, corner.y + bar.y + 34.0}, Align::Left);
 }
 
 void drawScale(Drawing& drawing, const MapFrame& frame) {
     const double metres = ticksOf(0.0, 200.0 / frame.scale, 3).back();
-    const glm::dvec2 left(mapCorner.x, size.y - 24.0), right(left.x + metres * frame.scale, left.y);
-    drawing.setColour(black);
+    const glm::dvec2 left(mapCorner.x, pictureSize.y - 24.0), right(left.x + metres * frame.scale, left.y);
+    drawing.setColour(Drawing::black);
     drawing.drawLine({left, right}, 2.0);
     for (const glm::dvec2& end : {left, right})
         drawing.drawLine({{end.x, end.y - 5.0}, {end.x, end.y + 5.0}}, 2.0);
@@ -119,7 +119,7 @@ void drawScale(Drawing& drawing, const MapFrame& frame) {
 
 void drawTreeMap(const std::vector<MapTree>& trees, const std::string& title, const std::string& quantity,
                  const std::string& path) {
-    Drawing drawing(path, size);
+    Drawing drawing(path, pictureSize);
     const ValueRange range(trees);
     const MapFrame frame(trees);
     std::vector<const MapTree*> order;
@@ -134,10 +134,10 @@ void drawTreeMap(const std::vector<MapTree>& trees, const std::string& title, co
             drawing.setColour(colourOf(range.share(*tree->value)));
             drawing.fillCircle(frame.at(tree->place), radius);
         }
-        drawing.setColour(grey);
+        drawing.setColour(outline);
         drawing.drawCircle(frame.at(tree->place), radius);
     }
-    drawing.setColour(black);
+    drawing.setColour(Drawing::black);
     drawing.write(title, {mapCorner.x, 30.0}, Align::Left, 18.0);
     drawLegend(drawing, range, quantity);
     drawScale(drawing, frame);

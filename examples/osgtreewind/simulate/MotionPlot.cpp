@@ -16,9 +16,9 @@ namespace {
 
 using Align = Drawing::Align;
 
-constexpr glm::dvec2 size(1100.0, 520.0);
+constexpr glm::dvec2 plotSize(1100.0, 520.0);
 constexpr double top = 80.0, bottom = 450.0;
-constexpr glm::vec3 black(0.1f), grey(0.85f), blue(0.0f, 0.45f, 0.7f), orange(0.84f, 0.37f, 0.0f);
+constexpr glm::vec3 gridGrey(0.85f), blue(0.0f, 0.45f, 0.7f), orange(0.84f, 0.37f, 0.0f);
 
 /// Numbers along an axis, drawn from `from` to `to` in the picture.
 struct Axis {
@@ -30,15 +30,15 @@ struct Axis {
 /// Draws a grid with labels. @param most labels along each axis.
 void drawGrid(Drawing& drawing, const Axis& x, const Axis& y, int most) {
     for (const double number : ticksOf(x.low, x.high, most)) {
-        drawing.setColour(grey);
+        drawing.setColour(gridGrey);
         drawing.drawLine({{x.at(number), y.from}, {x.at(number), y.to}});
-        drawing.setColour(black);
+        drawing.setColour(Drawing::black);
         drawing.write(numberText(number), {x.at(number), y.from + 16.0}, Align::Centre);
     }
     for (const double number : ticksOf(y.low, y.high, most)) {
-        drawing.setColour(grey);
+        drawing.setColour(gridGrey);
         drawing.drawLine({{x.from, y.at(number)}, {x.to, y.at(number)}});
-        drawing.setColour(black);
+        drawing.setColour(Drawing::black);
         drawing.write(numberText(number), {x.from - 8.0, y.at(number)}, Align::Right);
     }
     drawing.drawLine({{x.from, y.to}, {x.from, y.from}, {x.to, y.from}});
@@ -91,7 +91,7 @@ void MotionPlot::drawPath(Drawing& drawing) const {
     drawing.write("shift east (m)", {0.5 * (east.from + east.to), bottom + 40.0}, Align::Centre);
     drawing.write("shift north (m)", {28.0, 0.5 * (top + bottom)}, Align::Centre, 13.0, true);
     drawLine(drawing, [&](const Point& point) { return at(glm::dvec2(*point.shift)); });
-    drawing.setColour(black);
+    drawing.setColour(Drawing::black);
     const glm::dvec2 rest = at(glm::dvec2(0.0)), across(6.0, 0.0), along(0.0, 6.0);
     drawing.drawLine({rest - across, rest + across}, 1.5);
     drawing.drawLine({rest - along, rest + along}, 1.5);
@@ -103,7 +103,7 @@ void MotionPlot::drawMoment(Drawing& drawing) const {
         largest = std::max(largest, point.moment);
     const bool showsLimit = _limit > 0.0 && largest > 0.4 * _limit;
     const Axis time{_points.front().time, std::max(_points.back().time, _points.front().time + 1e-3), 560.0,
-                    size.x - 30.0},
+                    plotSize.x - 30.0},
         moment{0.0, 1.08 * std::max({largest, showsLimit ? _limit : 0.0, 1e-6}), bottom, top};
     drawing.write("Moment at the foot" + (_limit > 0.0
                                               ? "; it fails at " + numberText(std::round(_limit)) + " kN m"
@@ -121,12 +121,12 @@ void MotionPlot::drawMoment(Drawing& drawing) const {
 }
 
 void MotionPlot::write(const std::string& path) const {
-    Drawing drawing(path, size);
+    Drawing drawing(path, plotSize);
     const TreePlacement placement = *_simulation.placementOf(_tree);
     const std::string name = placement.name.empty() ? std::to_string(slotOfTree(_tree)) : placement.name;
     char height[32];
     std::snprintf(height, sizeof height, "%.1f m high", static_cast<double>(placement.size.height));
-    drawing.setColour(black);
+    drawing.setColour(Drawing::black);
     drawing.write("Tree " + name + ": " + _simulation.description().species[placement.species].name + ", " +
                       height,
                   {70.0, 28.0}, Align::Left, 17.0);
