@@ -206,7 +206,7 @@ TEST_F(SimulateTables, PlotsTheFirstTree) {
     ASSERT_EQ(picture->s(), 1100);
     EXPECT_GT(blueBetween(90, 460), 20) << "path";
     EXPECT_GT(blueBetween(560, 1070), 100) << "moment";
-    EXPECT_EQ(blueBetween(460, 560), 0);
+    EXPECT_EQ(blueBetween(470, 550), 0);
 }
 
 /// The disk is full after 100 kB: there is one line of error, and the old file stays.

@@ -9,7 +9,9 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace {
 
@@ -121,6 +123,12 @@ std::vector<double> ticksOf(double low, double high, int most) {
         step *= step < rough ? factor : 1.0;
     std::vector<double> ticks;
     for (double i = std::ceil(low / step - 1e-9); i <= std::floor(high / step + 1e-9); ++i)
-        ticks.push_back(step * i);
+        ticks.push_back(std::abs(i) < 0.5 ? 0.0 : step * i);
     return ticks;
+}
+
+std::string tickText(double tick) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", tick);
+    return text;
 }

@@ -42,3 +42,4 @@ private:
 
 /// Round numbers that divide a range into at most `most` steps.
 std::vector<double> ticksOf(double low, double high, int most);
+std::string tickText(double tick); ///< With up to 6 digits.

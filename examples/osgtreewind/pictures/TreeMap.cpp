@@ -2,7 +2,6 @@
 #include <examples/osgtreewind/pictures/TreeMap.h>
 
 #include <examples/osgtreewind/pictures/Drawing.h>
-#include <osgTreeWind/base/Number.h>
 
 #include <glm/common.hpp>
 
@@ -92,7 +91,7 @@ void drawLegend(Drawing& drawing, const ValueRange& range, const std::string& qu
     drawing.setColour(Drawing::black);
     for (const double tick : range.ticks) {
         drawing.drawLine({{corner.x + bar.x, heightOf(tick)}, {corner.x + bar.x + 5.0, heightOf(tick)}});
-        drawing.write(osgTreeWind::numberText(tick), {corner.x + bar.x + 10.0, heightOf(tick)}, Align::Left);
+        drawing.write(tickText(tick), {corner.x + bar.x + 10.0, heightOf(tick)}, Align::Left);
     }
     drawing.write(quantity, {corner.x - 14.0, corner.y + 0.5 * bar.y}, Align::Centre, 13.0, true);
     drawing.setColour(outline);
@@ -108,7 +107,7 @@ void drawScale(Drawing& drawing, const MapFrame& frame) {
     drawing.drawLine({left, right}, 2.0);
     for (const glm::dvec2& end : {left, right})
         drawing.drawLine({{end.x, end.y - 5.0}, {end.x, end.y + 5.0}}, 2.0);
-    drawing.write(osgTreeWind::numberText(metres) + " m", {right.x + 10.0, right.y}, Align::Left);
+    drawing.write(tickText(metres) + " m", {right.x + 10.0, right.y}, Align::Left);
     const glm::dvec2 tip(891.0, 660.0);
     drawing.drawLine({{tip.x, tip.y + 50.0}, tip}, 2.0);
     drawing.drawLine({{tip.x - 6.0, tip.y + 12.0}, tip, {tip.x + 6.0, tip.y + 12.0}}, 2.0);

@@ -2,7 +2,6 @@
 #include <examples/osgtreewind/simulate/MotionPlot.h>
 
 #include <examples/osgtreewind/pictures/Drawing.h>
-#include <osgTreeWind/base/Number.h>
 
 #include <glm/common.hpp>
 
@@ -33,13 +32,13 @@ void drawGrid(Drawing& drawing, const Axis& x, const Axis& y, int most) {
         drawing.setColour(gridGrey);
         drawing.drawLine({{x.at(number), y.from}, {x.at(number), y.to}});
         drawing.setColour(Drawing::black);
-        drawing.write(numberText(number), {x.at(number), y.from + 16.0}, Align::Centre);
+        drawing.write(tickText(number), {x.at(number), y.from + 16.0}, Align::Centre);
     }
     for (const double number : ticksOf(y.low, y.high, most)) {
         drawing.setColour(gridGrey);
         drawing.drawLine({{x.from, y.at(number)}, {x.to, y.at(number)}});
         drawing.setColour(Drawing::black);
-        drawing.write(numberText(number), {x.from - 8.0, y.at(number)}, Align::Right);
+        drawing.write(tickText(number), {x.from - 8.0, y.at(number)}, Align::Right);
     }
     drawing.drawLine({{x.from, y.to}, {x.from, y.from}, {x.to, y.from}});
 }
@@ -106,7 +105,7 @@ void MotionPlot::drawMoment(Drawing& drawing) const {
                     plotSize.x - 30.0},
         moment{0.0, 1.08 * std::max({largest, showsLimit ? _limit : 0.0, 1e-6}), bottom, top};
     drawing.write("Moment at the foot" + (_limit > 0.0
-                                              ? "; it fails at " + numberText(std::round(_limit)) + " kN m"
+                                              ? "; it fails at " + tickText(std::round(_limit)) + " kN m"
                                               : std::string()),
                   {time.from, top - 18.0}, Align::Left);
     drawGrid(drawing, time, moment, 8);

@@ -92,10 +92,10 @@ TEST(ForestStorm, AgreesWithOneTreeInAStand) {
     const ForestStorm storm(forest, toEast, ThreadPool::executor());
     const double speed = top / static_cast<double>(storm.topWinds().front());
     double inForest = 0.0, single = 0.0;
-    constexpr std::uint32_t forestHours = 1, hours = 5;
-    for (std::uint32_t seed = 1; seed <= forestHours; ++seed)
+    constexpr std::uint32_t hours = 5;
+    for (std::uint32_t seed = 1; seed <= hours; ++seed)
         for (const double moment : feetOf(storm.largestLoads(speed, seed)))
-            inForest += moment / (forestHours * 8.0);
+            inForest += moment / (8.0 * hours);
     for (std::uint32_t seed = 1; seed <= hours; ++seed) {
         StormTree tree(stand.species.front(), stand.trees.front(), {top, spacing, seed});
         (void)tree.advance(60.0);
