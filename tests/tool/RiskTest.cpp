@@ -41,16 +41,16 @@ TEST(Risk, WritesCriticalWindsAndRatios) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto rows = cellsOf(contentOf(path));
     ASSERT_EQ(rows.size(), 4u);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "species", "x", "y", "height_m", "dbh_cm", "uproot_ms",
-                                                 "break_ms", "bough_ms", "top_wind", "uproot_ratio",
-                                                 "break_ratio", "bough_ratio"}));
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "species", "x", "y", "height_m", "dbh_cm",
+                                                 "crown_width_m", "uproot_ms", "break_ms", "bough_ms",
+                                                 "top_wind", "uproot_ratio", "break_ratio", "bough_ratio"}));
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        ASSERT_EQ(rows[i].size(), 13u);
+        ASSERT_EQ(rows[i].size(), 14u);
         for (const std::size_t kind :
              {0, 1, 2}) { // the ratio is above 1 if the critical wind is below that of the storm
-            const double ratio = std::atof(rows[i][10 + kind].c_str());
-            const bool isBeyond = rows[i][6 + kind].empty();
-            const double critical = isBeyond ? 80.0 : std::atof(rows[i][6 + kind].c_str());
+            const double ratio = std::atof(rows[i][11 + kind].c_str());
+            const bool isBeyond = rows[i][7 + kind].empty();
+            const double critical = isBeyond ? 80.0 : std::atof(rows[i][7 + kind].c_str());
             EXPECT_FALSE(isBeyond && kind < 2);
             EXPECT_GT(critical, 2.0);
             EXPECT_GT(ratio, 0.0);

@@ -182,6 +182,21 @@ TEST_F(SimulateTables, FallenTreesHaveNoLoads) {
     EXPECT_NE(contentOf(at("fall.svg")).find("</svg>"), std::string::npos);
 }
 
+/// In a steady wind, trees keep the sway that they have at time 0.
+TEST_F(SimulateTables, TreesSwayInTheirWindFromTheStart) {
+    folder.write("steady.treewind",
+                 "version = 1\n[wind]\nkind = \"uniform\"\nvelocity = [12, 0, 0]\n[[tree]]\n"
+                 "species = \"Norway spruce\"\nheight = 20\nposition = [0, 0]\n");
+    const Outcome steady =
+        runTool({"simulate", "steady.treewind", "--loads", "--duration", "10", "--fps", "10"}, folder.path());
+    ASSERT_EQ(steady.exitCode, 0) << steady.err;
+    const Rows loads(steady.out);
+    const std::vector<double>& moments = loads.numbers.at("moment_x");
+    ASSERT_EQ(moments.size(), 101u);
+    for (const double moment : moments)
+        EXPECT_NEAR(moment, moments.back(), 0.01 * moments.back());
+}
+
 TEST_F(SimulateTables, PlotsTheFirstTree) {
     const Outcome svg =
                       simulate({"--plot", "a.svg", "--trees", "old, tall"}), // a list: no tree has the id old

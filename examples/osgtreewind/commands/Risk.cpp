@@ -7,6 +7,7 @@
 #include <examples/osgtreewind/storm/ForestStorm.h>
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/places/PointTable.h>
 #include <osgTreeWind/wind/WindDirection.h>
@@ -71,7 +72,7 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
     table.name = "risk";
     table.crs = forest.description().crs;
     table.texts = {"id", "species"};
-    table.numbers = {"height_m", "dbh_cm", "uproot_ms", "break_ms", "bough_ms", "top_wind"};
+    table.numbers = {"height_m", "dbh_cm", "crown_width_m", "uproot_ms", "break_ms", "bough_ms", "top_wind"};
     if (options.speed)
         table.numbers.insert(table.numbers.end(), {"uproot_ratio", "break_ratio", "bough_ratio"});
     for (std::size_t slot = 0; slot < risk.feet.size(); ++slot) {
@@ -83,8 +84,9 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
         const CriticalSpeeds critical = criticalSpeeds(risk.feet[slot], strength);
         PointTable::Row row{placement.position,
                             {placement.name.empty() ? std::to_string(slot) : placement.name, species.name},
-                            {size.height, 100.0 * static_cast<double>(size.trunkDiameter), critical.uproot,
-                             critical.breaking, criticalSpeed(risk.boughs[slot], 1.0), risk.topWinds[slot]}};
+                            {size.height, 100.0 * static_cast<double>(size.trunkDiameter), size.crownWidth,
+                             critical.uproot, critical.breaking, criticalSpeed(risk.boughs[slot], 1.0),
+                             risk.topWinds[slot]}};
         if (options.speed) {
             const double moment = risk.feet[slot].at(*options.speed);
             row.numbers.push_back(share(moment, strength.uproot));
@@ -146,7 +148,9 @@ void drawPicture(const RiskOptions& options, const PlacedForest& forest, const P
                          : uproot           ? uproot
                                             : breaking});
     }
-    drawTreeMap(trees, "Wind at which trees fall: " + osgDB::getSimpleFileName(options.file),
+    drawTreeMap(trees,
+                osgDB::getSimpleFileName(options.file) + ": wind from " + numberText(options.direction) +
+                    "° at which trees fall; circles are crowns",
                 "m/s, mean of an hour 10 m above open country", options.picture);
 }
 
@@ -193,7 +197,8 @@ void addRiskCommand(CLI::App& app) {
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
     command->footer(
-        "Columns: id, species, x, y, height_m, dbh_cm; uproot_ms, break_ms and bough_ms: mean wind 10 m\n"
+        "Columns: id, species, x, y, height_m, dbh_cm, crown_width_m; uproot_ms, break_ms and bough_ms: mean "
+        "wind 10 m\n"
         "above open country, m/s, at which the largest moment in an hour reaches the strength of the roots,\n"
         "of the stem and of the first bough; top_wind: mean wind at the top of the trees divided by the "
         "wind\n"

@@ -141,6 +141,10 @@ void simulateMotion(const SimulateOptions& options, ForestSimulation& simulation
     if (!options.plot.empty())
         plot.emplace(simulation, trees.front());
     const MotionTable table = tableOf(options, simulation, trees);
+    if (options.tops || options.loads || plot) { // otherwise the jerk from rest would be the largest load
+        simulation.advance(0.0);
+        simulation.spinUp(trees);
+    }
     std::unique_ptr<MotionFile> file;
     if (!options.output.empty())
         file = isNetCdf(options) ? createMotionNetCdf(options.output, table, simulation,
@@ -263,6 +267,7 @@ void addSimulateCommand(CLI::App& app) {
         "direction\n"
         "(positive: tension); tilt: direction of the unit minus that at rest; limit of a bough (N m). Loads\n"
         "are changes from rest. --tips --duration 0 shows where units are.\n"
+        "With --tops, --loads and --plot trees already sway at time 0; otherwise they start at rest.\n"
         "Columns with --damage: time, tree, name, species, kind (uprooted, snapped or bough), unit (the "
         "tree\n"
         "or bough falls about its base), moment and limit at the foot of the tree or at the base of the "
