@@ -212,6 +212,7 @@ private:
         _heights += tree.estimated.height;
         _diameters += tree.estimated.trunkDiameter;
         _crowns += tree.estimated.crownWidth;
+        _diameterVariance += estimate.diameterSpread * estimate.diameterSpread;
     }
 
     /// Empty if another tree has the name.
@@ -261,6 +262,10 @@ private:
                 counts.push_back(std::string(size) + " of " + std::to_string(trees));
         if (!counts.empty())
             addNote("estimated by the laws of the species: " + joined(counts) + " trees");
+        if (_diameters > 0)
+            addNote(
+                "two of three estimated trunk diameters are right within a factor of " +
+                numberText(std::round(100.0 * std::exp(std::sqrt(_diameterVariance / _diameters))) / 100.0));
     }
 
     void reportUnknownSpecies() {
@@ -328,6 +333,7 @@ private:
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
+    double _diameterVariance = 0.0; ///< Sum over estimated diameters, of their logarithms.
     std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache;
     std::map<std::string, UnknownName> _unknownNames;
     RowCounts _duplicateIds; ///< Rows by id.

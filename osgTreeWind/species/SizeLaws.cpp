@@ -20,13 +20,28 @@ float clampSize(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));
 }
 
+/// A log-normal distribution of diameters.
+struct LogDiameter {
+    double median, spread; // metres, standard deviation of ln(diameter)
+
+    /// Narrows it to the trees of a measured size (Bayes' theorem). @param ratio size / that of the median.
+    /// @param power of the diameter in the size. @param deviation of ln(size).
+    void narrow(double ratio, double power, double deviation) {
+        const double ofLaw = power * spread, total = std::hypot(ofLaw, deviation);
+        if (!(total > 0.0))
+            return;
+        median *= std::pow(ratio, ofLaw * spread / (total * total));
+        spread *= deviation / total;
+    }
+};
+
 class Estimator {
 public:
     Estimator(const TreeSize& given, const Species& species, bool openGrown, const std::string& id)
         : _id(id), _species(species), _openGrown(openGrown),
           _scale(openGrown ? species.height.openScale : species.height.scale),
           _power(openGrown ? species.height.openPower : species.height.power),
-          _spread(openGrown ? species.height.openSpread : species.height.spread), _tree{given, {}} {}
+          _spread(openGrown ? species.height.openSpread : species.height.spread), _tree{given, {}, 0.0} {}
 
     SizeEstimate estimate() {
         TreeSize& size = _tree.size;
@@ -50,9 +65,12 @@ private:
     double factor(double spread, const char* quantity) const {
         return std::exp(spread * residual(_id, quantity));
     }
-    double crownFactor() const {
-        return factor(_openGrown ? _species.crown.openSpread : _species.crown.spread, "crown_width");
+    double crownBase() const { return _openGrown ? _species.crown.openBase : _species.crown.base; }
+    double crownSlope() const {
+        return _openGrown ? _species.crown.openPerDiameter : _species.crown.perDiameter;
     }
+    double crownSpread() const { return _openGrown ? _species.crown.openSpread : _species.crown.spread; }
+    double crownFactor() const { return factor(crownSpread(), "crown_width"); }
 
     double maxHeight() const { return limitToRecord(heightLimit, _species.height.largest); }
 
@@ -63,23 +81,32 @@ private:
         _tree.size.height = clampSize(height, std::min(minSlenderness * lawDiameter(diameter), limit), limit);
         _tree.estimated.height = true;
     }
-    /// Inverts the height law with a random residual.
+    /// Draws a diameter from those of the trees with this height, and with this crown if it is known.
     void setDiameter() {
-        const double height = _tree.size.height;
-        const double diameter = std::pow(height / (_scale * factor(_spread, "trunk_diameter")), 1.0 / _power);
-        const double limit = std::min(height / minSlenderness, diameterLimit);
-        _tree.size.trunkDiameter = clampSize(diameter, height / maxSlenderness, limit);
+        const HeightAllometry& law = _species.height;
+        const double height = _tree.size.height, width = _tree.size.crownWidth;
+        const double least = height / maxSlenderness, most = std::min(height / minSlenderness, diameterLimit);
+        LogDiameter diameter{_openGrown ? law.openDiameter : law.diameter,
+                             _openGrown ? law.openDiameterSpread : law.diameterSpread};
+        diameter.narrow(height / (_scale * std::pow(diameter.median, _power)), _power, _spread);
+        diameter.median = std::clamp(diameter.median, least, most);
+        if (width > 0.0 && crownSlope() > 0.0) {
+            const double usual = crownBase() + crownSlope() * diameter.median;
+            diameter.narrow(width / usual, crownSlope() * diameter.median / usual, crownSpread());
+        }
+        _tree.size.trunkDiameter =
+            clampSize(diameter.median * factor(diameter.spread, "trunk_diameter"), least, most);
         _tree.estimated.trunkDiameter = true;
+        _tree.diameterSpread = diameter.spread;
     }
     void setDiameterFromCrown() {
-        const CrownAllometry& law = _species.crown;
-        const double base = _openGrown ? law.openBase : law.base;
-        const double perDiameter = _openGrown ? law.openPerDiameter : law.perDiameter;
+        const double base = crownBase(), perDiameter = crownSlope();
         const double width = _tree.size.crownWidth / crownFactor();
         if (!(perDiameter > 0.0))
             return;
         const double diameter =
             std::max((width - base) / perDiameter, width / (perDiameter + base / proportionalDiameter));
+        _tree.diameterSpread = crownSpread() * (1.0 + base / (perDiameter * diameter));
         _tree.size.trunkDiameter = clampSize(diameter, minSize, diameterLimit);
         _tree.estimated.trunkDiameter = true;
     }

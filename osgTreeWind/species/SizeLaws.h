@@ -12,11 +12,12 @@ namespace osgTreeWind {
 struct SizeEstimate {
     TreeSize size;
     EstimatedSizes estimated;
+    double diameterSpread = 0.0; ///< Standard deviation of ln(diameter); 0 if the diameter is given.
 };
 
 /// Estimates the missing sizes of a tree from the laws of its species, with their random spread. Height and
-/// diameter follow from each other, the crown from the diameter, and the diameter from the crown if only that
-/// is given. Without any size, the height varies about usualHeight(). Sizes without a law stay 0.
+/// diameter follow from each other, the crown from the diameter, and the diameter also from the crown.
+/// Without any size, the height varies about usualHeight(). Sizes without a law stay 0.
 /// @param id of the tree; it determines the random residuals.
 SizeEstimate estimateSize(const TreeSize& given, const Species& species, bool openGrown,
                           const std::string& id);

@@ -47,16 +47,21 @@ struct WoodParameters {
 };
 
 /// Height law: scale * diameter^power, metres, with the diameter at breast height. The law is unknown if the
-/// scale is 0. Spreads, here and of the crown, are standard deviations of logarithms.
+/// scale is 0. Spreads, here and of the crown, are standard deviations of logarithms. With the law, the
+/// distribution of diameters, which is log-normal, gives a diameter from a height.
 struct HeightAllometry {
-    float scale = 0.0f;      ///< In a forest.
-    float power = 0.6f;      ///< In a forest.
-    float spread = 0.0f;     ///< In a forest.
-    float openScale = 0.0f;  ///< In the open.
-    float openPower = 0.6f;  ///< In the open.
-    float openSpread = 0.0f; ///< In the open.
-    float largest = 0.0f;    ///< Tallest measured tree, metres, which limits estimates; 0 if unknown.
-    std::string source;      ///< Source of these numbers; informational.
+    float scale = 0.0f;               ///< In a forest.
+    float power = 0.6f;               ///< In a forest.
+    float spread = 0.0f;              ///< In a forest.
+    float openScale = 0.0f;           ///< In the open.
+    float openPower = 0.6f;           ///< In the open.
+    float openSpread = 0.0f;          ///< In the open.
+    float diameter = 0.25f;           ///< Median of the diameters in forests, metres.
+    float diameterSpread = 0.62f;     ///< Of the diameters in forests.
+    float openDiameter = 0.25f;       ///< Median of the diameters in the open, metres.
+    float openDiameterSpread = 0.72f; ///< Of the diameters in the open.
+    float largest = 0.0f; ///< Tallest measured tree, metres, which limits estimates; 0 if unknown.
+    std::string source;   ///< Source of these numbers; informational.
 };
 
 /// Crown laws: width = base + perDiameter * diameter at breast height, depth = depth + depthPerHeight *

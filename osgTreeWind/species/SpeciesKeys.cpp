@@ -13,6 +13,11 @@ const Keys& keysOf<HeightAllometry>() {
         {"open_scale", at<&P::openScale>, within(0, 500), "`scale` of open-grown trees", "m"},
         {"open_power", at<&P::openPower>, within(0.1, 3), "`power` of open-grown trees"},
         {"open_spread", at<&P::openSpread>, within(0, 2), "`spread` of open-grown trees"},
+        {"diameter", at<&P::diameter>, within(0.01, 2), "Median of the trunk diameters in forests", "m"},
+        {"diameter_spread", at<&P::diameterSpread>, within(0.01, 2), "Standard deviation of ln(diameter)"},
+        {"open_diameter", at<&P::openDiameter>, within(0.01, 2), "`diameter` of open-grown trees", "m"},
+        {"open_diameter_spread", at<&P::openDiameterSpread>, within(0.01, 2),
+         "`diameter_spread` of open-grown trees"},
         {"largest", at<&P::largest>, within(0, 150),
          "Height of the tallest tree on record, at which estimates end; inventories may have heights up to "
          "1.5 times as large. 0: unknown",

@@ -80,7 +80,7 @@ TEST(FoundFiles, ReadsATypicalSpreadsheet) {
           "0 and markers such as -99 count as not measured: circumference of 15, height of 9 rows",
           "estimated by the laws of the species"})
         EXPECT_TRUE(hasPart(notes, note)) << note << "\nin\n" << notes;
-    EXPECT_EQ(forest.notes.size(), 6u) << notes;
+    EXPECT_EQ(forest.notes.size(), 7u) << notes;
 }
 
 TEST(FoundFiles, FindsRelatedSpecies) {

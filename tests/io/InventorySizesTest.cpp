@@ -73,10 +73,15 @@ TEST(InventorySizes, EstimatesAreNoted) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,\nc,1,3,,\nd,1,3,9,0.3\n");
     const auto notes = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).notes;
-    ASSERT_EQ(notes.size(), 1u);
+    ASSERT_EQ(notes.size(), 2u);
     EXPECT_TRUE(hasPart(notes[0],
                         "a.csv: estimated by the laws of the species: height of 2, trunk diameter of 1, "
                         "crown width of 3 trees"));
+    // exp(r), 1/r^2 = 1/0.62^2 + 0.441^2/0.186^2
+    EXPECT_TRUE(hasPart(notes[1],
+                        "a.csv: two of three estimated trunk diameters are right within a factor of "
+                        "1.42"))
+        << notes[1];
 }
 
 TEST(InventorySizes, EstimatesAreWrittenAsSuch) {

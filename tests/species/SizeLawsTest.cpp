@@ -54,6 +54,35 @@ void expectSpread(const Spread& found, double deviation) {
     EXPECT_GT(found.most, 1.95 * deviation);
 }
 
+struct Moments {
+    double mean, deviation; // of ln(diameter)
+};
+
+/// Diameters of trees with a height, and with a crown width if it is above 0: Bayes' theorem in small steps.
+Moments diametersOf(const Species& species, bool open, double height, double width = 0.0) {
+    const HeightAllometry& law = species.height;
+    const CrownAllometry& crown = species.crown;
+    const auto normal = [](double x, double deviation) {
+        return std::exp(-0.5 * x * x / deviation / deviation);
+    };
+    double weights = 0.0, sum = 0.0, squares = 0.0;
+    for (double x = std::log(0.002); x < std::log(20.0); x += 1e-3) {
+        const double d = std::exp(x);
+        const double high = open ? law.openScale * std::pow(d, static_cast<double>(law.openPower))
+                                 : law.scale * std::pow(d, static_cast<double>(law.power));
+        const double wide =
+            open ? crown.openBase + crown.openPerDiameter * d : crown.base + crown.perDiameter * d;
+        double weight = normal(std::log(d / (open ? law.openDiameter : law.diameter)),
+                               open ? law.openDiameterSpread : law.diameterSpread) *
+                        normal(std::log(height / high), open ? law.openSpread : law.spread);
+        if (width > 0.0)
+            weight *= normal(std::log(width / wide), open ? crown.openSpread : crown.spread);
+        weights += weight, sum += weight * x, squares += weight * x * x;
+    }
+    const double mean = sum / weights;
+    return {mean, std::sqrt(squares / weights - mean * mean)};
+}
+
 /// A source as in the table of docs/species.md, which leaves out the names of the databases.
 std::string withoutDatabases(std::string source) {
     for (const std::string database :
@@ -80,12 +109,55 @@ TEST(SizeLaws, HeightsHaveThePublishedMeanAndSpread) {
         }
 }
 
-TEST(SizeLaws, EstimatedDiametersHaveTheSpreadOfTheHeightLaw) {
-    const Species oak = *findSpecies("oak");
-    const auto off = [&](const TreeSize& size) {
-        return std::log(15.0 / (oak.height.openScale * std::pow(size.trunkDiameter, oak.height.openPower)));
-    };
-    expectSpread(spreadOf(sizeOf(15.0f, 0.0f), oak, true, off), static_cast<double>(oak.height.openSpread));
+TEST(SizeLaws, DiametersAreThoseOfTheTreesWithTheirHeight) {
+    for (const char* name : {"oak", "Norway spruce"})
+        for (const bool open : {false, true})
+            for (const float height : {8.0f, 15.0f, 28.0f}) {
+                SCOPED_TRACE(std::string(name) + (open ? " in the open, " : " in a forest, ") +
+                             std::to_string(height));
+                const Species species = *findSpecies(name);
+                const Moments known = diametersOf(species, open, height);
+                const auto off = [&](const TreeSize& size) {
+                    return std::log(size.trunkDiameter) - known.mean;
+                };
+                expectSpread(spreadOf(sizeOf(height, 0.0f), species, open, off), known.deviation);
+                EXPECT_NEAR(estimateSize(sizeOf(height, 0.0f), species, open, "a").diameterSpread,
+                            known.deviation, 1e-3);
+            }
+}
+
+TEST(SizeLaws, AMeasuredCrownNarrowsTheDiameters) {
+    for (const char* name : {"oak", "Norway spruce"})
+        for (const bool open : {false, true})
+            for (const float width : {4.0f, 6.0f, 9.0f}) {
+                SCOPED_TRACE(std::string(name) + (open ? " in the open, " : " in a forest, ") +
+                             std::to_string(width));
+                const Species species = *findSpecies(name);
+                const TreeSize given = sizeOf(18.0f, 0.0f, width);
+                const Moments known = diametersOf(species, open, 18.0f, width);
+                const auto off = [&](const TreeSize& size) {
+                    return std::log(size.trunkDiameter) - known.mean;
+                };
+                const Spread found = spreadOf(given, species, open, off);
+                EXPECT_NEAR(found.mean, 0.0, 0.03);
+                EXPECT_NEAR(found.deviation, known.deviation, 0.02);
+                EXPECT_LT(found.deviation, 0.9 * diametersOf(species, open, 18.0f).deviation);
+            }
+}
+
+TEST(SizeLaws, DiametersUnderACrownAreThoseOfJucker2017) {
+    const Species broadleaf = *findSpecies("broadleaf");
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+    for (const float height : {10.0f, 15.0f, 20.0f, 25.0f, 30.0f})
+        for (const float width : {3.0f, 5.0f, 8.0f, 12.0f}) {
+            const double jucker = 0.00557 * std::pow(height * width, 0.809) * std::exp(0.056 / 2.0);
+            const auto off = [&](const TreeSize& size) { return std::log(size.trunkDiameter / jucker); };
+            const double mean = spreadOf(sizeOf(height, 0.0f, width), broadleaf, false, off).mean;
+            sum += mean, squares += mean * mean, ++count;
+        }
+    EXPECT_NEAR(sum / count, 0.0, 0.1);
+    EXPECT_LT(std::sqrt(squares / count), 0.24) << "the deviation of the published relation";
 }
 
 TEST(SizeLaws, CrownsHaveThePublishedSpread) {
@@ -165,6 +237,7 @@ TEST(SizeLaws, VariesTheTypicalTreeWithoutGivenSizes) {
 
 TEST(SizeLaws, LimitsTheSlendernessOfEstimates) {
     Species species = *findSpecies("oak");
+    species.height.spread = 0.0f; // the line alone decides
     const auto slenderness = [&](const TreeSize& given) {
         const TreeSize size = estimateSize(given, species, false, "a").size;
         return size.height / size.trunkDiameter;
@@ -232,7 +305,8 @@ TEST(SizeLaws, EstimatesAreInRangeUnderAnyLaw) {
                 for (const float perDiameter : {0.0f, 1e-38f, 100.0f})
                     for (const TreeSize& given :
                          {sizeOf(0.0f, 0.0f), sizeOf(0.0f, 1e-6f), sizeOf(0.0f, 20.0f), sizeOf(1e-6f, 0.0f),
-                          sizeOf(150.0f, 0.0f), sizeOf(0.0f, 0.0f, 1e-6f), sizeOf(0.0f, 0.0f, 150.0f)}) {
+                          sizeOf(150.0f, 0.0f), sizeOf(0.0f, 0.0f, 1e-6f), sizeOf(0.0f, 0.0f, 150.0f),
+                          sizeOf(1e-6f, 0.0f, 150.0f), sizeOf(150.0f, 0.0f, 1e-6f)}) {
                         species.height.scale = scale;
                         species.height.power = power;
                         species.height.spread = species.crown.spread = spread;
