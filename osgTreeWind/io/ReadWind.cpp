@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
@@ -233,13 +233,21 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     columns.delimiter = options.delimiter;
     columns.decimalComma = options.decimalComma;
     table.read("missing", columns.missing);
-    table.readChoice<std::string>("time_unit", columns.timeUnit,
-                                  {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"iso8601", "iso8601"}});
+    table.readChoice<std::string>(
+        "time_unit", columns.timeUnit,
+        {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"days", "days"}, {"ms", "ms"}, {"iso8601", "iso8601"}});
+    table.readChoice<std::string>("time_order", columns.timeOrder, {{"dmy", "dmy"}, {"mdy", "mdy"}});
+    table.read("time_format", columns.timeFormat);
+    table.readChoice<std::string>("direction_unit", columns.directionUnit,
+                                  {{"deg", "deg"}, {"10 deg", "10 deg"}, {"rad", "rad"}});
     const bool isUnitKnown = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
     if (!table.has("columns"))
         return table.reportMissing("columns");
     table.table("columns", [&](TableReader& t) {
-        t.require("time", columns.time);
+        if (t.hasArray("time"))
+            t.read("time", columns.time);
+        else
+            t.require("time", columns.time.emplace_back());
         t.read("u", columns.u);
         t.read("v", columns.v);
         t.read("w", columns.w);
@@ -422,7 +430,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
         reportWindProblems(wind.problems(), table);
         return nullptr;
     }
-    date = parseIsoTime(wind.value().summary.start);
+    date = parseDate(wind.value().summary.start);
     for (const std::string& note : wind.value().summary.notes)
         table.note(paths.front() + ": " + note);
     checkCoverage(wind.value(), paths.front(), offset, allowsOutside, table, forest, trees);
@@ -449,7 +457,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
 /// @param windDate as for readWindData().
 void setStartDate(const std::string& text, TableReader& table, const std::optional<double>& windDate,
                   WindClock& clock) {
-    const std::optional<double> date = parseIsoTime(text);
+    const std::optional<double> date = parseDate(text);
     if (table.has("start"))
         table.problem("date", "give either this or start");
     else if (!date)

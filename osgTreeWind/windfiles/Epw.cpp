@@ -21,11 +21,11 @@ Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
     if (!text)
         return text.problems();
     WindSeriesColumns columns;
-    columns.time = "hour";
+    columns.time = {"hour"};
     columns.timeUnit = "h";
     columns.speed = "wind speed";
     columns.direction = "wind direction";
-    WindSeriesRows rows({file, headerLines, {columns.time, columns.speed, columns.direction}, {}, {}},
+    WindSeriesRows rows({file, headerLines, {columns.time.front(), columns.speed, columns.direction}, {}, {}},
                         columns);
     CsvReader reader(text.value().text, file, ',');
     int hour = 0;

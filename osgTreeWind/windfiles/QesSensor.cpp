@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFormats.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Range.h>
@@ -84,7 +84,7 @@ private:
     /// Parses a date and time to seconds since 1970.
     double timeStamp(pugi::xml_node element) {
         const std::string text = element.child_value();
-        const auto seconds = parseIsoTime(trimmed(text));
+        const auto seconds = parseDate(trimmed(text));
         if (!seconds)
             report(element.offset_debug(), "timeStamp",
                    expectedFound("a date and time such as 2020-01-01T12:00:00", text));

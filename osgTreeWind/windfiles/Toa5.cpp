@@ -18,7 +18,7 @@ constexpr int unitLine = 3; // of the header
 /// The given columns, or the usual TOA5 names if none are named.
 WindSeriesColumns namedColumns(WindSeriesColumns columns) {
     if (!columns.named()) {
-        columns.time = "TIMESTAMP";
+        columns.time = {"TIMESTAMP"};
         columns.u = "Ux";
         columns.v = "Uy";
         columns.w = "Uz";

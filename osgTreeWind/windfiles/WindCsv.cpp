@@ -13,7 +13,7 @@ namespace {
 WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table) {
     if (columns.named())
         return columns;
-    columns.time = "time";
+    columns.time = {"time"};
     if (table.column("speed")) {
         columns.speed = "speed";
         columns.direction = "direction";

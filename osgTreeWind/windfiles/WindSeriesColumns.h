@@ -14,13 +14,18 @@ namespace osgTreeWind {
 /// Names and units of the columns of a wind record in a CSV table. Set either u and v (and w) or speed and
 /// direction; leave the other names empty.
 struct OSGTREEWIND_EXPORT WindSeriesColumns {
-    std::string time;                            ///< Time column.
-    std::string timeUnit = "s";                  ///< "s", "min", "h", or "iso8601" for dates and times.
-    std::string u;                               ///< Velocity toward east.
-    std::string v;                               ///< Velocity toward north.
-    std::string w;                               ///< Velocity upward; optional.
-    std::string speed;                           ///< Horizontal speed, not negative.
-    std::string direction;                       ///< Degrees clockwise from north, [-360, 360].
+    std::vector<std::string> time; ///< Time column, or columns whose cells are joined: {"date", "time"}.
+    /// "s", "min", "h", "ms", "days" (day 0 is 1899-12-30), or "iso8601" for dates and times in the usual
+    /// forms; empty: found from the first time.
+    std::string timeUnit;
+    std::string timeOrder;  ///< "dmy" or "mdy" for dates such as 01/02/2020; empty: a day above 12 tells it.
+    std::string timeFormat; ///< Form of dates and times, "%d.%m.%Y %H.%M"; empty: the usual forms.
+    std::string u;          ///< Velocity toward east.
+    std::string v;          ///< Velocity toward north.
+    std::string w;          ///< Velocity upward; optional.
+    std::string speed;      ///< Horizontal speed, not negative.
+    std::string direction;  ///< Clockwise from north, at most 360 degrees either way, or a compass point.
+    std::string directionUnit; ///< "deg", "10 deg" or "rad"; empty: as the column's name says, or else "deg".
     DirectionSense sense = DirectionSense::From; ///< Meaning of `direction`.
     std::string speedUnit = "m/s"; ///< Unit of all velocities: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::optional<char> delimiter; ///< Separator of columns; empty: guessed from the header.
@@ -29,7 +34,7 @@ struct OSGTREEWIND_EXPORT WindSeriesColumns {
     std::vector<double> missing; ///< More codes for missing values, besides -99, 999 and similar ones.
 
     /// Whether any column is named; otherwise readers use default names.
-    bool named() const { return !(time + u + v + w + speed + direction).empty(); }
+    bool named() const { return !time.empty() || !(u + v + w + speed + direction).empty(); }
 };
 
 } // namespace osgTreeWind

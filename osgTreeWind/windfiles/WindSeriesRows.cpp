@@ -1,44 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindSeriesRows.h>
 
-#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/windfiles/DirectionText.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 
-namespace {
-
-constexpr const char* isoTime = "iso8601";
-
-} // namespace
-
 WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns)
     : _table{head.file, head.headerLine, head.columns, {}, head.format}, _columns(columns),
-      _polar(!columns.speed.empty() || !columns.direction.empty()) {
+      _polar(!columns.speed.empty() || !columns.direction.empty()), _times(_columns) {
     if (_polar == !(_columns.u.empty() && _columns.v.empty() && _columns.w.empty())) {
         report(0, {}, "expected columns for u and v, or for speed and direction");
         return;
     }
-    _time = find("time", _columns.time);
+    for (const std::string& name : _columns.time.empty() ? std::vector<std::string>{""} : _columns.time)
+        _time.push_back(find("time", name));
     _first = _polar ? find("speed", _columns.speed) : find("u", _columns.u);
     _second = _polar ? find("direction", _columns.direction) : find("v", _columns.v);
     if (!_columns.w.empty())
         _up = find("w", _columns.w);
-    if (const Result<double> seconds = timeUnit(_columns.timeUnit))
-        _secondsPerUnit = seconds.value();
-    else if (_columns.timeUnit != isoTime)
-        report(0, "time unit", expectedFound("s, min, h or iso8601", _columns.timeUnit));
+    for (const Diagnostic& problem : _times.check())
+        report(0, problem.key, problem.message);
     if (const Result<double> speed = speedUnit(_columns.speedUnit))
         _speedPerUnit = speed.value();
     else
         report(0, "speed unit", speed.problems().front().message);
+    if (_polar)
+        chooseDirectionUnit();
     _areColumnsValid = _problems.empty();
+}
+
+void WindSeriesRows::chooseDirectionUnit() {
+    const std::string& asked = _columns.directionUnit;
+    const std::string named = directionUnitInName(_columns.direction);
+    const double degreesOfName = directionUnit(named).value_or(1.0);
+    const std::optional<double> unit = asked.empty() ? degreesOfName : directionUnit(asked);
+    if (!unit)
+        return report(0, "direction unit", expectedFound("deg, 10 deg or rad", asked));
+    _degreesPerUnit = *unit;
+    if (!named.empty() && asked.empty() && degreesOfName != 1.0)
+        _notes.push_back("the name of the column " + inQuotes(_columns.direction) +
+                         " gives the unit of directions");
+    else if (!named.empty() && degreesOfName != *unit)
+        _notes.push_back("direction_unit replaces the unit in the name of the column " +
+                         inQuotes(_columns.direction));
 }
 
 void WindSeriesRows::report(int line, const std::string& key, std::string message) {
@@ -82,10 +94,17 @@ bool WindSeriesRows::isMissing(const Row& row, std::size_t column) const {
 
 /// A row with speed 0 needs no direction.
 bool WindSeriesRows::hasWind(const Row& row) const {
-    if (osgTreeWind::isMissing(row.cells[_time]) || // 999 s is a valid time
-        isMissing(row, _first) || (!_columns.w.empty() && isMissing(row, _up)))
+    if (isMissing(row, _first) || (!_columns.w.empty() && isMissing(row, _up)))
         return false;
     return !isMissing(row, _second) || (_polar && _table.format.numberOf(row.cells[_first]) == 0.0);
+}
+
+/// Whether the row has a direction that varies: VRB, 990, or 99 tens of degrees.
+bool WindSeriesRows::isVariable(const Row& row) const {
+    const std::string& cell = row.cells[_second];
+    constexpr double variableDirection = 990.0; // in degrees, FM 12 of the WMO
+    return _polar && (isVariableDirection(cell) ||
+                      _table.format.numberOf(cell).value_or(0.0) * _degreesPerUnit == variableDirection);
 }
 
 double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
@@ -93,23 +112,27 @@ double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
                   low < 0.0 ? "a wind of at most 200 m/s either way" : "a wind speed of 0 to 200 m/s");
 }
 
-double WindSeriesRows::time(const Row& row) {
-    if (_columns.timeUnit != isoTime)
-        return number(row, _time, _secondsPerUnit, -maxTime, maxTime, "a time");
-    if (const auto seconds = parseIsoTime(row.cells[_time]))
-        return *seconds;
-    report(row.line, _columns.time,
-           expectedFound("a date and time such as 2015-06-29T12:00:00Z", row.cells[_time]));
+/// The direction; 0 for a calm, whose direction may be missing or variable.
+double WindSeriesRows::degrees(const Row& row) {
+    if (const auto point = compassDirection(row.cells[_second]))
+        return *point;
+    if (isMissing(row, _second) || isVariable(row))
+        return 0.0;
+    const Result<double> cell = _table.number(row, _second);
+    const double degrees = cell ? cell.value() * _degreesPerUnit : HUGE_VAL;
+    if (std::abs(degrees) <= maxDirection * (1.0 + 1e-6)) // for rounded radians
+        return degrees;
+    report(
+        row.line, _columns.direction,
+        expectedFound("a direction of -360 to 360 degrees (other units: direction_unit) or a compass point",
+                      row.cells[_second]));
     return 0.0;
 }
 
 glm::vec3 WindSeriesRows::velocity(const Row& row) {
     if (_polar) {
         const double s = speed(row, _first, 0.0);
-        const double d = isMissing(row, _second) ? 0.0
-                                                 : number(row, _second, 1.0, -maxDirection, maxDirection,
-                                                          "degrees of -360 to 360");
-        return windVelocity({s, glm::radians(d)}, _columns.sense);
+        return windVelocity({s, glm::radians(degrees(row))}, _columns.sense);
     }
     const double u = speed(row, _first, -maxMeasuredSpeed), v = speed(row, _second, -maxMeasuredSpeed);
     return {u, v, _columns.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};
@@ -119,32 +142,81 @@ void WindSeriesRows::addRow(const Row& row) {
     ++_rowCount;
     if (!_areColumnsValid || _problems.size() >= maxRecordProblems)
         return;
+    std::string cell;
+    for (const std::size_t column : _time) {
+        if (osgTreeWind::isMissing(row.cells[column])) { // 999 s is a valid time
+            ++_skippedCount;
+            return;
+        }
+        cell += (cell.empty() ? "" : " ") + row.cells[column];
+    }
+    const Result<DateReadings> time =
+        _times.read(cell, _table.format); // also tells the order of day and month
     if (!hasWind(row)) {
         ++_skippedCount;
         return;
     }
+    if (isVariable(row) && _table.format.numberOf(row.cells[_first]) != 0.0) {
+        ++_variableCount;
+        return;
+    }
     const std::size_t before = _problems.size();
-    const double now = time(row);
+    if (!time)
+        report(row.line, _columns.time.front(), time.problems().front().message);
     const glm::vec3 wind = velocity(row);
     if (_problems.size() != before)
         return;
-    if (_series.times.empty()) {
-        _start = now;
-        _startText = row.cells[_time];
-    } else if (now - _start <= _series.times.back())
-        return report(row.line, _columns.time,
-                      expectedFound("a later time than in the row before", row.cells[_time]));
-    _series.times.push_back(now - _start);
-    _series.velocities.push_back(wind);
+    const DateReadings& readings = time.value();
+    if (!_times.areDates() && !_records.empty() && *readings.dayFirst < _records.back().dayFirst)
+        return report(row.line, _columns.time.front(),
+                      expectedFound("a time not before that of the row above", cell));
+    _records.push_back({readings.dayFirst.value_or(0.0), readings.monthFirst.value_or(0.0), wind, row.line});
+}
+
+/// Sorts the records by time and averages those of one time.
+void WindSeriesRows::joinRecords() {
+    const Result<bool> isDayFirst = _times.isDayFirst();
+    if (!isDayFirst)
+        return report(0, _columns.time.front(), isDayFirst.problems().front().message);
+    const auto timeOf = [&](const Record& record) {
+        return isDayFirst.value() ? record.dayFirst : record.monthFirst;
+    };
+    constexpr double summerTime = 3600.0;
+    double latest = timeOf(_records.front());
+    for (const Record& record : _records) {
+        const double time = timeOf(record);
+        if (time < latest - summerTime && _problems.size() < maxRecordProblems)
+            report(record.line, _columns.time.front(),
+                   expectedFound("a time at most an hour before those above", isoTimeText(time)));
+        latest = std::max(latest, time);
+    }
+    std::stable_sort(_records.begin(), _records.end(),
+                     [&](const Record& a, const Record& b) { return timeOf(a) < timeOf(b); });
+    const double start = timeOf(_records.front());
+    if (_times.areDates())
+        _start = isoTimeText(start);
+    for (auto record = _records.begin(); record != _records.end();) {
+        const auto first = record;
+        glm::dvec3 sum(0.0);
+        for (; record != _records.end() && timeOf(*record) == timeOf(*first); ++record)
+            sum += glm::dvec3(record->velocity);
+        _series.times.push_back(timeOf(*first) - start);
+        _series.velocities.emplace_back(sum / static_cast<double>(record - first));
+    }
+    if (const std::size_t count = _records.size() - _series.times.size())
+        _notes.push_back(std::to_string(count) + " of " + std::to_string(_rowCount) +
+                         " records have the time of another record; records of one time are averaged");
 }
 
 Result<WindContent> WindSeriesRows::content(const char* format, const char* components,
                                             std::vector<std::string> assumptions) {
     if (_areColumnsValid && _rowCount == 0)
         report(_table.headerLine, {}, "expected at least one record below the header");
-    else if (_areColumnsValid && _skippedCount == _rowCount)
+    else if (_areColumnsValid && _skippedCount + _variableCount == _rowCount)
         report(_table.headerLine, {},
                "expected at least one record with wind, found none in " + std::to_string(_rowCount));
+    if (_problems.empty())
+        joinRecords();
     if (!_problems.empty())
         return _problems;
     WindContent content;
@@ -157,6 +229,11 @@ Result<WindContent> WindSeriesRows::content(const char* format, const char* comp
     if (_skippedCount > 0)
         content.assumptions.push_back(std::to_string(_skippedCount) + " of " + std::to_string(_rowCount) +
                                       " records have no wind and are skipped");
+    if (_variableCount > 0)
+        content.assumptions.push_back(std::to_string(_variableCount) + " of " + std::to_string(_rowCount) +
+                                      " records have a variable direction and are skipped");
+    for (const std::vector<std::string>& notes : {_times.notes(), _notes})
+        content.assumptions.insert(content.assumptions.end(), notes.begin(), notes.end());
     content.data = std::move(_series);
     return content;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/windfiles/TimeColumns.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
@@ -16,14 +17,16 @@ public:
     void addRow(const CsvTable::Row& row);
 
     /// Call after the last row. Returns the record, in seconds since the first row with wind, or all
-    /// problems: columns of both forms or neither, a missing column, an unknown unit, no row with wind, and,
-    /// with its line, a cell that is not a number, a time that does not increase, or an impossible value
-    /// (negative speed, more than 200 m/s). Rows without wind are skipped; speed 0 needs no direction.
+    /// problems: columns of both forms or neither, a missing column, an unknown unit, no row with wind, dates
+    /// without a known order of day and month, and, with its line, a cell that is not a number, a time before
+    /// that of the row above (for dates more than an hour, as clocks go back), or an impossible value
+    /// (negative speed, more than 200 m/s). Rows without wind or with a variable direction are skipped; speed
+    /// 0 needs no direction. Rows of one time are averaged.
     /// @param components their meaning, if the columns have no directions.
     Result<WindContent> content(const char* format, const char* components,
                                 std::vector<std::string> assumptions = {});
-    /// Text of the time in the first row with wind.
-    const std::string& start() const { return _startText; }
+    /// The first time of content(), as by isoTimeText(), if the times are dates.
+    const std::string& start() const { return _start; }
 
 private:
     using Row = CsvTable::Row;
@@ -34,20 +37,33 @@ private:
                   const char* what);
     bool isMissing(const Row& row, std::size_t column) const;
     bool hasWind(const Row& row) const;
+    bool isVariable(const Row& row) const;
     double speed(const Row& row, std::size_t column, double low);
-    double time(const Row& row);
+    double degrees(const Row& row);
     glm::vec3 velocity(const Row& row);
+    void chooseDirectionUnit();
+    void joinRecords();
 
     const CsvTable _table; ///< The header, without rows.
     const WindSeriesColumns _columns;
+    struct Record {
+        double dayFirst, monthFirst; ///< The readings of its time.
+        glm::vec3 velocity;
+        int line;
+    };
+
     bool _polar = false;
-    std::size_t _time = 0, _first = 0, _second = 0, _up = 0;
-    double _secondsPerUnit = 1.0, _speedPerUnit = 1.0, _start = 0.0;
+    std::vector<std::size_t> _time;
+    std::size_t _first = 0, _second = 0, _up = 0;
+    double _speedPerUnit = 1.0, _degreesPerUnit = 1.0;
+    TimeColumns _times;
+    std::vector<Record> _records;
     WindSeries _series;
     Diagnostics _problems;
+    std::vector<std::string> _notes;
     bool _areColumnsValid = false;
-    std::string _startText;
-    std::size_t _rowCount = 0, _skippedCount = 0; ///< All rows; those without wind.
+    std::string _start;
+    std::size_t _rowCount = 0, _skippedCount = 0, _variableCount = 0; ///< All rows; those left out.
 };
 
 } // namespace osgTreeWind

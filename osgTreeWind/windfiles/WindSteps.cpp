@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindSteps.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
@@ -94,7 +94,7 @@ struct FileTimes {
 
 FileTimes timesOf(const WindContent& step) {
     FileTimes times{std::get<GridWind::Grid>(step.data).times, false};
-    const auto start = parseIsoTime(step.summary.start);
+    const auto start = parseDate(step.summary.start);
     if (!start)
         return times;
     times.isDated = true;

@@ -16,7 +16,7 @@ struct Unit {
 
 constexpr Unit speedUnits[] = {
     {"m/s", 1.0}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}, {"mph", 0.44704}, {"ft/s", 0.3048}};
-constexpr Unit timeUnits[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}};
+constexpr Unit timeUnits[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"days", 86400.0}, {"ms", 0.001}};
 
 template <std::size_t N>
 Result<double> valueOf(const Unit (&units)[N], const char* what, const std::string& name) {

@@ -15,7 +15,8 @@ Result<double> speedUnit(const std::string& name);
 /// returned unchanged.
 std::string canonicalSpeedUnit(const std::string& text);
 
-/// Conversion factor to seconds of "s", "min" or "h". Any other name is an error that lists them.
+/// Conversion factor to seconds of "s", "min", "h", "days" or "ms". Any other name is an error that lists
+/// them.
 Result<double> timeUnit(const std::string& name);
 
 } // namespace osgTreeWind

@@ -47,6 +47,7 @@ class OsgTreeWind(ConanFile):
     def requirements(self):
         self.requires("openscenegraph/3.6.5", transitive_headers=True, transitive_libs=True)
         self.requires("glm/0.9.9.8", transitive_headers=True)
+        self.requires("date/[>=3.0 <4]", options={"header_only": True})
         self.requires("eccodes/[>=2.28 <3]")
         self.requires("eigen/3.4.0")
         self.requires("gdal/[>=3.4 <4]")

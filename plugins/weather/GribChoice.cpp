@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/GribChoice.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <plugins/weather/GribMeaning.h>
 #include <plugins/weather/Words.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <array>
@@ -72,7 +72,7 @@ std::optional<double> referenceOf(const GribHandle& product) {
     std::snprintf(text.data(), text.size(), "%04ld-%02ld-%02ldT%02ld:%02ld:%02ldZ", date / 10000,
                   date / 100 % 100, date % 100, product.integer("hour"), product.integer("minute"),
                   product.integer("second"));
-    return parseIsoTime(text.data());
+    return parseDate(text.data());
 }
 
 struct GridRow {

@@ -6,7 +6,7 @@
 #include <plugins/weather/PointColumn.h>
 #include <plugins/weather/TrueNorth.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/WindDirection.h>

@@ -9,8 +9,7 @@ namespace {
 
 void readCsvWind(const std::string& bytes) {
     WindSeriesColumns columns;
-    columns.time = "time";
-    columns.timeUnit = bytes.find('T') == std::string::npos ? "s" : "iso8601";
+    columns.time = {"time"};
     columns.speed = "speed";
     columns.direction = "direction";
     requireValid(readWindCsv(bytes, "fuzz", columns));

@@ -2,7 +2,7 @@
 // Times of the CF conventions in every calendar.
 #include <tests/windfiles/NetCdfWriting.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 
 namespace osgTreeWind {
 
@@ -78,7 +78,7 @@ TEST(NetCdfTime, DecodesUnitsZonesAndCalendars) {
         ASSERT_EQ(seconds.size(), one.seconds.size());
         for (std::size_t i = 0; i < seconds.size(); ++i)
             EXPECT_NEAR(seconds[i], one.seconds[i], 1e-6) << one.unit;
-        EXPECT_EQ(parseIsoTime(start).has_value(), !start.empty() && start.find(',') == std::string::npos);
+        EXPECT_EQ(parseDate(start).has_value(), !start.empty() && start.find(',') == std::string::npos);
     }
 }
 

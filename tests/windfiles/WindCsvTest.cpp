@@ -3,7 +3,10 @@
 #include <tests/base/FirstProblem.h>
 #include <tests/windfiles/RecordOf.h>
 
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace osgTreeWind;
 
@@ -11,7 +14,7 @@ namespace {
 
 WindSeriesColumns polar() {
     WindSeriesColumns columns;
-    columns.time = "t";
+    columns.time = {"t"};
     columns.speed = "ws";
     columns.direction = "wd";
     return columns;
@@ -19,7 +22,7 @@ WindSeriesColumns polar() {
 
 WindSeriesColumns cartesian() {
     WindSeriesColumns columns;
-    columns.time = "t";
+    columns.time = {"t"};
     columns.u = "u";
     columns.v = "v";
     return columns;
@@ -73,6 +76,96 @@ TEST(WindCsv, ReadsDatesAndTimes) {
     EXPECT_EQ(series.value().times[1], 1800.0);
 }
 
+TEST(WindCsv, ReadsTimesAsPeopleWriteThem) {
+    const std::pair<const char*, std::vector<const char*>> tables[] = {
+        {"t", {"26/03/2019 23:50", "27/03/2019 00:00", "27/03/2019 00:10"}},
+        {"t", {"03/26/2019 11:50 PM", "03/27/2019 12:00 AM", "03/27/2019 12:10 AM"}},
+        {"t", {"26.03.2019 23:50", "26.03.2019 24:00", "27.03.2019 00:10"}},
+        {"t", {"03/12/2019 23:50", "03/13/2019 00:00", "03/13/2019 00:10"}},
+        {"t", {"201903262350", "201903270000", "201903270010"}},
+        {"t", {"1553644200000", "1553644800000", "1553645400000"}},
+        {"t", {"2019-03-26 23:50:00", "2019-03-27", "2019-03-27 00:10:00"}},
+        {"date,t", {"2019-03-26,23:50", "2019-03-27,00:00", "2019-03-27,00:10"}},
+        {"date,t", {"20190326,2350", "20190327,0000", "20190327,0010"}}};
+    for (const auto& [names, times] : tables) {
+        std::string table = std::string(names) + ",ws,wd\n";
+        for (const char* time : times)
+            table += std::string(time) + ",5,270\n";
+        WindSeriesColumns columns = polar();
+        if (names[0] == 'd')
+            columns.time = {"date", "t"};
+        const auto series = read(table, columns);
+        ASSERT_TRUE(series) << firstProblem(series);
+        EXPECT_EQ(series.value().times, (std::vector<double>{0, 600, 1200})) << table;
+    }
+}
+
+TEST(WindCsv, ReadsDaysOfSpreadsheets) {
+    WindSeriesColumns columns = polar();
+    columns.timeUnit = "days";
+    const auto series = readWindCsv("t,ws,wd\n43034.625,5,0\n43035.625,5,0\n", "w.csv", columns);
+    ASSERT_TRUE(series) << firstProblem(series);
+    EXPECT_EQ(recordOf(series).value().times[1], 86400.0);
+}
+
+TEST(WindCsv, AsksForTheOrderOfDayAndMonth) {
+    const std::string table = "t,ws,wd\n01/02/1970,5,0\n02/02/1970,5,0\n";
+    WindSeriesColumns columns = polar();
+    columns.timeOrder = "dmy";
+    EXPECT_EQ(read(table, columns).value().times[1], 86400.0);
+    columns.timeOrder = "mdy";
+    EXPECT_EQ(read(table, columns).value().times[1], 31 * 86400.0);
+}
+
+TEST(WindCsv, AveragesRecordsOfOneTime) {
+    const auto content = readWindCsv("t,ws,wd\n"
+                                     "2019-10-27 02:00,2,270\n2019-10-27 02:30,3,270\n"
+                                     "2019-10-27 02:00,4,270\n2019-10-27 02:30,5,270\n2019-10-27 03:00,6,0\n",
+                                     "w.csv", polar());
+    ASSERT_TRUE(content) << firstProblem(content);
+    const WindSeries series = recordOf(content).value();
+    EXPECT_EQ(series.times, (std::vector<double>{0, 1800, 3600}));
+    expectNear(series.velocities[0], {3, 0, 0});
+    expectNear(series.velocities[1], {4, 0, 0});
+    EXPECT_EQ(content.value().assumptions,
+              (std::vector<std::string>{
+                  "its times name no zone and are taken as UTC",
+                  "2 of 5 records have the time of another record; records of one time are averaged"}));
+    EXPECT_EQ(read("t,ws,wd\n5,1,270\n5,2,270\n6,1,0\n", polar()).value().times.size(), 2u);
+}
+
+TEST(WindCsv, ReadsUnitsOfDirections) {
+    const auto first = [](const std::string& name, const char* unit, const char* cell) {
+        WindSeriesColumns columns = polar();
+        columns.direction = name;
+        columns.directionUnit = unit;
+        const auto series = read("t,ws," + name + "\n0,5," + cell + "\n", columns);
+        return series ? series.value().velocities[0] : glm::vec3(HUGE_VALF);
+    };
+    expectNear(first("wd", "10 deg", "27"), {5, 0, 0});
+    expectNear(first("Wind Dir (10s deg)", "", "27"), {5, 0, 0});
+    expectNear(first("Wind Dir (10s deg)", "deg", "270"), {5, 0, 0});
+    expectNear(first("wd", "rad", "4.712389"), {5, 0, 0});
+    expectNear(first("wd_rad", "", "4.712389"), {5, 0, 0});
+    expectNear(first("wd (°)", "", "270"), {5, 0, 0});
+    for (const char* west : {"W", "w", "West"})
+        expectNear(first("wd", "", west), {5, 0, 0});
+    expectNear(first("wd", "", "North-East"), {-5 * std::sqrt(0.5f), -5 * std::sqrt(0.5f), 0});
+    expectNear(first("wd", "", "SSW"),
+               {5 * std::sin(glm::radians(22.5f)), 5 * std::cos(glm::radians(22.5f)), 0});
+}
+
+TEST(WindCsv, LeavesOutVariableDirections) {
+    const auto content =
+        readWindCsv("t,ws,wd\n0,5,270\n1,1,VRB\n2,1,990\n3,0,VRB\n4,0,0\n", "w.csv", polar());
+    ASSERT_TRUE(content) << firstProblem(content);
+    const WindSeries series = recordOf(content).value();
+    EXPECT_EQ(series.times, (std::vector<double>{0, 3, 4}));
+    expectNear(series.velocities[1], {0, 0, 0});
+    EXPECT_EQ(content.value().assumptions.front(),
+              "2 of 5 records have a variable direction and are skipped");
+}
+
 namespace {
 
 struct BadRecord {
@@ -88,6 +181,12 @@ void PrintTo(const BadRecord& bad, std::ostream* out) {
 
 WindSeriesColumns with(WindSeriesColumns columns, std::string WindSeriesColumns::*member, const char* value) {
     columns.*member = value;
+    return columns;
+}
+
+WindSeriesColumns timedBy(std::vector<std::string> time) {
+    WindSeriesColumns columns = polar();
+    columns.time = std::move(time);
     return columns;
 }
 
@@ -108,8 +207,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv:2: expected at least one record below the header"},
         BadRecord{"MissingColumn", "t,ws\n0,1\n", polar(),
                   "w.csv:1: wd: no such column for direction; the header has t, ws"},
-        BadRecord{"NoTime", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::time, ""),
-                  "w.csv:1: time: no column is named for time"},
+        BadRecord{"NoTime", "t,ws,wd\n0,1,0\n", timedBy({}), "w.csv:1: time: no column is named for time"},
+        BadRecord{"NoDateColumn", "t,ws,wd\n0,1,0\n", timedBy({"d", "t"}),
+                  "w.csv:1: d: no such column for time; the header has t, ws, wd"},
         BadRecord{"HalfAMap", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::direction, ""),
                   "w.csv:1: direction: no column is named for direction"},
         BadRecord{"BothForms", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::u, "ws"),
@@ -119,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{"SpeedUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::speedUnit, "bft"),
                   "w.csv: speed unit: expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'bft'"},
         BadRecord{"TimeUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::timeUnit, "d"),
-                  "w.csv: time unit: expected s, min, h or iso8601, found 'd'"},
+                  "w.csv: time unit: expected s, min, h, days, ms or iso8601, found 'd'"},
         BadRecord{"TextInNumber", "t,ws,wd\n0,1,0\n1,x,0\n", polar(),
                   "w.csv:3: ws: expected a number, found 'x'"},
         BadRecord{"EmptyCell", "t,ws,wd\n0,1,\n", polar(),
@@ -128,17 +228,50 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv:2: ws: expected a wind speed of 0 to 200 m/s, found '-1'"},
         BadRecord{"MissingSpeedCode", "t,ws,wd\n0,999.9,0\n", polar(),
                   "w.csv:1: expected at least one record with wind, found none in 1"},
-        BadRecord{"MissingDirectionCode", "t,ws,wd\n0,1,990\n", polar(),
-                  "w.csv:2: wd: expected degrees of -360 to 360, found '990'"},
+        BadRecord{"TimeOrder", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::timeOrder, "ymd"),
+                  "w.csv: time order: expected dmy or mdy, found 'ymd'"},
+        BadRecord{"TimeFormat", "t,ws,wd\n0,1,0\n",
+                  with(with(polar(), &Columns::timeFormat, "%F"), &Columns::timeUnit, "h"),
+                  "w.csv: time format: cannot be used with the time unit h"},
+        BadRecord{"DirectionUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::directionUnit, "gon"),
+                  "w.csv: direction unit: expected deg, 10 deg or rad, found 'gon'"},
+        BadRecord{"OnlyVariable", "t,ws,wd\n0,1,990\n", polar(),
+                  "w.csv:1: expected at least one record with wind, found none in 1"},
+        BadRecord{
+            "Direction", "t,ws,wd\n0,1,400\n", polar(),
+            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or a "
+            "compass point, found '400'"},
+        BadRecord{
+            "Ost", "t,ws,wd\n0,1,O\n", polar(),
+            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or a "
+            "compass point, found 'O'"},
         BadRecord{"MissingComponentCode", "t,u,v\n0,1,-999\n", cartesian(),
                   "w.csv:1: expected at least one record with wind, found none in 1"},
         BadRecord{"OutOfOrder", "t,ws,wd\n5,1,0\n4,1,0\n", polar(),
-                  "w.csv:3: t: expected a later time than in the row before, found '4'"},
-        BadRecord{"TimeTwice", "t,ws,wd\n5,1,0\n5,1,0\n", polar(),
-                  "w.csv:3: t: expected a later time than in the row before, found '5'"},
-        BadRecord{"HugeTime", "t,ws,wd\n1e300,1,0\n", polar(), "w.csv:2: t: expected a time, found '1e300'"},
+                  "w.csv:3: t: expected a time not before that of the row above, found '4'"},
+        BadRecord{"DateOutOfOrder", "t,ws,wd\n2020-01-01 05:00,1,0\n2020-01-01 03:59,1,0\n", polar(),
+                  "w.csv:3: t: expected a time at most an hour before those above, found "
+                  "'2020-01-01T03:59:00Z'"},
+        BadRecord{"OpenOrder", "t,ws,wd\n01/02/2020 05:00,1,0\n02/02/2020 03:59,1,0\n", polar(),
+                  "w.csv: t: expected a day above 12 that tells the order of day and month, or time_order = "
+                  "\"dmy\" or \"mdy\", found '01/02/2020 05:00'"},
+        BadRecord{"TwoOrders", "t,ws,wd\n13/02/2020,1,0\n02/14/2020,1,0\n", polar(),
+                  "w.csv: t: expected one order of day and month, found '13/02/2020' and '02/14/2020'"},
+        BadRecord{"OtherOrder", "t,ws,wd\n13/02/2020,1,0\n", with(polar(), &Columns::timeOrder, "mdy"),
+                  "w.csv:2: t: expected a date in the order mdy, found '13/02/2020'"},
+        BadRecord{"OtherFormat", "t,ws,wd\n2020-02-13,1,0\n", with(polar(), &Columns::timeFormat, "%d.%m.%y"),
+                  "w.csv:2: t: expected a time as in time_format, %d.%m.%y, found '2020-02-13'"},
+        BadRecord{"MillisecondsAsSeconds", "t,ws,wd\n1509030000000,1,0\n",
+                  with(polar(), &Columns::timeUnit, "s"),
+                  "w.csv:2: t: expected a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "
+                  "\"iso8601\"), found '1509030000000'"},
+        BadRecord{"HugeTime", "t,ws,wd\n1e300,1,0\n", polar(),
+                  "w.csv:2: t: expected a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "
+                  "\"iso8601\"), found '1e300'"},
         BadRecord{"NoDate", "t,ws,wd\n5,1,0\n", with(polar(), &Columns::timeUnit, "iso8601"),
-                  "w.csv:2: t: expected a date and time such as 2015-06-29T12:00:00Z, found '5'"},
+                  "w.csv:2: t: expected a date and time such as 2015-06-29T12:00:00Z (other forms: "
+                  "time_format; several "
+                  "columns: time = [\"date\", \"time\"]), found '5'"},
         BadRecord{"Ragged", "t,ws,wd\n0,1\n", polar(),
                   "w.csv:2: expected 3 cells as in the header, found 2"}),
     [](const auto& info) { return info.param.name; });

@@ -66,7 +66,7 @@ TEST(WindFormats, ReadsRecordsOfAllFormats) {
     EXPECT_NEAR(3.6 * slow.value().velocities[0].x, fast.value().velocities[0].x, 1e-5);
 
     WindSeriesColumns columns;
-    columns.time = "t";
+    columns.time = {"t"};
     columns.u = "u";
     columns.v = "v";
     columns.speedUnit = "km/h";

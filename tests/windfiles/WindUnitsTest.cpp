@@ -19,10 +19,12 @@ TEST(WindUnits, ConvertsTimes) {
     EXPECT_EQ(timeUnit("s").value(), 1.0);
     EXPECT_EQ(timeUnit("min").value(), 60.0);
     EXPECT_EQ(timeUnit("h").value(), 3600.0);
+    EXPECT_EQ(timeUnit("days").value(), 86400.0);
+    EXPECT_EQ(timeUnit("ms").value(), 0.001);
 }
 
 TEST(WindUnits, RefusesUnknownUnitsAndListsTheKnownOnes) {
     EXPECT_EQ(firstProblem(speedUnit("knots")),
               "expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'knots'");
-    EXPECT_EQ(firstProblem(timeUnit("")), "expected a unit of time (s, min, h), found nothing");
+    EXPECT_EQ(firstProblem(timeUnit("")), "expected a unit of time (s, min, h, days, ms), found nothing");
 }

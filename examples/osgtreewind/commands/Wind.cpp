@@ -3,7 +3,7 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/pictures/WritePicture.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Viridis.h>
 #include <osgTreeWind/wind/WindField.h>
@@ -177,7 +177,7 @@ WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
 std::optional<double> secondsOf(const std::string& time, const WindSummary& summary) {
     if (const auto seconds = parseNumber(time))
         return seconds;
-    const auto asked = parseIsoTime(time), start = parseIsoTime(summary.start);
+    const auto asked = parseDate(time), start = parseDate(summary.start);
     return asked && start ? std::optional<double>(*asked - *start) : std::nullopt;
 }
 

@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/options/LightOptions.h>
 
 #include <examples/osgtreewind/scene/SolarPosition.h>
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 
@@ -35,7 +35,7 @@ std::optional<glm::dvec2> parsePosition(const std::string& text) {
     const std::size_t at = text.find('@');
     if (at == std::string::npos)
         return parsePair(text, {360.0, 90.0});
-    const auto time = parseIsoTime(text.substr(0, at));
+    const auto time = parseDate(text.substr(0, at));
     const auto place = parsePair(text.substr(at + 1), {90.0, 180.0});
     if (!time || !place)
         return {};

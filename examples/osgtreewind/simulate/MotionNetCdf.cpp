@@ -3,7 +3,7 @@
 #include <examples/osgtreewind/output/NetCdfFile.h>
 #include <examples/osgtreewind/simulate/MotionFile.h>
 
-#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/wind/WindFiles.h>
 

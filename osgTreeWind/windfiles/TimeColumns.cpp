@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/TimeColumns.h>
+
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr const char* isoTime = "iso8601";
+constexpr double maxSeconds = 1e11;             // year 5138: larger numbers are milliseconds or compact dates
+constexpr double firstDay = -25569.0 * 86400.0; // 1899-12-30, day 0 of spreadsheets
+
+} // namespace
+
+Diagnostics TimeColumns::check() const {
+    Diagnostics problems;
+    const std::string &unit = _columns.timeUnit, &order = _columns.timeOrder;
+    if (!unit.empty() && unit != isoTime && !timeUnit(unit))
+        problems.push_back({{}, 0, 0, "time unit", expectedFound("s, min, h, days, ms or iso8601", unit)});
+    if (!order.empty() && order != "dmy" && order != "mdy")
+        problems.push_back({{}, 0, 0, "time order", expectedFound("dmy or mdy", order)});
+    if (!_columns.timeFormat.empty() && !unit.empty() && unit != isoTime)
+        problems.push_back({{}, 0, 0, "time format", "cannot be used with the time unit " + unit});
+    return problems;
+}
+
+void TimeColumns::chooseUnit(const std::string& cell, const CsvFormat& format) {
+    const std::optional<double> number = format.numberOf(cell);
+    if (_columns.timeUnit == isoTime || !_columns.timeFormat.empty())
+        _secondsPerUnit = 0.0;
+    else if (!_columns.timeUnit.empty())
+        _secondsPerUnit = timeUnit(_columns.timeUnit).value();
+    else if (!number)
+        _secondsPerUnit = 0.0;
+    else if (readDate(cell).isRead()) {
+        _secondsPerUnit = 0.0;
+        _unitNote = "times such as " + cell + " are taken as dates; time_unit = \"s\" takes them as seconds";
+    } else if (std::abs(*number) >= maxSeconds) {
+        _secondsPerUnit = 0.001;
+        _unitNote = "its times are taken as milliseconds; time_unit sets another unit";
+    } else {
+        _secondsPerUnit = 1.0;
+        _unitNote = "its times are taken as seconds; time_unit sets another unit";
+    }
+}
+
+Result<DateReadings> TimeColumns::readDateCell(const std::string& cell) {
+    const std::string &format = _columns.timeFormat, &order = _columns.timeOrder;
+    const DateReadings readings = format.empty() ? readDate(cell) : readDate(cell, format);
+    if (!readings.isRead())
+        return fileProblem(
+            {}, expectedFound(format.empty() ? "a date and time such as 2015-06-29T12:00:00Z (other forms: "
+                                               "time_format; several columns: time = [\"date\", \"time\"])"
+                                             : "a time as in time_format, " + format,
+                              cell));
+    if (!(order == "mdy" ? readings.monthFirst : order == "dmy" ? readings.dayFirst : 0.0))
+        return fileProblem({}, expectedFound("a date in the order " + order, cell));
+    if (!readings.monthFirst)
+        _dayFirst = cell;
+    else if (!readings.dayFirst)
+        _monthFirst = cell;
+    else if (*readings.dayFirst != *readings.monthFirst)
+        _open = cell;
+    _lacksZone = _lacksZone || !readings.hasZone;
+    return readings;
+}
+
+Result<DateReadings> TimeColumns::read(const std::string& cell, const CsvFormat& format) {
+    if (!_secondsPerUnit)
+        chooseUnit(cell, format);
+    if (areDates())
+        return readDateCell(cell);
+    const std::optional<double> number = format.numberOf(cell);
+    if (!number)
+        return fileProblem({}, expectedFound("a number", cell));
+    const double seconds = *number * *_secondsPerUnit + (_columns.timeUnit == "days" ? firstDay : 0.0);
+    if (!(std::abs(seconds) < maxSeconds))
+        return fileProblem({}, expectedFound("a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "
+                                             "\"iso8601\")",
+                                             cell));
+    return DateReadings{seconds, seconds, true};
+}
+
+Result<bool> TimeColumns::isDayFirst() const {
+    if (!_columns.timeOrder.empty())
+        return _columns.timeOrder == "dmy";
+    if (!_dayFirst.empty() && !_monthFirst.empty())
+        return fileProblem({}, "expected one order of day and month, found " + inQuotes(_dayFirst) + " and " +
+                                   inQuotes(_monthFirst));
+    if (_dayFirst.empty() && _monthFirst.empty() && !_open.empty())
+        return fileProblem({}, expectedFound("a day above 12 that tells the order of day and month, or "
+                                             "time_order = \"dmy\" or \"mdy\"",
+                                             _open));
+    return _monthFirst.empty();
+}
+
+std::vector<std::string> TimeColumns::notes() const {
+    std::vector<std::string> notes;
+    if (!_unitNote.empty())
+        notes.push_back(_unitNote);
+    if (_lacksZone)
+        notes.push_back("its times name no zone and are taken as UTC");
+    return notes;
+}
+
+} // namespace osgTreeWind
