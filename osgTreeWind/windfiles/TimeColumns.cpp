@@ -39,7 +39,7 @@ void TimeColumns::chooseUnit(const std::string& cell, const CsvFormat& format) {
         _secondsPerUnit = 0.0;
     else if (readDate(cell).isRead()) {
         _secondsPerUnit = 0.0;
-        _unitNote = "times such as " + cell + " are taken as dates; time_unit = \"s\" takes them as seconds";
+        _unitNote = "times such as " + cell + " are taken as dates; time_unit sets another unit";
     } else if (std::abs(*number) >= maxSeconds) {
         _secondsPerUnit = 0.001;
         _unitNote = "its times are taken as milliseconds; time_unit sets another unit";
@@ -49,40 +49,46 @@ void TimeColumns::chooseUnit(const std::string& cell, const CsvFormat& format) {
     }
 }
 
-Result<DateReadings> TimeColumns::readDateCell(const std::string& cell) {
+Result<DateReadings> TimeColumns::readDateCell(const std::string& cell, int line) {
     const std::string &format = _columns.timeFormat, &order = _columns.timeOrder;
     const DateReadings readings = format.empty() ? readDate(cell) : readDate(cell, format);
     if (!readings.isRead())
-        return fileProblem(
-            {}, expectedFound(format.empty() ? "a date and time such as 2015-06-29T12:00:00Z (other forms: "
+        return fileProblem({},
+                           expectedFound(format.empty()
+                                             ? "a date and time such as 2015-06-29T12:00:00Z (other forms: "
                                                "time_format; several columns: time = [\"date\", \"time\"])"
                                              : "a time as in time_format, " + format,
-                              cell));
+                                         cell),
+                           line);
     if (!(order == "mdy" ? readings.monthFirst : order == "dmy" ? readings.dayFirst : 0.0))
-        return fileProblem({}, expectedFound("a date in the order " + order, cell));
+        return fileProblem({}, expectedFound("a date in the order " + order, cell), line);
     if (!readings.monthFirst)
         _dayFirst = cell;
     else if (!readings.dayFirst)
         _monthFirst = cell;
     else if (*readings.dayFirst != *readings.monthFirst)
         _open = cell;
+    if (readings.dayFirst != readings.monthFirst)
+        _orderLine = line;
     _lacksZone = _lacksZone || !readings.hasZone;
     return readings;
 }
 
-Result<DateReadings> TimeColumns::read(const std::string& cell, const CsvFormat& format) {
+Result<DateReadings> TimeColumns::read(const std::string& cell, int line, const CsvFormat& format) {
     if (!_secondsPerUnit)
         chooseUnit(cell, format);
     if (areDates())
-        return readDateCell(cell);
+        return readDateCell(cell, line);
     const std::optional<double> number = format.numberOf(cell);
     if (!number)
-        return fileProblem({}, expectedFound("a number", cell));
+        return fileProblem({}, expectedFound("a number", cell), line);
     const double seconds = *number * *_secondsPerUnit + (_columns.timeUnit == "days" ? firstDay : 0.0);
     if (!(std::abs(seconds) < maxSeconds))
-        return fileProblem({}, expectedFound("a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "
-                                             "\"iso8601\")",
-                                             cell));
+        return fileProblem({},
+                           expectedFound("a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "
+                                         "\"iso8601\")",
+                                         cell),
+                           line);
     return DateReadings{seconds, seconds, true};
 }
 
@@ -90,12 +96,16 @@ Result<bool> TimeColumns::isDayFirst() const {
     if (!_columns.timeOrder.empty())
         return _columns.timeOrder == "dmy";
     if (!_dayFirst.empty() && !_monthFirst.empty())
-        return fileProblem({}, "expected one order of day and month, found " + inQuotes(_dayFirst) + " and " +
-                                   inQuotes(_monthFirst));
+        return fileProblem({},
+                           "expected one order of day and month, found " + inQuotes(_dayFirst) + " and " +
+                               inQuotes(_monthFirst),
+                           _orderLine);
     if (_dayFirst.empty() && _monthFirst.empty() && !_open.empty())
-        return fileProblem({}, expectedFound("a day above 12 that tells the order of day and month, or "
-                                             "time_order = \"dmy\" or \"mdy\"",
-                                             _open));
+        return fileProblem({},
+                           expectedFound("a day above 12 that tells the order of day and month, or "
+                                         "time_order = \"dmy\" or \"mdy\"",
+                                         _open),
+                           _orderLine);
     return _monthFirst.empty();
 }
 

@@ -14,9 +14,8 @@ public:
 
     /// An unknown unit or order; otherwise empty.
     Diagnostics check() const;
-    /// Reads the joined cells of one row. Numbers have two equal readings in seconds. Errors have only a
-    /// message.
-    Result<DateReadings> read(const std::string& cell, const CsvFormat& format);
+    /// Reads the joined cells of one row. Numbers have two equal readings in seconds. Errors have no file.
+    Result<DateReadings> read(const std::string& cell, int line, const CsvFormat& format);
     /// Whether the times are dates. Call after the first read().
     bool areDates() const { return _secondsPerUnit == 0.0; }
     /// Whether the day comes before the month; an error if the dates do not tell.
@@ -26,12 +25,13 @@ public:
 
 private:
     void chooseUnit(const std::string& cell, const CsvFormat& format);
-    Result<DateReadings> readDateCell(const std::string& cell);
+    Result<DateReadings> readDateCell(const std::string& cell, int line);
 
-    const WindSeriesColumns& _columns;
+    const WindSeriesColumns _columns;
     std::optional<double> _secondsPerUnit;     ///< 0 for dates; empty before the first row.
     std::string _unitNote;                     ///< What the unit was taken for.
     std::string _dayFirst, _monthFirst, _open; ///< Cells that tell the order, and one that does not.
+    int _orderLine = 0;                        ///< Of the last of these cells.
     bool _lacksZone = false;
 };
 

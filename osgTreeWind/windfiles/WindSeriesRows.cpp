@@ -120,6 +120,7 @@ double WindSeriesRows::degrees(const Row& row) {
         return 0.0;
     const Result<double> cell = _table.number(row, _second);
     const double degrees = cell ? cell.value() * _degreesPerUnit : HUGE_VAL;
+    _maxDegrees = std::max(_maxDegrees, std::abs(degrees));
     if (std::abs(degrees) <= maxDirection * (1.0 + 1e-6)) // for rounded radians
         return degrees;
     report(
@@ -151,7 +152,7 @@ void WindSeriesRows::addRow(const Row& row) {
         cell += (cell.empty() ? "" : " ") + row.cells[column];
     }
     const Result<DateReadings> time =
-        _times.read(cell, _table.format); // also tells the order of day and month
+        _times.read(cell, row.line, _table.format); // also tells the order of day and month
     if (!hasWind(row)) {
         ++_skippedCount;
         return;
@@ -177,14 +178,17 @@ void WindSeriesRows::addRow(const Row& row) {
 void WindSeriesRows::joinRecords() {
     const Result<bool> isDayFirst = _times.isDayFirst();
     if (!isDayFirst)
-        return report(0, _columns.time.front(), isDayFirst.problems().front().message);
+        return report(isDayFirst.problems().front().line, _columns.time.front(),
+                      isDayFirst.problems().front().message);
     const auto timeOf = [&](const Record& record) {
         return isDayFirst.value() ? record.dayFirst : record.monthFirst;
     };
     constexpr double summerTime = 3600.0;
-    double latest = timeOf(_records.front());
+    double latest = -HUGE_VAL;
+    std::size_t lateCount = 0;
     for (const Record& record : _records) {
         const double time = timeOf(record);
+        lateCount += time <= latest ? 1 : 0;
         if (time < latest - summerTime && _problems.size() < maxRecordProblems)
             report(record.line, _columns.time.front(),
                    expectedFound("a time at most an hour before those above", isoTimeText(time)));
@@ -203,9 +207,10 @@ void WindSeriesRows::joinRecords() {
         _series.times.push_back(timeOf(*first) - start);
         _series.velocities.emplace_back(sum / static_cast<double>(record - first));
     }
-    if (const std::size_t count = _records.size() - _series.times.size())
-        _notes.push_back(std::to_string(count) + " of " + std::to_string(_rowCount) +
-                         " records have the time of another record; records of one time are averaged");
+    if (lateCount > 0)
+        _notes.push_back(
+            std::to_string(lateCount) + " of " + std::to_string(_rowCount) +
+            " records are not later than those above; records are sorted, and those of one time averaged");
 }
 
 Result<WindContent> WindSeriesRows::content(const char* format, const char* components,
@@ -232,6 +237,11 @@ Result<WindContent> WindSeriesRows::content(const char* format, const char* comp
     if (_variableCount > 0)
         content.assumptions.push_back(std::to_string(_variableCount) + " of " + std::to_string(_rowCount) +
                                       " records have a variable direction and are skipped");
+    constexpr double circleInTens = 36.0;
+    if (_columns.directionUnit.empty() && _degreesPerUnit == 1.0 && _maxDegrees > 0.0 &&
+        _maxDegrees <= circleInTens)
+        content.assumptions.push_back(
+            "its directions are taken as degrees, though none is above 36; direction_unit sets another unit");
     for (const std::vector<std::string>& notes : {_times.notes(), _notes})
         content.assumptions.insert(content.assumptions.end(), notes.begin(), notes.end());
     content.data = std::move(_series);

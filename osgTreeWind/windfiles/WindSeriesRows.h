@@ -55,7 +55,7 @@ private:
     bool _polar = false;
     std::vector<std::size_t> _time;
     std::size_t _first = 0, _second = 0, _up = 0;
-    double _speedPerUnit = 1.0, _degreesPerUnit = 1.0;
+    double _speedPerUnit = 1.0, _degreesPerUnit = 1.0, _maxDegrees = 0.0;
     TimeColumns _times;
     std::vector<Record> _records;
     WindSeries _series;

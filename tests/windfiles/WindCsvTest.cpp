@@ -128,9 +128,9 @@ TEST(WindCsv, AveragesRecordsOfOneTime) {
     expectNear(series.velocities[0], {3, 0, 0});
     expectNear(series.velocities[1], {4, 0, 0});
     EXPECT_EQ(content.value().assumptions,
-              (std::vector<std::string>{
-                  "its times name no zone and are taken as UTC",
-                  "2 of 5 records have the time of another record; records of one time are averaged"}));
+              (std::vector<std::string>{"its times name no zone and are taken as UTC",
+                                        "2 of 5 records are not later than those above; records are sorted, "
+                                        "and those of one time averaged"}));
     EXPECT_EQ(read("t,ws,wd\n5,1,270\n5,2,270\n6,1,0\n", polar()).value().times.size(), 2u);
 }
 
@@ -153,6 +153,23 @@ TEST(WindCsv, ReadsUnitsOfDirections) {
     expectNear(first("wd", "", "North-East"), {-5 * std::sqrt(0.5f), -5 * std::sqrt(0.5f), 0});
     expectNear(first("wd", "", "SSW"),
                {5 * std::sin(glm::radians(22.5f)), 5 * std::cos(glm::radians(22.5f)), 0});
+}
+
+TEST(WindCsv, NotesDirectionsThatMayBeTens) {
+    const auto notes = [](const char* directionUnit, const char* cell) {
+        WindSeriesColumns columns = polar();
+        columns.timeUnit = "s";
+        columns.directionUnit = directionUnit;
+        return readWindCsv(std::string("t,ws,wd\n0,5,0\n1,5,") + cell + "\n", "w.csv", columns)
+            .value()
+            .assumptions;
+    };
+    EXPECT_EQ(notes("", "36"),
+              std::vector<std::string>{"its directions are taken as degrees, though none is above "
+                                       "36; direction_unit sets another unit"});
+    EXPECT_TRUE(notes("", "37").empty());
+    EXPECT_TRUE(notes("deg", "36").empty());
+    EXPECT_TRUE(notes("", "0").empty());
 }
 
 TEST(WindCsv, LeavesOutVariableDirections) {
@@ -252,11 +269,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{"DateOutOfOrder", "t,ws,wd\n2020-01-01 05:00,1,0\n2020-01-01 03:59,1,0\n", polar(),
                   "w.csv:3: t: expected a time at most an hour before those above, found "
                   "'2020-01-01T03:59:00Z'"},
-        BadRecord{"OpenOrder", "t,ws,wd\n01/02/2020 05:00,1,0\n02/02/2020 03:59,1,0\n", polar(),
-                  "w.csv: t: expected a day above 12 that tells the order of day and month, or time_order = "
-                  "\"dmy\" or \"mdy\", found '01/02/2020 05:00'"},
+        BadRecord{
+            "OpenOrder", "t,ws,wd\n01/02/2020 05:00,1,0\n02/02/2020 03:59,1,0\n", polar(),
+            "w.csv:2: t: expected a day above 12 that tells the order of day and month, or time_order = "
+            "\"dmy\" or \"mdy\", found '01/02/2020 05:00'"},
         BadRecord{"TwoOrders", "t,ws,wd\n13/02/2020,1,0\n02/14/2020,1,0\n", polar(),
-                  "w.csv: t: expected one order of day and month, found '13/02/2020' and '02/14/2020'"},
+                  "w.csv:3: t: expected one order of day and month, found \"13/02/2020\" and \"02/14/2020\""},
         BadRecord{"OtherOrder", "t,ws,wd\n13/02/2020,1,0\n", with(polar(), &Columns::timeOrder, "mdy"),
                   "w.csv:2: t: expected a date in the order mdy, found '13/02/2020'"},
         BadRecord{"OtherFormat", "t,ws,wd\n2020-02-13,1,0\n", with(polar(), &Columns::timeFormat, "%d.%m.%y"),
