@@ -11,6 +11,7 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <ctime>
 #include <sstream>
@@ -177,9 +178,11 @@ DateReadings readDate(std::string_view text) {
     }
     static const std::vector<DateForm> forms = dateForms();
     DateReadings readings;
-    if (text.empty() || !isalnum(static_cast<unsigned char>(text[0])))
-        return readings;
+    const auto separator =
+        std::find_if_not(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c); });
     for (const DateForm& form : forms) {
+        if (separator == text.begin() || separator == text.end() || *separator != form.dayFirst[2])
+            continue; // faster than a stream
         readings.dayFirst = readForm(text, form.dayFirst, readings.hasZone);
         readings.monthFirst =
             form.monthFirst.empty() ? readings.dayFirst : readForm(text, form.monthFirst, readings.hasZone);
