@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindSeriesRows.h>
 
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/DirectionText.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
@@ -197,8 +198,12 @@ void WindSeriesRows::joinRecords() {
     std::stable_sort(_records.begin(), _records.end(),
                      [&](const Record& a, const Record& b) { return timeOf(a) < timeOf(b); });
     const double start = timeOf(_records.front());
-    if (_times.areDates())
+    if (_times.areDates()) {
         _start = isoTimeText(start);
+        const double fraction = std::round((start - std::floor(start)) * 1000.0) / 1000.0;
+        if (fraction > 0.0 && fraction < 1.0)
+            _start.insert(_start.size() - 1, numberText(fraction).substr(1));
+    }
     for (auto record = _records.begin(); record != _records.end();) {
         const auto first = record;
         glm::dvec3 sum(0.0);

@@ -25,7 +25,7 @@ public:
     /// @param components their meaning, if the columns have no directions.
     Result<WindContent> content(const char* format, const char* components,
                                 std::vector<std::string> assumptions = {});
-    /// The first time of content(), as by isoTimeText(), if the times are dates.
+    /// The first time of content(), as by isoTimeText() but with milliseconds, if the times are dates.
     const std::string& start() const { return _start; }
 
 private:

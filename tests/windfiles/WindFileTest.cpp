@@ -116,7 +116,7 @@ TEST(WindFile, TurbSimDriftsFromItsPlaneForAnyOrigin) {
 TEST(WindFile, Toa5StartsAtItsFirstRecordAndSkipsNan) {
     const WindFile file = readSmall("toa5.dat");
     EXPECT_EQ(file.summary.unit, "m/s");
-    EXPECT_EQ(file.summary.start, "2020-01-01 00:00:00.5");
+    EXPECT_EQ(file.summary.start, "2020-01-01T00:00:00.5Z");
     EXPECT_EQ(file.summary.times, (std::vector<double>{0.0, 2.0}));
     expectNear(asField(file.wind)->velocity({}, 0.0), {1, 2, 0.5f});
     expectNear(asField(file.wind)->velocity({}, 1.0), {3, 0, 0.375f});
