@@ -94,6 +94,18 @@ std::string spreadTime(std::string_view digits) {
     return text;
 }
 
+/// Whether a time has seconds: the library converts an uninitialised value where they are missing.
+bool hasSeconds(std::string_view time) {
+    std::size_t at = countDigits(time);
+    for (int i = 0; i < 2; ++i) {
+        if (at + 1 >= time.size() || (time[at] != ':' && time[at] != ' ') ||
+            countDigits(time.substr(at + 1)) == 0)
+            return false;
+        at += 1 + countDigits(time.substr(at + 1));
+    }
+    return true;
+}
+
 /// Reads the time after a date, with its zone. @return seconds since midnight UTC.
 std::optional<double> readTimeOfDay(std::string_view text, bool& hasZone) {
     if (text.empty())
@@ -108,9 +120,12 @@ std::optional<double> readTimeOfDay(std::string_view text, bool& hasZone) {
     else if (digits < 1 || digits > 2)
         return std::nullopt;
     std::replace(time.begin(), time.end(), ',', '.');
-    for (const char* format :
+    const bool withSeconds = hasSeconds(time);
+    for (const std::string_view format :
          {"%H:%M:%S", "%H:%M", "%I:%M:%S %p", "%I:%M %p", "%I %p", "%H %M %S", "%H %M", "%Hh%M", "%H"}) {
-        const std::optional<ParsedDate> parsed = parseStart(time, format);
+        if (!withSeconds && format.find("%S") != std::string_view::npos)
+            continue;
+        const std::optional<ParsedDate> parsed = parseStart(time, format.data());
         const std::optional<double> seconds = parsed ? secondsOf(parsed->fields) : std::nullopt;
         if (!seconds)
             continue;
