@@ -57,8 +57,7 @@ private:
         if (const auto* record = dynamic_cast<const TimeSeriesWind*>(&field))
             return kind("series"), keys(record->series()) + profile(record->series().profile);
         return "this wind cannot be written to a file: expected a uniform one, a grid, a series or one from "
-               "a "
-               "file, not a callable or streamed one";
+               "a file, not a callable or streamed one";
     }
     template <typename T>
     void key(const char* name, const T& text) {

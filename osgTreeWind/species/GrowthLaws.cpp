@@ -205,6 +205,10 @@ double breakingMoment(const WoodParameters& wood, double diameter) {
     return wood.knotFactor * wood.bendingStrength * glm::pi<double>() * diameter * diameter * diameter / 32.0;
 }
 
+double strainPerMoment(double modulus, double diameter) {
+    return 32.0 / (glm::pi<double>() * modulus * diameter * diameter * diameter);
+}
+
 double rootCompliance(const WoodParameters& wood, double diameter, double height) {
     const double moment = rootMomentShare * wood.anchorage * stemMass(wood, diameter, height);
     return moment > 0.0 ? rootRotation / moment : 0.0;

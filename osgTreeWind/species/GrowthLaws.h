@@ -55,6 +55,10 @@ double overturningMoment(const WoodParameters& wood, double diameter, double hei
 /// @param diameter with bark at the place of the moment, metres.
 double breakingMoment(const WoodParameters& wood, double diameter);
 
+/// Strain of the outermost wood per bending moment, 1/(N m). @param modulus elastic modulus, Pa.
+/// @param diameter at the place of the moment, metres.
+double strainPerMoment(double modulus, double diameter);
+
 /// Rotational compliance of roots and soil at the foot of a trunk, rad/(N m).
 double rootCompliance(const WoodParameters& wood, double diameter, double height);
 

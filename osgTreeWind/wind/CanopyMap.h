@@ -20,8 +20,8 @@ struct CanopyCell {
     float closure = 0.0f;    ///< See closureOf(); 0 in open country.
     float crownCover = 0.0f; ///< Share of the ground under crowns, [0, 1].
     CanopyProfile profile;
-    float topSpeedRatio =
-        1.0f; ///< Mean wind at the top of the stand over the open one at CanopyMap::reference.
+    /// Mean wind at the top of the stand over the open one at CanopyMap::reference.
+    float topSpeedRatio = 1.0f;
     /// Wind between leaves over the wind beside the crown, for mean speeds at the top of 0, speedStep, ...
     std::array<float, speedCount> shelter{};
 };

@@ -15,9 +15,6 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Deviations of the velocity along the wind, across it and upward over that along (IEC 61400-1, Kaimal).
-constexpr glm::vec3 deviations(1.0f, 0.8f, 0.5f);
-
 /// The terrain where the wind has this intensity: 1 / ln(z / z0) (EN 1991-1-4). Above 0 for any intensity.
 LogProfile terrainOf(double intensity) {
     return {10.0, 10.0 * std::exp(-1.0 / std::max(intensity, 0.01))};
@@ -42,7 +39,7 @@ GustyWind::GustyWind(WindFieldPtr mean, WindFieldPtr turbulence, const WindGusts
     _travel = hourlyMean(*_mean, static_cast<float>(terrain.height));
     _along = HorizontalWind(_travel).along;
     _noise.emplace(gusts.seed, gusts.lengthScale, _along,
-                   gusts.intensity * static_cast<double>(glm::length(deviations)));
+                   gusts.intensity * static_cast<double>(glm::length(gustDeviations)));
 }
 
 void GustyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
@@ -73,8 +70,8 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
             const glm::vec3& along = _turbulence ? _along : mean.along;
             const float* u = noises[n].values;
             const glm::vec3 left(-along.y, along.x, 0.0f), up(0.0f, 0.0f, 1.0f);
-            wind += deviation *
-                    (deviations.x * u[0] * along + deviations.y * u[1] * left + deviations.z * u[2] * up);
+            wind += deviation * (gustDeviations.x * u[0] * along + gustDeviations.y * u[1] * left +
+                                 gustDeviations.z * u[2] * up);
         }
     }
 }

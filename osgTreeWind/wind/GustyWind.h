@@ -13,13 +13,15 @@
 
 namespace osgTreeWind {
 
+/// Standard deviations of gusts along the wind, across it and upward over that along (IEC 61400-1, Kaimal).
+constexpr glm::vec3 gustDeviations(1.0f, 0.8f, 0.5f);
+
 /// Adds gusts to a mean wind.
 class GustyWind final : public WindLayer {
 public:
     /// @param mean not null. @param turbulence WindField::turbulence() of the mean; null: the intensity
-    /// holds.
-    /// @param gusts values out of range are clamped. @param profile that of the mean;
-    /// if empty, the roughness of the ground is that which makes the intensity at 10 m.
+    /// holds. @param gusts values out of range are clamped. @param profile that of the mean; if empty, the
+    /// roughness of the ground is that which makes the intensity at 10 m.
     /// @param clock for the time of the gusts; the mean wind has its own.
     GustyWind(WindFieldPtr mean, WindFieldPtr turbulence, const WindGusts& gusts,
               const std::optional<LogProfile>& profile, const WindClock& clock);

@@ -19,9 +19,8 @@ namespace osgTreeWind {
 /// Jonkman 2009), and change on their way (Simley and Pao 2015). It is the mean of the wind's first hour at
 /// (0, 0), at the height of the field's profile, or else at 10 m.
 ///
-///     Wind wind(std::make_shared<UniformWind>(windVelocity({8.0, glm::radians(240.0)},
-///     DirectionSense::From),
-///                                             LogProfile{10.0, 0.05}));
+///     const glm::vec3 mean = windVelocity({8.0, glm::radians(240.0)}, DirectionSense::From);
+///     Wind wind(std::make_shared<UniformWind>(mean, LogProfile{10.0, 0.05}));
 ///     wind.gusts.intensity = 0.2;
 ///     report(forest->setWind(wind));
 struct WindGusts {

@@ -92,8 +92,7 @@ const Keys& keysOf<CanopySettings>() {
          "per ground area"},
         {"canopy_reference", at<&P::reference>, within(1, 1000),
          "Height above the ground at which the wind of open country is given; raised to the tree tops if "
-         "they are "
-         "higher",
+         "they are higher",
          "m"},
         {"canopy_seed", at<&P::seed>, {}, "Seed of the turbulence among the trees"},
         {"canopy_reach", at<&P::reach>, within(0, 1000),

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr LogProfile overShortGrass{10.0, 0.03}; // Wieringa 1993
+constexpr LogProfile overShortGrass{10.0, openCountryRoughness};
 
 /// The uniform wind that a synthetic wind has; null for another wind and a calm.
 const UniformWind* uniformOf(const Wind& wind) {

@@ -3,6 +3,10 @@
 
 #include <glm/common.hpp>
 
+#include <osgTreeWind/wind/GustyWind.h>
+
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <utility>
 
@@ -44,8 +48,8 @@ WindContent windFromVtk(VtkImage&& image, const std::string& format) {
         else if (i > 0)
             grid.heights.push_back(0.5f * (image.levels[i - 1] + image.levels[i]));
     grid.values = std::move(image.values);
-    // half the sum of the squares of the deviations, which are 1, 0.8 and 0.5 (IEC 61400-1, Kaimal)
-    constexpr float energyOfUnit = 0.5f * (1.0f + 0.8f * 0.8f + 0.5f * 0.5f);
+    // the energy of gusts whose deviation along the wind is 1 m/s
+    const float energyOfUnit = 0.5f * glm::dot(gustDeviations, gustDeviations);
     for (const float energy : image.energy)
         grid.deviations.push_back(energy > 0.0f ? std::sqrt(energy / energyOfUnit) : 0.0f);
     if (image.time)

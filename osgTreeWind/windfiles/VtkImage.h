@@ -22,7 +22,7 @@ struct VtkImage {
     bool ofCells = false;        ///< Vectors belong to cells, one fewer than points along each axis.
     std::string name;            ///< Name of the array of vectors.
     std::vector<float> values;   ///< Three for each point or cell.
-    std::vector<float> energy;   ///< Turbulent kinetic energy at each, m^2/s^2; empty if the file has none.
+    std::vector<float> energy;   ///< Turbulent kinetic energy of each, m^2/s^2. A file may have none.
     std::optional<double> time;  ///< Seconds, if the file contains a time.
 
     /// Number of vectors along each axis.

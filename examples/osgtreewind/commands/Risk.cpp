@@ -134,14 +134,15 @@ void write(const PointTable& table, const std::string& output) {
 
 /// The forest from above, with the wind at which each tree falls.
 void drawPicture(const RiskOptions& options, const PlacedForest& forest, const PointTable& table) {
-    const auto number = [&](const PointTable::Row& row, const char* name) {
-        const auto column = std::find(table.numbers.begin(), table.numbers.end(), name);
-        return row.numbers[static_cast<std::size_t>(column - table.numbers.begin())];
+    const auto columnOf = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(table.numbers.begin(), table.numbers.end(), name) -
+                                        table.numbers.begin());
     };
+    const std::size_t uprootColumn = columnOf("uproot_ms"), breakColumn = columnOf("break_ms");
     std::vector<MapTree> trees;
     for (std::size_t slot = 0; slot < table.rows.size(); ++slot) {
         const PointTable::Row& row = table.rows[slot];
-        const std::optional<double> uproot = number(row, "uproot_ms"), breaking = number(row, "break_ms");
+        const std::optional<double>&uproot = row.numbers[uprootColumn], &breaking = row.numbers[breakColumn];
         const double width = static_cast<double>(forest.sizeOf(forest.trees[slot]).crownWidth);
         trees.push_back({glm::dvec2(row.position), 0.5 * width,
                          uproot && breaking ? std::min(*uproot, *breaking)

@@ -4,6 +4,8 @@
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/CommandError.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <osgDB/FileNameUtils>
 
 #include <cairo-svg.h>
@@ -68,13 +70,13 @@ void Drawing::setColour(const glm::vec3& colour) {
 }
 
 void Drawing::fillCircle(const glm::dvec2& centre, double radius) {
-    cairo_arc(_surface->context, centre.x, centre.y, radius, 0.0, 2.0 * M_PI);
+    cairo_arc(_surface->context, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
     cairo_fill(_surface->context);
 }
 
 void Drawing::drawCircle(const glm::dvec2& centre, double radius) {
     cairo_set_line_width(_surface->context, 1.0);
-    cairo_arc(_surface->context, centre.x, centre.y, radius, 0.0, 2.0 * M_PI);
+    cairo_arc(_surface->context, centre.x, centre.y, radius, 0.0, glm::two_pi<double>());
     cairo_stroke(_surface->context);
 }
 
@@ -100,7 +102,7 @@ void Drawing::write(const std::string& text, const glm::dvec2& place, Align alig
     cairo_save(context);
     cairo_translate(context, place.x, place.y);
     if (upward)
-        cairo_rotate(context, -0.5 * M_PI);
+        cairo_rotate(context, -glm::half_pi<double>());
     cairo_move_to(context, -share * extent.x_advance, 0.35 * height);
     cairo_show_text(context, text.c_str());
     cairo_new_path(context);

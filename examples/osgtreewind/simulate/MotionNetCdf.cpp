@@ -23,7 +23,7 @@ public:
         defineTime(simulation.wind());
         const int trees = _file.defineDimension("tree", table.trees.size());
         const int rows = table.isOfUnits ? _file.defineDimension("unit", table.rowCount()) : trees;
-        std::vector<std::function<void()>> writes = defineTrees(simulation, trees);
+        Writes writes = defineTrees(simulation, trees);
         if (table.isOfUnits)
             defineUnits(rows, writes);
         defineColumns(rows, steps);
@@ -83,9 +83,21 @@ private:
         return text;
     }
 
-    /// @return what writes the variables of trees after the definitions.
-    std::vector<std::function<void()>> defineTrees(const ForestSimulation& simulation, int trees) {
-        std::vector<std::function<void()>> writes;
+    using Writes = std::vector<std::function<void()>>; ///< To be called after the definitions.
+
+    /// Defines a variable that does not change with time.
+    template <typename T>
+    int defineFixed(const char* name, int type, int dimension, const char* words, std::vector<T> values,
+                    Writes& writes) {
+        const int variable = _file.defineVariable(name, type, {dimension});
+        _file.setAttribute(variable, "long_name", words);
+        writes.push_back([=, given = std::move(values)] { _file.write(variable, given); });
+        return variable;
+    }
+
+    /// @return what writes the variables of trees.
+    Writes defineTrees(const ForestSimulation& simulation, int trees) {
+        Writes writes;
         const Result<Crs> map = Crs::parseMap(simulation.description().crs);
         _isOnMap = !simulation.description().crs.empty() && map;
         if (_isOnMap) {
@@ -104,10 +116,7 @@ private:
                 places[axis].push_back(placement.position[axis]);
         }
         const auto define = [&](const char* name, int type, const char* words, auto values) {
-            const int variable = _file.defineVariable(name, type, {trees});
-            _file.setAttribute(variable, "long_name", words);
-            writes.push_back([=, given = std::move(values)] { _file.write(variable, given); });
-            return variable;
+            return defineFixed(name, type, trees, words, std::move(values), writes);
         };
         define("tree", NC_INT, "number of the tree, from 0", std::move(slots));
         const int id = define("id", NC_STRING, "id of the tree in the inventory", std::move(ids));
@@ -128,7 +137,7 @@ private:
         return writes;
     }
 
-    void defineUnits(int units, std::vector<std::function<void()>>& writes) {
+    void defineUnits(int units, Writes& writes) {
         std::vector<int> trees, numbers, levels;
         for (std::size_t tree = 0; tree < _table.trees.size(); ++tree) {
             const Skeleton& skeleton = _simulation.skeleton(*_simulation.modelOf(_table.trees[tree]));
@@ -140,10 +149,7 @@ private:
             }
         }
         const auto define = [&](const char* name, const char* words, std::vector<int> values) {
-            const int variable = _file.defineVariable(name, NC_INT, {units});
-            _file.setAttribute(variable, "long_name", words);
-            writes.push_back([=, given = std::move(values)] { _file.write(variable, given); });
-            return variable;
+            return defineFixed(name, NC_INT, units, words, std::move(values), writes);
         };
         const int index =
             define("tree_index", "place of the tree along the dimension tree", std::move(trees));

@@ -18,8 +18,8 @@ struct MotionColumn {
 
 /// What the command `simulate` writes at each step: a row for each tree or for each of some of its units.
 struct MotionTable {
-    /// Computes the present values of the rows of one tree, row by row; NaN where there is none. Different
-    /// threads may call it for different trees.
+    /// Computes the present values of a tree: all columns of its first row, then of the next. Values that do
+    /// not exist are NaN. Different threads may call it for different trees.
     using Fill =
         std::function<void(const osgTreeWind::ForestSimulation&, osgTreeWind::TreeId, float* values)>;
 

@@ -7,9 +7,9 @@
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
             _middle = i;
     const double diameter = breastDiameter(model, tree.scale);
     const float modulus = makeUnitLoads(model, tree.scale, species, tree.leaves).front().modulus;
-    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(modulus) * diameter * diameter * diameter);
+    _strain = strainPerMoment(static_cast<double>(modulus), diameter);
     if (_wind.canopy())
         _motion.setNeighbourEffect(0, _wind.canopy()->neighbourEffectAt(glm::vec2(0.0f)));
     _motion.sampleWind(&_wind, 0.0);

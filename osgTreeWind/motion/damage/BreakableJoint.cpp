@@ -7,8 +7,6 @@
 #include <osgTreeWind/motion/modal/ModalPoses.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
-#include <glm/gtc/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -47,8 +45,7 @@ std::vector<BranchLoad> branchLoadsOf(const PlacedForest& forest, std::size_t sl
     const ModalMotion::PoseVector vector = motion.poseVector(slot);
     const std::vector<UnitPose> poses = modalPoses(forest, slot, motion, vector);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
-    // The gain exaggerates what is seen, not the loads.
-    const double gain = static_cast<double>(std::max(forest.description().gain, 1e-3f));
+    const double gain = exaggerationOf(forest);
     std::vector<BranchLoad> result(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], tree.scale);
@@ -63,8 +60,7 @@ std::vector<BranchLoad> branchLoadsOf(const PlacedForest& forest, std::size_t sl
             load.limit = tearingMoment(form, units[i]);
         const double diameter =
             i == 0 ? breastDiameter(*form.model, form.scale) : static_cast<double>(unit.baseDiameter);
-        load.strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads[i].modulus) * diameter *
-                              diameter * diameter);
+        load.strain = strainPerMoment(static_cast<double>(loads[i].modulus), diameter);
         load.tilt = rotateAboutZ(poses[i].rotation * direction - direction, sine, cosine);
     }
     return result;

@@ -7,9 +7,15 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace osgTreeWind {
+
+/// Factor by which what is seen exceeds the loads: the gain of the forest, above 0.
+inline float exaggerationOf(const PlacedForest& forest) {
+    return std::max(forest.description().gain, 1e-3f);
+}
 
 /// The base joint of a unit, with its stiffness and its breaking moment.
 struct BreakableJoint {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/FootLoad.h>
 
+#include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
@@ -56,14 +57,13 @@ TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion&
     const glm::vec3 top = tree.scale.axes * skeleton.units[topUnit].tip, shifted = now[topUnit].apply(top);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     const auto inForest = [&](const glm::vec2& own) {
-        return glm::vec2(cosine * own.x - sine * own.y, sine * own.x + cosine * own.y);
+        return glm::vec2(rotateAboutZ(glm::vec3(own, 0.0f), sine, cosine));
     };
     TreeSway sway;
     sway.displacement = inForest(glm::vec2(shifted - top));
     sway.velocity = inForest(glm::vec2(next[topUnit].apply(top) - shifted) / instant);
     sway.lean = std::atan2(glm::length(glm::cross(top, shifted)), glm::dot(top, shifted));
-    // The gain exaggerates what is seen, not the loads.
-    const double gain = static_cast<double>(std::max(forest.description().gain, 1e-3f));
+    const double gain = exaggerationOf(forest);
     sway.weightMoment = glm::dvec2(inForest(glm::vec2(load.weightMoment(now)))) / gain;
     sway.windMoment =
         glm::dvec2(inForest(glm::vec2(load.moment(motion.unitAngles(slot, 0, vector))))) / gain -

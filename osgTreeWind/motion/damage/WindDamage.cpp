@@ -69,7 +69,7 @@ void WindDamage::updateTree(PlacedForest& forest, const ModalMotion& sway, std::
         return;
     tree.lean = sway.lean(slot);
     const ModalMotion::PoseVector vector = sway.poseVector(slot);
-    const float exaggeration = std::max(forest.description().gain, 1.0e-3f);
+    const float exaggeration = exaggerationOf(forest);
     const auto momentAt = [&](const BreakableJoint& base) {
         return static_cast<float>(base.moment(sway, slot, vector)) / exaggeration;
     };
