@@ -47,7 +47,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/trig
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libopenscenegraph-dev, libglm-dev")
 if(osgTreeWind_linkage STREQUAL "STATIC")
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-        ", libtomlplusplus-dev, libpugixml-dev, libcsv-dev, zlib1g-dev, libutf8proc-dev, libopengl-dev, pkg-config")
+        ", libtomlplusplus-dev, libpugixml-dev, libcsv-dev, zlib1g-dev, libsqlite3-dev, libutf8proc-dev, libopengl-dev, pkg-config")
 endif()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS osgtreewind-plugin)
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "ffmpeg, osgtreewind-plugin")

@@ -47,7 +47,7 @@ set(pkgconfig_libraries -losgTreeWind)
 if(osgTreeWind_linkage STREQUAL "STATIC") # with the plugins and the dependencies of the library
     set(pkgconfig_libraries "-losgdb_treewind -losgdb_serializers_osgtreewind -losgTreeWind")
     set(pkgconfig_static
-        "Requires.private: openscenegraph-osgViewer tomlplusplus pugixml zlib libutf8proc\nLibs.private: -lcsv -lOpenGL")
+        "Requires.private: openscenegraph-osgViewer tomlplusplus pugixml zlib sqlite3 libutf8proc\nLibs.private: -lcsv -lOpenGL")
     install(FILES cmake/FindLibCsv.cmake DESTINATION ${package_folder} COMPONENT development)
 endif()
 file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})

@@ -31,7 +31,7 @@ constexpr double maxOpenShare = 0.25;      // share of sectors with neighbours, 
 constexpr double minOneSidedness = 0.2;    // length of the sum of open directions, divided by sectorCount
 constexpr double defaultCrownWidth = 0.4;  // relative to the height
 constexpr double defaultTreeHeight = 15.0; // metres
-constexpr double cellSize = 16.0;          // metres
+constexpr double bucketSize = 16.0;        // metres
 
 glm::dvec2 directionOf(std::size_t sector) {
     const double azimuth = glm::two_pi<double>() * (static_cast<double>(sector) + 0.5) / sectorCount;
@@ -63,9 +63,9 @@ public:
     void eachNeighbour(std::size_t tree, const Use& use, const IsDone& isDone) const {
         const Crown& own = _crowns[tree];
         const Cell centre = cellOf(own.position);
-        const auto rings = static_cast<std::int64_t>(std::ceil((own.radius + _reach) / cellSize));
+        const auto rings = static_cast<std::int64_t>(std::ceil((own.radius + _reach) / bucketSize));
         for (std::int64_t ring = 0; ring <= rings; ++ring) {
-            if (isDone(cellSize * static_cast<double>(ring - 1)))
+            if (isDone(bucketSize * static_cast<double>(ring - 1)))
                 return;
             for (std::int64_t x = -ring; x <= ring; ++x)
                 for (std::int64_t y = -ring; y <= ring; y += std::abs(x) == ring ? 1 : 2 * ring)
@@ -90,7 +90,7 @@ private:
     };
 
     static Cell cellOf(const glm::dvec2& position) {
-        const glm::dvec2 cell = glm::floor(position / cellSize);
+        const glm::dvec2 cell = glm::floor(position / bucketSize);
         return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y)};
     }
     static bool isNeighbour(const Crown& own, const Crown& other) {

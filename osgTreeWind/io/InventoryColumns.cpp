@@ -78,7 +78,7 @@ InventoryColumns::InventoryColumns()
       circumference{"circumference", above(0, glm::pi<double>() * maxTrunkDiameter)},
       crownWidth{"crown_width", above(0, maxCrownWidth)} {}
 
-void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
+void InventoryColumns::read(TableReader& table, TreeRows* rows) {
     table.table("columns", [&](TableReader& columns) {
         for (MeasureColumn* measure : measures())
             measure->column = find(columns, measure->key, rows);
@@ -105,12 +105,16 @@ void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
 }
 
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
-                                                  const TreeRows* rows) {
+                                                  TreeRows* rows) {
     std::string name;
     const bool isNamed = columns.read(key, name) && rows;
-    const auto column = isNamed ? rows->column(name) : std::nullopt;
-    if (isNamed && !column)
-        columns.problem(key, rows->problemOfColumn(name));
+    std::optional<std::size_t> column;
+    if (isNamed) {
+        if (const Result<std::size_t> found = rows->columnOrExpression(name))
+            column = found.value();
+        else
+            columns.problem(key, found.problems().front().message);
+    }
     _complete = _complete && (column || !columns.has(key));
     return column;
 }
@@ -151,8 +155,7 @@ std::vector<std::size_t> InventoryColumns::allColumns() {
 
 bool InventoryColumns::areInDegrees(const TreeRows& rows) const {
     const auto isCalled = [&](const MeasureColumn& measure, const std::vector<std::string>& names) {
-        return measure.column &&
-               std::count(names.begin(), names.end(), lower(rows.columns()[*measure.column]));
+        return measure.column && std::count(names.begin(), names.end(), lower(rows.nameOf(*measure.column)));
     };
     return point || (isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"}));
 }

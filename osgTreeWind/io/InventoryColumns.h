@@ -26,7 +26,7 @@ std::optional<double> parseMetres(const std::string& text);
 class InventoryColumns {
 public:
     /// @param rows null: only validate the keys.
-    void read(TableReader& table, const TreeRows* rows);
+    void read(TableReader& table, TreeRows* rows);
     /// Whether all required columns and all named ones were found. Only valid with rows.
     bool isComplete() const { return _complete; }
     /// Whether places are in columns (`x` and `y`, or `point`) instead of the rows' geometry.
@@ -48,7 +48,7 @@ private:
     std::array<MeasureColumn*, 7> measures() {
         return {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth};
     }
-    std::optional<std::size_t> find(TableReader& columns, const std::string& key, const TreeRows* rows);
+    std::optional<std::size_t> find(TableReader& columns, const std::string& key, TreeRows* rows);
     void useKnownColumns(const TreeRows& rows);
     void readUnits(TableReader& units);
 

@@ -44,7 +44,7 @@ Result<glm::dvec2> parsePoint(const TreeRows& rows, std::size_t column) {
     }
     const bool isNamed = cell.find("oint") != std::string::npos || cell.find("OINT") != std::string::npos;
     if (numbers.size() < 2)
-        return rows.problem(rows.columns()[column],
+        return rows.problem(rows.nameOf(column),
                             expectedFound("a place such as 48.88, 2.30 or POINT (2.30 48.88)", cell));
     const bool isNorthFirst = !isNamed && std::abs(numbers[0]) <= 90.0;
     return isNorthFirst ? glm::dvec2(numbers[1], numbers[0]) : glm::dvec2(numbers[0], numbers[1]);
@@ -194,7 +194,7 @@ Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
     if (number && measure.range.contains(metres))
         return metres;
     const std::string cell = rows.text(*measure.column);
-    return rows.problem(rows.columns()[*measure.column],
+    return rows.problem(rows.nameOf(*measure.column),
                         number ? "expected " + measure.range.text() + " metres, found " + inQuotes(cell)
                                : expectedFound("a number", cell));
 }

@@ -58,7 +58,7 @@ float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure, fl
     }
     Result<double> metres = readMetres(row, measure, number);
     if (metres && !isPossible(metres.value(), record))
-        metres = row.problem(row.columns()[*measure.column],
+        metres = row.problem(row.nameOf(*measure.column),
                              recordText(measure, record) + ", found " + inQuotes(row.text(*measure.column)));
     return checked(measure, metres);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/NameMatching.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadKeys.h>
 
 #include <glm/geometric.hpp>

@@ -2,9 +2,9 @@
 #include <osgTreeWind/io/TableReader.h>
 
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/NameMatching.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/Toml.h>
 #include <osgTreeWind/io/TomlText.h>
 

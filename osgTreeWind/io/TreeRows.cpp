@@ -6,7 +6,6 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/InputFolders.h>
 #include <osgTreeWind/io/InventoryColumns.h>
-#include <osgTreeWind/io/NameMatching.h>
 
 #include <algorithm>
 #include <cstring>
@@ -22,24 +21,95 @@ std::optional<std::size_t> TreeRows::column(const std::string& name) const {
     return static_cast<std::size_t>(found - columns().begin());
 }
 
-std::string TreeRows::problemOfColumn(const std::string& name) const {
-    const std::string similar = nearestName(name, columns());
-    return "no column " + inQuotes(name) + " in " + file() +
-           (similar.empty() ? "" : "; did you mean " + inQuotes(similar) + '?');
+Result<std::size_t> TreeRows::columnOrExpression(const std::string& text) {
+    if (const auto found = column(text))
+        return *found;
+    std::size_t index = columns().size();
+    for (const Expression& known : _expressions) {
+        if (known.expression.text() == text)
+            return index;
+        ++index;
+    }
+    auto parsed = RowExpression::parse(text, columns(), file());
+    if (!parsed)
+        return parsed.problems();
+    _expressions.push_back({std::move(parsed.value())});
+    return index;
+}
+
+const TreeRows::Expression* TreeRows::expression(std::size_t column) const {
+    return _expressions.empty() || column < columns().size() ? nullptr
+                                                             : &_expressions[column - columns().size()];
+}
+
+const std::string& TreeRows::nameOf(std::size_t column) const {
+    const Expression* const computed = expression(column);
+    return computed ? computed->expression.text() : columns()[column];
+}
+
+bool TreeRows::has(std::size_t column) const {
+    const Expression* const computed = expression(column);
+    return computed ? !computed->value.text.empty() : hasCell(column);
+}
+
+std::string TreeRows::text(std::size_t column) const {
+    const Expression* const computed = expression(column);
+    return computed ? computed->value.text : cellText(column);
+}
+
+std::optional<double> TreeRows::number(std::size_t column) const {
+    const Expression* const computed = expression(column);
+    if (!computed)
+        return cellNumber(column);
+    return computed->value.number ? computed->value.number : numberIn(computed->value.text);
 }
 
 void TreeRows::rewind(const CrsTransform& transform, std::vector<std::size_t> columns) {
-    if (_filter && !columns.empty())
-        columns.insert(columns.end(), _filter->columns().begin(), _filter->columns().end());
-    restart(transform, std::move(columns));
+    const bool areAll = columns.empty();
+    std::vector<std::size_t> cells;
+    const auto addCells = [&](const RowExpression& expression) {
+        cells.insert(cells.end(), expression.columns().begin(), expression.columns().end());
+    };
+    std::size_t index = this->columns().size();
+    for (Expression& computed : _expressions) {
+        computed.isRead = areAll || std::count(columns.begin(), columns.end(), index++);
+        if (computed.isRead)
+            addCells(computed.expression);
+    }
+    for (const std::size_t column : columns)
+        if (!expression(column))
+            cells.push_back(column);
+    if (_filter)
+        addCells(*_filter);
+    restart(transform, areAll ? std::vector<std::size_t>() : std::move(cells));
 }
 
 Result<bool> TreeRows::next() {
     for (;;) {
         Result<bool> found = advance();
-        if (!found || !found.value() || !_filter || _filter->matches(*this))
+        if (!found || !found.value())
             return found;
+        const Result<bool> isMatch = evaluate();
+        if (!isMatch)
+            return problem("", isMatch.problems().front().message);
+        if (isMatch.value())
+            return true;
     }
+}
+
+/// Computes the expressions. @return whether the row matches the filter.
+Result<bool> TreeRows::evaluate() {
+    if (_filter)
+        if (const Result<bool> isMatch = _filter->matches(*this); !isMatch || !isMatch.value())
+            return isMatch;
+    for (Expression& computed : _expressions)
+        if (computed.isRead) {
+            auto value = computed.expression.evaluate(*this);
+            if (!value)
+                return value.problems();
+            computed.value = std::move(value.value());
+        }
+    return true;
 }
 
 namespace {
@@ -70,11 +140,6 @@ public:
     const std::vector<std::string>& columns() const override { return header().columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    bool has(std::size_t column) const override { return !_cells[column].empty(); }
-    std::string text(std::size_t column) const override { return std::string(_cells[column]); }
-    std::optional<double> number(std::size_t column) const override {
-        return header().format.numberOf(text(column));
-    }
     Result<VectorPlace> place() const override { return VectorPlace(); }
     Diagnostic problem(const std::string& column, const std::string& message) const override {
         return {file(), lineOf(_row - 1), 0, column, message};
@@ -87,6 +152,12 @@ private:
         int line;
     };
 
+    bool hasCell(std::size_t column) const override { return !_cells[column].empty(); }
+    std::string cellText(std::size_t column) const override { return std::string(_cells[column]); }
+    std::optional<double> cellNumber(std::size_t column) const override { return numberIn(cellText(column)); }
+    std::optional<double> numberIn(const std::string& text) const override {
+        return header().format.numberOf(text);
+    }
     const CsvTable& header() const { return _header.value(); }
     int lineOf(std::size_t row) const {
         const auto after = std::upper_bound(_jumps.begin(), _jumps.end(), row,
@@ -132,15 +203,6 @@ public:
     const std::vector<std::string>& columns() const override { return _file.columns(); }
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
-    bool has(std::size_t column) const override { return _file.number(column) || !text(column).empty(); }
-    std::string text(std::size_t column) const override { return _file.text(column); }
-    std::optional<double> number(std::size_t column) const override {
-        const std::optional<double> stored = _file.number(column);
-        const std::optional<double> number = stored     ? stored
-                                             : _natural ? parseMetres(text(column))
-                                                        : parseNumber(text(column));
-        return number && Range().contains(*number) ? number : std::nullopt;
-    }
     Result<VectorPlace> place() const override {
         auto place = _file.place();
         return place ? place : problem("", place.problems().front().message);
@@ -150,6 +212,18 @@ public:
     }
 
 private:
+    bool hasCell(std::size_t column) const override {
+        return _file.number(column) || !cellText(column).empty();
+    }
+    std::string cellText(std::size_t column) const override { return _file.text(column); }
+    std::optional<double> cellNumber(std::size_t column) const override {
+        const std::optional<double> stored = _file.number(column);
+        const std::optional<double> number = stored ? stored : numberIn(cellText(column));
+        return number && Range().contains(*number) ? number : std::nullopt;
+    }
+    std::optional<double> numberIn(const std::string& text) const override {
+        return _natural ? parseMetres(text) : parseNumber(text);
+    }
     void restart(const CrsTransform& transform, std::vector<std::size_t> columns) override {
         if (_natural && !columns.empty())
             columns.push_back(*_natural);
@@ -232,7 +306,8 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& f
         hasFeatures ? openFeatures(table, file->path, layer) : openCsv(table, file->path, options);
     if (!rows || filter.empty())
         return rows;
-    Result<RowFilter> condition = RowFilter::parse(filter, *rows);
+    auto condition =
+        RowExpression::parse(filter, rows->columns(), rows->file(), RowExpression::Kind::Condition);
     if (!condition) {
         table.problem("filter", condition.problems().front().message);
         return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/RowExpression.h>
 #include <osgTreeWind/base/TableText.h>
-#include <osgTreeWind/io/RowFilter.h>
 #include <osgTreeWind/places/VectorFile.h>
 
 #include <cstddef>
@@ -15,24 +15,28 @@
 namespace osgTreeWind {
 
 /// Reads the rows of an inventory one by one: a table or a layer of vector features, with one tree per row.
-class TreeRows {
+/// Columns are those of the file, and expressions over them.
+class TreeRows : private RowCells {
 public:
-    virtual ~TreeRows() = default;
+    ~TreeRows() override = default;
 
     virtual const std::string& file() const = 0;
     /// "CSV", "OSM" (a file or the answer to a query), "CityJSON", or GDAL's name of the format.
     virtual const std::string& format() const = 0;
+    /// Of the file.
     virtual const std::vector<std::string>& columns() const = 0;
     std::optional<std::size_t> column(const std::string& name) const;
-    /// A message that there is no such column, with the most similar name.
-    std::string problemOfColumn(const std::string& name) const;
+    /// The column with this name, or the expression, which is added to the columns.
+    Result<std::size_t> columnOrExpression(const std::string& text);
+    /// The name of a column, or the text of an expression.
+    const std::string& nameOf(std::size_t column) const;
     /// The CRS, if the file states it.
     virtual const std::optional<Crs>& crs() const = 0;
     /// Whether rows have a geometry.
     virtual bool hasPlaces() const = 0;
 
     /// From now on, leaves out the rows that do not match.
-    void setFilter(RowFilter filter) { _filter = std::move(filter); }
+    void setFilter(RowExpression filter) { _filter = std::move(filter); }
     /// Restarts before the first row. @param transform for places of geometries. @param columns to read;
     /// empty: all. Other columns have no values.
     void rewind(const CrsTransform& transform, std::vector<std::size_t> columns);
@@ -40,21 +44,36 @@ public:
     Result<bool> next();
 
     // The current row:
-    virtual bool has(std::size_t column) const = 0;
-    virtual std::string text(std::size_t column) const = 0;
+    bool has(std::size_t column) const;
+    std::string text(std::size_t column) const final;
     /// The number in the cell; empty if the cell holds no finite number.
-    virtual std::optional<double> number(std::size_t column) const = 0;
+    std::optional<double> number(std::size_t column) const final;
     /// The transformed place of the geometry.
     virtual Result<VectorPlace> place() const = 0;
     /// A problem with the row. @param column name; may be empty.
     virtual Diagnostic problem(const std::string& column, const std::string& message) const = 0;
 
 private:
+    struct Expression {
+        RowExpression expression;
+        bool isRead = true;
+        RowExpression::Value value{}; ///< In the current row.
+    };
+    const Expression* expression(std::size_t column) const;
+    Result<bool> evaluate();
+
+    // As has(), text() and number(), for a column of the file.
+    virtual bool hasCell(std::size_t column) const = 0;
+    virtual std::string cellText(std::size_t column) const = 0;
+    virtual std::optional<double> cellNumber(std::size_t column) const = 0;
+    /// The number in a text that was made of cells.
+    virtual std::optional<double> numberIn(const std::string& text) const = 0;
     // As rewind() and next(), for all rows.
     virtual void restart(const CrsTransform& transform, std::vector<std::size_t> columns) = 0;
     virtual Result<bool> advance() = 0;
 
-    std::optional<RowFilter> _filter;
+    std::optional<RowExpression> _filter;
+    std::vector<Expression> _expressions; ///< Columns after those of the file.
 };
 
 class TableReader;

@@ -31,7 +31,8 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns) {
 /// Reads the rows below the column names: units, processing types, records.
 class Toa5Rows {
 public:
-    explicit Toa5Rows(const WindSeriesColumns& columns) : _columns(namedColumns(columns)) {}
+    explicit Toa5Rows(const WindSeriesColumns& columns)
+        : _columns(namedColumns(columns)), _unitOfExpressions(columns.speedUnit) {}
 
     void addRow(const CsvTable& table, const CsvTable::Row& row) {
         if (_rowCount++ == 0)
@@ -52,7 +53,7 @@ public:
         Result<WindContent> content = _records->content(
             "Campbell TOA5", "components of the instrument, taken as toward east, north and up");
         if (content) {
-            content.value().summary.unit = _unit;
+            content.value().summary.unit = _unit.empty() ? _unitOfExpressions : _unit;
             content.value().summary.start = _records->start();
         }
         return content;
@@ -85,6 +86,7 @@ private:
     }
 
     const WindSeriesColumns _columns;
+    const std::string _unitOfExpressions;
     std::string _unit;
     Diagnostics _problems;
     std::optional<WindSeriesRows> _records;

@@ -61,13 +61,22 @@ void WindSeriesRows::report(int line, const std::string& key, std::string messag
 std::size_t WindSeriesRows::find(const char* role, const std::string& name) {
     if (const auto column = _table.column(name); column && !name.empty())
         return *column;
-    std::string known;
-    for (const std::string& column : _table.columns)
-        known += (known.empty() ? "" : ", ") + column;
-    report(_table.headerLine, name.empty() ? role : name,
-           name.empty() ? std::string("no column is named for ") + role
-                        : std::string("no such column for ") + role + "; the header has " + known);
-    return 0;
+    if (name.empty()) {
+        report(_table.headerLine, role, std::string("no column is named for ") + role);
+        return 0;
+    }
+    const std::vector<std::string> cells(_table.columns.begin(), _table.columns.end() - _expressions.size());
+    auto expression = RowExpression::parse(name, cells, _table.file);
+    if (!expression) {
+        report(_table.headerLine, name,
+               mayBeColumn(name)
+                   ? std::string("no such column for ") + role + "; the header has " + joined(cells)
+                   : expression.problems().front().message);
+        return 0;
+    }
+    _expressions.push_back(std::move(expression.value()));
+    _table.columns.push_back(name);
+    return _table.columns.size() - 1;
 }
 
 /// A cell times `scale` if in [low, high]; otherwise 0, with a problem.
@@ -140,10 +149,38 @@ glm::vec3 WindSeriesRows::velocity(const Row& row) {
     return {u, v, _columns.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};
 }
 
+/// The row with the values of the expressions behind its cells.
+CsvTable::Row WindSeriesRows::withExpressions(const Row& row) {
+    struct Cells final : RowCells {
+        std::string text(std::size_t column) const override { return row.cells[column]; }
+        std::optional<double> number(std::size_t column) const override {
+            return format.numberOf(row.cells[column]);
+        }
+        Cells(const Row& row, const CsvFormat& format) : row(row), format(format) {}
+        const Row& row;
+        const CsvFormat& format;
+    };
+    Row extended = row;
+    for (const RowExpression& expression : _expressions) {
+        auto value = expression.evaluate(Cells(row, _table.format));
+        if (!value)
+            report(row.line, {}, value.problems().front().message);
+        extended.cells.push_back(value ? std::move(value.value().text) : std::string());
+    }
+    return extended;
+}
+
 void WindSeriesRows::addRow(const Row& row) {
     ++_rowCount;
     if (!_areColumnsValid || _problems.size() >= maxRecordProblems)
         return;
+    if (_expressions.empty())
+        addRecord(row);
+    else
+        addRecord(withExpressions(row));
+}
+
+void WindSeriesRows::addRecord(const Row& row) {
     std::string cell;
     for (const std::size_t column : _time) {
         if (osgTreeWind::isMissing(row.cells[column])) { // 999 s is a valid time

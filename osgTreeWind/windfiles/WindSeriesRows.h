@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/RowExpression.h>
 #include <osgTreeWind/windfiles/TimeColumns.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
@@ -35,6 +36,8 @@ private:
     std::size_t find(const char* role, const std::string& name);
     double number(const Row& row, std::size_t column, double scale, double low, double high,
                   const char* what);
+    Row withExpressions(const Row& row);
+    void addRecord(const Row& row);
     bool isMissing(const Row& row, std::size_t column) const;
     bool hasWind(const Row& row) const;
     bool isVariable(const Row& row) const;
@@ -44,7 +47,8 @@ private:
     void chooseDirectionUnit();
     void joinRecords();
 
-    const CsvTable _table; ///< The header, without rows.
+    CsvTable _table; ///< The header, without rows. Expressions follow the columns.
+    std::vector<RowExpression> _expressions;
     const WindSeriesColumns _columns;
     struct Record {
         double dayFirst, monthFirst; ///< The readings of its time.

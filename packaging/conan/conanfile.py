@@ -52,6 +52,7 @@ class OsgTreeWind(ConanFile):
         self.requires("eigen/3.4.0")
         self.requires("gdal/[>=3.4 <4]")
         self.requires("pugixml/[>=1.12 <2]")
+        self.requires("sqlite3/[>=3.38 <4]")
         self.requires("tomlplusplus/[>=3.3 <4]")
         self.requires("utf8proc/[>=2.8 <3]")
         self.requires("zlib/[>=1.2.11 <2]")

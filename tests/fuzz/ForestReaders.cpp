@@ -41,10 +41,13 @@ void readInventory(const std::string& table) {
                  "[inventory.units]\ntrunk_diameter = \"cm\"\n");
 }
 
-void readFilter(const std::string& filter) {
-    std::ofstream(fuzzFile()) << "id,x,y,species,height\n1,2,3,Quercus robur,20\n2,5,9,birch,\n";
-    readDocument("version = 1\n[[inventory]]\nfile = \"" + fuzzFile() + "\"\nspecies = \"oak\"\nfilter = " +
-                 tomlText(filter) + "\n[inventory.columns]\nx = \"x\"\ny = \"y\"\nid = \"id\"\n");
+/// An expression as a condition and as a column.
+void readExpression(const std::string& expression) {
+    std::ofstream(fuzzFile()) << "id,x,y,species,height\n1,2,3,Quercus robur,20\n2,5,9,birch,\n03,5.5,-,,x\n";
+    const std::string head = "version = 1\n[[inventory]]\nfile = \"" + fuzzFile() + "\"\nspecies = \"oak\"\n";
+    const std::string columns = "[inventory.columns]\nx = \"x\"\ny = \"y\"\nid = \"id\"\n";
+    readDocument(head + "filter = " + tomlText(expression) + '\n' + columns);
+    readDocument(head + columns + "height = " + tomlText(expression) + '\n');
 }
 
 /// Requires that an edit does not change other values of a document that stays valid.
@@ -98,7 +101,7 @@ void readTile(const std::string& text) {
 
 const FuzzReaders forestReaders = {{"Forest", readDocument},
                                    {"Inventory", readInventory},
-                                   {"RowFilter", readFilter},
+                                   {"RowExpression", readExpression},
                                    {"TomlEdit", editDocument},
                                    {"Tile", readTile}};
 

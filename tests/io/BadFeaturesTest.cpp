@@ -76,7 +76,7 @@ const BadFeatures badFeatures[] = {
      "inventory.delimiter: applies only to a CSV table"},
     {"FilterOfATable", "a.csv", "x,y\n1,2\n", "filter = \"x > 1\"\n" + xy, "the inventory has no trees"},
     {"FilterBroken", "a.geojson", goodFeatures, "filter = \"h >\"\n",
-     "inventory.filter: at character 4: expected a column, a number or a text in '...', found nothing"},
+     "inventory.filter: at character 4: expected an expression of SQL, found nothing"},
     {"FilterOfAColumnAbsent", "a.geojson", goodFeatures, "filter = \"tall > 3\"\n",
      "inventory.filter: at character 1: no column \"tall\" in "},
     {"FilterOfAGeoPackage", "b.gpkg", "", "filter = \"tall > 3\"\n", "tall"},

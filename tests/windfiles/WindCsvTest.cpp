@@ -57,6 +57,23 @@ TEST(WindCsv, ReadsComponents) {
     expectNear(read("t,u,v,w\n0,1,-2,3\n", columns).value().velocities[0], {1, -2, 3});
 }
 
+TEST(WindCsv, ComputesColumns) {
+    WindSeriesColumns columns = polar();
+    columns.time = "day || 'T' || hour";
+    columns.timeUnit = "iso8601";
+    columns.direction = "10 * wd";
+    columns.speed = "ws / 2";
+    const auto series =
+        read("day,hour,ws,wd\n2020-01-01,00:00,5,27\n2020-01-01,00:10,,0\n2020-01-01,01:00,4,00\n", columns);
+    ASSERT_TRUE(series) << firstProblem(series);
+    EXPECT_EQ(series.value().times, (std::vector<double>{0, 3600}));
+    expectNear(series.value().velocities[0], {2.5, 0, 0});
+    expectNear(series.value().velocities[1], {0, -2, 0});
+    columns.direction = "10 * wid";
+    EXPECT_EQ(firstProblem(read("day,hour,ws,wd\n", columns)),
+              "w.csv:1: 10 * wid: at character 6: no column \"wid\" in w.csv; did you mean \"wd\"?");
+}
+
 TEST(WindCsv, ConvertsUnits) {
     WindSeriesColumns columns = cartesian();
     columns.speedUnit = "km/h";

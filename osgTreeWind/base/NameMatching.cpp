@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/base/NameMatching.h>
 
 #include <algorithm>
 #include <numeric>
