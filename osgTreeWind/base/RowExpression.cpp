@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 #include <new>
 
@@ -19,18 +20,17 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int maxValueLength = 32768, maxPatternLength = 200; // bytes
-constexpr int opsPerCheck = 100;
-constexpr double secondsPerCheck = 0.005, maxExtraSeconds = 0.5;
+constexpr int opsPerCheck = 20;
+constexpr std::int64_t nanosecondsPerCheck = 2500000, maxExtraNanoseconds = 500000000;
 
 Diagnostic problemAt(std::size_t at, const std::string& message) {
     return {{}, 0, 0, {}, "at character " + std::to_string(at + 1) + ": " + message};
 }
 
-/// CPU time of the thread.
-double cpuSeconds() {
+std::int64_t nanoseconds(clockid_t clock) {
     std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    clock_gettime(clock, &now);
+    return std::int64_t(1000000000) * now.tv_sec + now.tv_nsec;
 }
 
 bool isInteger(const std::string& text) {
@@ -51,7 +51,8 @@ struct RowExpression::Statement {
     sqlite3_stmt* statement = nullptr;
     std::vector<std::size_t> columns;
     const RowCells* row = nullptr; ///< Null: all cells are empty.
-    double lastCheck = 0.0, extraSeconds = 0.0;
+    std::int64_t lastCheck = 0, extraTime = 0;
+    std::optional<std::int64_t> lastCpuTime{}; ///< Only after a slow step, because the clock is slow.
 };
 
 namespace {
@@ -137,14 +138,22 @@ int authorize(void* selects, int action, const char* first, const char* second, 
     return isAllowed ? SQLITE_OK : SQLITE_DENY;
 }
 
-/// Stops an expression that takes much longer than its length explains.
+/// Stops an expression that takes much more CPU time than its length explains.
 int checkTime(void* data) {
     auto& statement = *static_cast<Statement*>(data);
-    const double now = cpuSeconds();
-    if (statement.lastCheck > 0.0)
-        statement.extraSeconds += std::max(now - statement.lastCheck - secondsPerCheck, 0.0);
+    const std::int64_t now = nanoseconds(CLOCK_MONOTONIC);
+    const bool isSlow = now - statement.lastCheck > nanosecondsPerCheck;
     statement.lastCheck = now;
-    return statement.extraSeconds > maxExtraSeconds;
+    if (!isSlow) {
+        statement.lastCpuTime.reset();
+        return 0;
+    }
+    const std::int64_t cpuTime = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    if (statement.lastCpuTime)
+        statement.extraTime +=
+            std::max<std::int64_t>(cpuTime - *statement.lastCpuTime - nanosecondsPerCheck, 0);
+    statement.lastCpuTime = cpuTime;
+    return statement.extraTime > maxExtraNanoseconds;
 }
 
 /// `min` and `max` of one value would be those of a column, which is no value of a row.
@@ -230,7 +239,7 @@ Result<RowExpression> RowExpression::parse(const std::string& text, const std::v
     if (code != SQLITE_OK)
         return syntaxProblem(sql, s, code);
     sqlite3_limit(s.database, SQLITE_LIMIT_LENGTH, maxValueLength); // it would also limit the statement
-    code = sqlite3_step(s.statement); // with empty cells
+    code = sqlite3_step(s.statement);                               // with empty cells
     if (code != SQLITE_ROW)
         return problemAt(0, messageOf(s, code));
     return expression;

@@ -9,7 +9,7 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
+#include <ctime>
 #include <tuple>
 
 using namespace osgTreeWind;
@@ -153,7 +153,7 @@ TEST(RowExpression, TakesColumnsByTheirExactNames) {
 }
 
 TEST(RowExpression, RefusesAllButExpressions) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     for (const char* const text :
          {"height > random()",
           "height > length(randomblob(1000000000))",
@@ -192,7 +192,7 @@ TEST(RowExpression, RefusesAllButExpressions) {
           "`height` > 3",
           "raise(ABORT, 'x')"})
         EXPECT_FALSE(condition(text)) << text;
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
 }
 
 /// Memory of the process at its peak, MB.
@@ -205,7 +205,7 @@ static double peakMegabytes() {
 TEST(RowExpression, LimitsDepthLengthAndTime) {
     const OneRow row({"1", std::string(20000, 'a'), "b", "c"});
     const double before = peakMegabytes();
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_FALSE(condition(std::string(60, '(') + "height > 3" + std::string(60, ')')));
     EXPECT_FALSE(condition(std::string(90000, '(') + "height > 3"));
     EXPECT_FALSE(condition(std::string(90000, '-') + "height > 3"));
@@ -223,7 +223,7 @@ TEST(RowExpression, LimitsDepthLengthAndTime) {
     const auto growing = RowExpression::parse(bomb, columns, file);
     ASSERT_TRUE(growing);
     EXPECT_TRUE(hasPart(firstProblem(growing.value().evaluate(row)), "texts of at most 32768 bytes"));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
     EXPECT_LT(peakMegabytes() - before, 100.0);
 }
 
@@ -235,12 +235,12 @@ TEST(RowExpression, StopsSlowEvaluations) {
         all += " OR " + slow;
     const auto filter = condition(all);
     ASSERT_TRUE(filter) << firstProblem(filter);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     Result<bool> result = false;
     for (int i = 0; i < 1000 && result; ++i)
         result = filter.value().matches(row);
     EXPECT_TRUE(hasPart(firstProblem(result), "takes too long"));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
 }
 
 TEST(RowExpression, SelectsFromLongLists) {
