@@ -20,7 +20,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int maxValueLength = 32768, maxPatternLength = 200; // bytes
-constexpr int opsPerCheck = 20;
+constexpr int opsPerCheck = 1000, cellsPerCheck = 8, checksAfterSlow = 100;
 constexpr std::int64_t nanosecondsPerCheck = 2500000, maxExtraNanoseconds = 500000000;
 
 Diagnostic problemAt(std::size_t at, const std::string& message) {
@@ -52,7 +52,9 @@ struct RowExpression::Statement {
     std::vector<std::size_t> columns;
     const RowCells* row = nullptr; ///< Null: all cells are empty.
     std::int64_t lastCheck = 0, extraTime = 0;
-    std::optional<std::int64_t> lastCpuTime{}; ///< Only after a slow step, because the clock is slow.
+    std::int64_t lastCpuTime = 0;
+    int cpuChecks = 0,
+        cells = 0; ///< Checks left that read the CPU time, because its clock is slow; cells read.
 };
 
 namespace {
@@ -99,10 +101,30 @@ void giveCell(const RowCells& row, std::size_t column, bool asNumber, sqlite3_co
         sqlite3_result_text64(result, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
 }
 
+/// Stops an expression that takes much more CPU time than its length explains.
+int checkTime(void* data) {
+    auto& statement = *static_cast<Statement*>(data);
+    const std::int64_t now = nanoseconds(CLOCK_MONOTONIC);
+    const bool isSlow = now - statement.lastCheck > nanosecondsPerCheck;
+    statement.lastCheck = now;
+    if (statement.cpuChecks == 0 && !isSlow)
+        return 0;
+    const std::int64_t cpuTime = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    if (statement.cpuChecks > 0)
+        statement.extraTime +=
+            std::max<std::int64_t>(cpuTime - statement.lastCpuTime - nanosecondsPerCheck, 0);
+    statement.lastCpuTime = cpuTime;
+    statement.cpuChecks = isSlow ? checksAfterSlow : statement.cpuChecks - 1;
+    return statement.extraTime > maxExtraNanoseconds;
+}
+
 int readCell(sqlite3_vtab_cursor* cursor, sqlite3_context* result, int index) {
-    const Statement& statement = static_cast<CellTable*>(cursor->pVtab)->statement;
+    Statement& statement = static_cast<CellTable*>(cursor->pVtab)->statement;
     if (!statement.row || index == 0)
         return SQLITE_OK;
+    statement.cells = (statement.cells + 1) % cellsPerCheck; // the progress handler runs once a row
+    if (statement.cells == 0 && checkTime(&statement))
+        return SQLITE_INTERRUPT;
     try {
         const auto cell = static_cast<std::size_t>(index - 1);
         giveCell(*statement.row, statement.columns[cell / 2], cell % 2 == 1, result);
@@ -136,24 +158,6 @@ int authorize(void* selects, int action, const char* first, const char* second, 
                            : action == SQLITE_FUNCTION ? isSqlFunction(orEmpty(second))
                                                        : action == SQLITE_READ && orEmpty(first) == "cells";
     return isAllowed ? SQLITE_OK : SQLITE_DENY;
-}
-
-/// Stops an expression that takes much more CPU time than its length explains.
-int checkTime(void* data) {
-    auto& statement = *static_cast<Statement*>(data);
-    const std::int64_t now = nanoseconds(CLOCK_MONOTONIC);
-    const bool isSlow = now - statement.lastCheck > nanosecondsPerCheck;
-    statement.lastCheck = now;
-    if (!isSlow) {
-        statement.lastCpuTime.reset();
-        return 0;
-    }
-    const std::int64_t cpuTime = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
-    if (statement.lastCpuTime)
-        statement.extraTime +=
-            std::max<std::int64_t>(cpuTime - *statement.lastCpuTime - nanosecondsPerCheck, 0);
-    statement.lastCpuTime = cpuTime;
-    return statement.extraTime > maxExtraNanoseconds;
 }
 
 /// `min` and `max` of one value would be those of a column, which is no value of a row.
