@@ -59,7 +59,7 @@ TEST(WindCsv, ReadsComponents) {
 
 TEST(WindCsv, ComputesColumns) {
     WindSeriesColumns columns = polar();
-    columns.time = "day || 'T' || hour";
+    columns.time = {"day || 'T' || hour"};
     columns.timeUnit = "iso8601";
     columns.direction = "10 * wd";
     columns.speed = "ws / 2";
