@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/InventoryColumns.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/places/UnitSize.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace osgTreeWind {
 
@@ -50,27 +52,12 @@ std::optional<std::size_t> findPointColumn(const TreeRows& rows) {
 
 } // namespace
 
-const std::vector<std::pair<std::string, double>>& lengthUnits() {
-    static const auto units = [] {
-        std::vector<std::pair<std::string, double>> all;
-        for (const UnitOfMeasure& unit : unitsOfLength)
-            all.emplace_back(unit.names.front(), unit.size);
-        return all;
-    }();
-    return units;
-}
-
 std::optional<double> parseMetres(const std::string& text) {
     const std::size_t end = text.find_last_of("0123456789.") + 1;
-    std::string unit = text.substr(end);
-    unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-    std::optional<double> number = parseNumber(std::string_view(text).substr(0, end));
-    if (unit.empty() || !number)
-        return number;
-    for (const auto& [name, metres] : lengthUnits())
-        if (unit == name)
-            return *number * metres;
-    return std::nullopt;
+    const std::string unit(trimmed(std::string_view(text).substr(end)));
+    const std::optional<double> number = parseNumber(std::string_view(text).substr(0, end)),
+                                size = unit.empty() ? 1.0 : knownUnit(Dimension::Length, unit);
+    return number && size ? std::optional(*number * *size) : std::nullopt;
 }
 
 InventoryColumns::InventoryColumns()
@@ -99,7 +86,7 @@ void InventoryColumns::read(TableReader& table, TreeRows* rows) {
     });
     if (!table.has("columns") && rows && !rows->hasPlaces())
         _complete = table.reportMissing("columns");
-    table.table("units", [&](TableReader& units) { readUnits(units); });
+    readUnits(table, rows);
     if (rows)
         useKnownColumns(*rows);
 }
@@ -137,9 +124,43 @@ void InventoryColumns::useKnownColumns(const TreeRows& rows) {
     }
 }
 
-void InventoryColumns::readUnits(TableReader& units) {
-    for (MeasureColumn* measure : measures())
-        units.readChoice<double>(measure->key, measure->unit, lengthUnits());
+/// Reads the units that keys or the names of columns give. A CRS gives those of x and y.
+void InventoryColumns::readUnits(TableReader& table, const TreeRows* rows) {
+    std::map<const MeasureColumn*, double> asked;
+    table.table("units", [&](TableReader& units) {
+        for (MeasureColumn* measure : measures())
+            if (const auto size = units.readUnit(measure->key, Dimension::Length))
+                asked[measure] = measure->unit = *size;
+    });
+    std::vector<std::string> used, replaced, unknown;
+    for (MeasureColumn* measure : measures()) {
+        const bool hasCrs = (measure == &x || measure == &y) && rows &&
+                            (table.has("crs") || rows->crs() || areInDegrees(*rows));
+        if (!rows || !measure->column || *measure->column >= rows->columns().size() || hasCrs)
+            continue;
+        const std::string& name = rows->nameOf(*measure->column);
+        const std::string unit = unitInName(Dimension::Length, name);
+        if (unit.empty())
+            continue;
+        const Result<double> size = sizeOfUnit(Dimension::Length, unit);
+        if (!asked.count(measure) && size)
+            measure->unit = size.value();
+        if (!size && !asked.count(measure))
+            unknown.push_back(inQuotes(name));
+        else if (size && size.value() != measure->unit)
+            replaced.push_back(inQuotes(name));
+        else if (size && size.value() != 1.0 && !asked.count(measure))
+            used.push_back(inQuotes(name));
+    }
+    const auto note = [&](const char* text, const std::vector<std::string>& names) {
+        if (!names.empty())
+            table.note(rows->file() + ": " + text + joined(names));
+    };
+    note("the names of columns give their units, unless inventory.units does: ", used);
+    note("inventory.units replaces the units in the names of columns: ", replaced);
+    note("the names of columns end in no known unit, and metres are assumed, unless inventory.units sets "
+         "another: ",
+         unknown);
 }
 
 std::vector<std::size_t> InventoryColumns::allColumns() {

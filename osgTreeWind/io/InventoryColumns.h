@@ -17,8 +17,6 @@ struct MeasureColumn {
     double unit = 1.0;                   ///< Metres per unit.
 };
 
-/// Names of length units, with their metres.
-const std::vector<std::pair<std::string, double>>& lengthUnits();
 /// Parses a number followed by an optional unit (default: metres). @return metres.
 std::optional<double> parseMetres(const std::string& text);
 
@@ -50,7 +48,7 @@ private:
     }
     std::optional<std::size_t> find(TableReader& columns, const std::string& key, TreeRows* rows);
     void useKnownColumns(const TreeRows& rows);
-    void readUnits(TableReader& units);
+    void readUnits(TableReader& table, const TreeRows* rows);
 
     bool _complete = true;
 };

@@ -13,7 +13,6 @@
 #include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/wind/WindKeys.h>
 #include <osgTreeWind/windfiles/WindFile.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -27,17 +26,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr Range directions = within(-360, 360);
-
-/// Reads the name of a speed unit; default "m/s". @return the unit in m/s; empty if it is unknown.
-std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
-    name = "m/s";
-    table.read(key, name);
-    const auto unit = speedUnit(name);
-    if (unit.ok())
-        return unit.value();
-    table.problem(key, unit.problems().front().message);
-    return std::nullopt;
-}
 
 /// Reports problems of a wind made from this table: at the key that they name, or else at the table.
 void reportWindProblems(const Diagnostics& problems, TableReader& table) {
@@ -60,8 +48,7 @@ WindFieldPtr checked(const Result<Field>& field, TableReader& table) {
 
 /// Reads `velocity`, or `speed` with a direction, in `unit`.
 glm::vec3 readVelocity(TableReader& table) {
-    std::string unitName;
-    const double unit = readSpeedUnit(table, "unit", unitName).value_or(1.0);
+    const double unit = table.readUnit("unit", Dimension::Speed).value_or(1.0);
     const Range speeds = within(windSpeeds.min / unit, windSpeeds.max / unit);
     glm::vec3 velocity(0.0f);
     WindReading wind;
@@ -233,14 +220,15 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     columns.delimiter = options.delimiter;
     columns.decimalComma = options.decimalComma;
     table.read("missing", columns.missing);
-    table.readChoice<std::string>(
-        "time_unit", columns.timeUnit,
-        {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"days", "days"}, {"ms", "ms"}, {"iso8601", "iso8601"}});
+    if (table.hasText("time_unit", "iso8601"))
+        table.read("time_unit", columns.timeUnit);
+    else
+        table.readUnit("time_unit", Dimension::Time, &columns.timeUnit);
     table.readChoice<std::string>("time_order", columns.timeOrder, {{"dmy", "dmy"}, {"mdy", "mdy"}});
     table.read("time_format", columns.timeFormat);
-    table.readChoice<std::string>("direction_unit", columns.directionUnit,
-                                  {{"deg", "deg"}, {"10 deg", "10 deg"}, {"rad", "rad"}});
-    const bool isUnitKnown = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
+    table.readUnit("direction_unit", Dimension::Direction, &columns.directionUnit);
+    const bool isUnitKnown =
+        table.readUnit("speed_unit", Dimension::Speed, &columns.speedUnit) || !table.has("speed_unit");
     if (!table.has("columns"))
         return table.reportMissing("columns");
     table.table("columns", [&](TableReader& t) {
@@ -409,7 +397,10 @@ void chooseArea(const glm::dvec3& origin, DocumentTrees& trees, WindFileOptions&
 Wind readWindData(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
                   DocumentTrees& trees, std::optional<double>& date) {
     WindFileOptions options;
-    const bool isUnitKnown = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
+    const bool isUnitKnown =
+        table.readUnit("speed_unit", Dimension::Speed, &options.speedUnit) || !table.has("speed_unit");
+    if (options.speedUnit == "m/s") // which version 1.0 wrote for files of any unit
+        options.speedUnit.clear();
     std::vector<double> numbers = {0, 0, 0};
     table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
     const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);

@@ -7,6 +7,7 @@
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/Toml.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/places/UnitSize.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -219,6 +220,20 @@ bool TableReader::read(const std::string& key, bool& field) {
 bool TableReader::read(const std::string& key, std::string& field) {
     return readExact<std::string>(key, field, "a text in quotes",
                                   [](const std::string& text) { return !text.empty(); });
+}
+
+std::optional<double> TableReader::readUnit(const std::string& key, Dimension dimension, std::string* name) {
+    std::string text;
+    if (!read(key, text))
+        return std::nullopt;
+    const Result<double> size = sizeOfUnit(dimension, text);
+    if (!size) {
+        problem(key, size.problems().front().message);
+        return std::nullopt;
+    }
+    if (name)
+        *name = text;
+    return size.value();
 }
 
 bool TableReader::readScalar(const std::string& key, std::string& field) {

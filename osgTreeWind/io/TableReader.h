@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Range.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/io/ReadLog.h>
 
 #include <glm/vec3.hpp>
@@ -72,6 +73,10 @@ public:
         field = choices[index].second;
         return true;
     }
+
+    /// Reads the name of a unit. @return its size (Dimension); empty if it is missing or, with a problem,
+    /// unknown.
+    std::optional<double> readUnit(const std::string& key, Dimension dimension, std::string* name = nullptr);
 
     /// Reads a value; reports a problem if the key is missing.
     template <typename... Arguments>

@@ -97,7 +97,8 @@ private:
         if (!source.times.empty())
             key("times", tomlText(source.times));
         key("offset", tomlText(source.offset));
-        key("speed_unit", tomlText(source.speedUnit));
+        if (!source.speedUnit.empty())
+            key("speed_unit", tomlText(source.speedUnit));
         if (source.roughness > 0.0)
             key("roughness", tomlText(source.roughness));
         if (source.height > 0.0)

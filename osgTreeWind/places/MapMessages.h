@@ -30,7 +30,8 @@ struct MapRequest {
         ChooseLayer,         ///< Name -> FeatureLayer.
         RewindFeatures,      ///< Texts of two CRSs, and columns (empty: all) -> MapAcknowledgement.
         NextFeatures,        ///< -> FeatureBatch.
-        WriteTable           ///< File, followed by a PointTable -> MapAcknowledgement.
+        WriteTable,          ///< File, followed by a PointTable -> MapAcknowledgement.
+        SizeOfUnit           ///< Names of a unit and a base unit -> double by sizeByUdunits().
     };
     Task task = Task::ParseCrs;
     std::vector<std::string> texts{};

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <cmath>
 
@@ -12,16 +12,18 @@ namespace osgTreeWind {
 namespace {
 
 constexpr const char* isoTime = "iso8601";
-constexpr double maxSeconds = 1e11;             // year 5138: larger numbers are milliseconds or compact dates
-constexpr double firstDay = -25569.0 * 86400.0; // 1899-12-30, day 0 of spreadsheets
+constexpr double maxSeconds = 1e11; // year 5138: larger numbers are milliseconds or compact dates
+constexpr double secondsPerDay = 86400.0,
+                 firstDay = -25569.0 * secondsPerDay; // 1899-12-30, day 0 of spreadsheets
 
 } // namespace
 
 Diagnostics TimeColumns::check() const {
     Diagnostics problems;
     const std::string &unit = _columns.timeUnit, &order = _columns.timeOrder;
-    if (!unit.empty() && unit != isoTime && !timeUnit(unit))
-        problems.push_back({{}, 0, 0, "time unit", expectedFound("s, min, h, days, ms or iso8601", unit)});
+    if (!unit.empty() && unit != isoTime && !knownUnit(Dimension::Time, unit))
+        problems.push_back(
+            {{}, 0, 0, "time unit", expectedFound("iso8601 or " + expectedUnit(Dimension::Time), unit)});
     if (!order.empty() && order != "dmy" && order != "mdy")
         problems.push_back({{}, 0, 0, "time order", expectedFound("dmy or mdy", order)});
     if (!_columns.timeFormat.empty() && !unit.empty() && unit != isoTime)
@@ -34,7 +36,7 @@ void TimeColumns::chooseUnit(const std::string& cell, const CsvFormat& format) {
     if (_columns.timeUnit == isoTime || !_columns.timeFormat.empty())
         _secondsPerUnit = 0.0;
     else if (!_columns.timeUnit.empty())
-        _secondsPerUnit = timeUnit(_columns.timeUnit).value();
+        _secondsPerUnit = *knownUnit(Dimension::Time, _columns.timeUnit);
     else if (!number)
         _secondsPerUnit = 0.0;
     else if (readDate(cell).isRead()) {
@@ -82,7 +84,7 @@ Result<DateReadings> TimeColumns::read(const std::string& cell, int line, const 
     const std::optional<double> number = format.numberOf(cell);
     if (!number)
         return fileProblem({}, expectedFound("a number", cell), line);
-    const double seconds = *number * *_secondsPerUnit + (_columns.timeUnit == "days" ? firstDay : 0.0);
+    const double seconds = *number * *_secondsPerUnit + (*_secondsPerUnit == secondsPerDay ? firstDay : 0.0);
     if (!(std::abs(seconds) < maxSeconds))
         return fileProblem({},
                            expectedFound("a time below 1e11 s (milliseconds: time_unit = \"ms\"; dates: "

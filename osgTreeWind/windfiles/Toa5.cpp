@@ -4,7 +4,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <algorithm>
 #include <optional>
@@ -24,15 +24,13 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns) {
         columns.w = "Uz";
     }
     columns.timeUnit = "iso8601";
-    columns.speedUnit = "m/s"; // converted later, as for all formats
     return columns;
 }
 
 /// Reads the rows below the column names: units, processing types, records.
 class Toa5Rows {
 public:
-    explicit Toa5Rows(const WindSeriesColumns& columns)
-        : _columns(namedColumns(columns)), _unitOfExpressions(columns.speedUnit) {}
+    explicit Toa5Rows(const WindSeriesColumns& columns) : _columns(namedColumns(columns)) {}
 
     void addRow(const CsvTable& table, const CsvTable::Row& row) {
         if (_rowCount++ == 0)
@@ -53,7 +51,8 @@ public:
         Result<WindContent> content = _records->content(
             "Campbell TOA5", "components of the instrument, taken as toward east, north and up");
         if (content) {
-            content.value().summary.unit = _unit.empty() ? _unitOfExpressions : _unit;
+            if (!_unit.empty())
+                content.value().summary.unit = _unit;
             content.value().summary.start = _records->start();
         }
         return content;
@@ -70,10 +69,8 @@ private:
                 continue;
             if (name == &_columns.direction || !_problems.empty())
                 continue;
-            const std::string found = canonicalSpeedUnit(row.cells[*column]);
-            if (const auto known = speedUnit(found); !known)
-                _problems = {{table.file, row.line, 0, *name, known.problems().front().message}};
-            else if (!_unit.empty() && found != _unit)
+            const std::string found = canonicalUnit(Dimension::Speed, row.cells[*column]);
+            if (!_unit.empty() && found != _unit)
                 _problems = {{table.file, row.line, 0, *name, expectedFound(_unit + " as before", found)}};
             _unit = found;
         }
@@ -86,7 +83,6 @@ private:
     }
 
     const WindSeriesColumns _columns;
-    const std::string _unitOfExpressions;
     std::string _unit;
     Diagnostics _problems;
     std::optional<WindSeriesRows> _records;

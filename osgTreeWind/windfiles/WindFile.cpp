@@ -7,12 +7,12 @@
 #include <osgTreeWind/places/CrsMesh.h>
 #include <osgTreeWind/places/LongitudeWrap.h>
 #include <osgTreeWind/places/MapProgram.h>
+#include <osgTreeWind/places/UnitSize.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <glm/geometric.hpp>
 
@@ -55,12 +55,18 @@ std::size_t velocityCount(const WindContent& content) {
 }
 
 /// Converts all velocities to m/s; sets the range of speeds and the number of missing velocities.
-/// @param defaultUnit for files that give no unit.
-Diagnostics convertVelocities(WindContent& content, const std::string& defaultUnit, const std::string& path) {
+/// @param asked replaces the unit of the file unless empty.
+Diagnostics convertVelocities(WindContent& content, const std::string& asked, const std::string& path) {
     const std::string& inFile = content.summary.unit;
-    const Result<double> unit = speedUnit(inFile.empty() ? defaultUnit : inFile);
+    const Result<double> unit = asked.empty() && inFile.empty()
+                                    ? Result<double>(1.0)
+                                    : sizeOfUnit(Dimension::Speed, asked.empty() ? inFile : asked);
     if (!unit)
-        return {fileProblem(path, unit.problems().front().message)};
+        return {fileProblem(path, unit.problems().front().message + "; speed_unit replaces it")};
+    if (asked.empty() && inFile.empty())
+        content.assumptions.push_back("the file gives no unit of speed; m/s is assumed");
+    if (!asked.empty() && !inFile.empty() && knownUnit(Dimension::Speed, inFile) != unit.value())
+        content.assumptions.push_back("speed_unit, " + asked + ", replaces the unit of the file, " + inFile);
     auto* series = std::get_if<WindSeries>(&content.data);
     auto* grid = std::get_if<GridWind::Grid>(&content.data);
     const std::size_t count = velocityCount(content);
@@ -237,7 +243,7 @@ Result<WindContent> readConverted(const std::string& path, const WindFileOptions
     if (!options.crs.empty())
         request.area = {options.crs, glm::dvec2(options.origin) + options.low,
                         glm::dvec2(options.origin) + options.high};
-    request.columns.speedUnit = "m/s"; // converted below, as for all formats
+    request.columns.speedUnit = options.speedUnit;
     Result<WindContent> read = readWindContent(path, request);
     if (!read)
         return read;
@@ -259,16 +265,15 @@ Result<WindFile> makeWindFile(Result<WindContent>&& read, const std::string& pat
     std::vector<std::string>& notes = content.summary.notes;
     notes.insert(notes.end(), content.assumptions.begin(), content.assumptions.end());
     noteMissing(content, notes);
-    if (content.summary.unit.empty())
-        notes.push_back("the file gives no unit of speed; " + options.speedUnit + " is assumed");
     if (std::holds_alternative<WindSeries>(content.data))
         return makeRecordFile(std::move(content), options, path);
     return makeGridFile(std::move(content), options, path);
 }
 
 Diagnostics check(const WindFileOptions& options) {
-    if (const Result<double> unit = speedUnit(options.speedUnit); !unit)
-        return {keyProblem("speedUnit", unit.problems().front().message)};
+    if (!options.speedUnit.empty())
+        if (const Result<double> unit = sizeOfUnit(Dimension::Speed, options.speedUnit); !unit)
+            return {keyProblem("speedUnit", unit.problems().front().message)};
     if (options.crs.empty())
         return {};
     const Result<Crs> crs = Crs::parseMap(options.crs);
@@ -327,7 +332,7 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     auto* series = std::get_if<WindSeries>(&content.data);
     if (!series)
         return fileProblem(path, "expected a record at one point, found a grid: " + content.summary.format);
-    if (Diagnostics problems = convertVelocities(content, "m/s", path); !problems.empty())
+    if (Diagnostics problems = convertVelocities(content, columns.speedUnit, path); !problems.empty())
         return problems;
     noteMissing(content, content.assumptions);
     if (notes)

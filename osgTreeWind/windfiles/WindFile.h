@@ -28,8 +28,9 @@ struct WindFileOptions {
     /// With `crs`: minimum x and y, metres from `origin`, of the area needed; other data may be skipped.
     glm::dvec2 low{-50000.0};
     glm::dvec2 high{50000.0}; ///< Maximum x and y of that area.
-    /// Unit of speeds in files without a unit: "m/s", "km/h", "kn", "mph" or "ft/s".
-    std::string speedUnit = "m/s";
+    /// Unit of speeds, as by sizeOfUnit(): "m/s", "km/h", "kn", "mph", "ft/s" or another. Empty: the unit
+    /// that the file states, or else m/s.
+    std::string speedUnit;
     /// Roughness length of the ground, metres: the wind follows the logarithmic profile from the ground to
     /// the lowest height of the data, and also above it if there is only one height. 0: the wind is constant
     /// there.

@@ -3,11 +3,11 @@
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindInput.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
@@ -59,7 +59,7 @@ Result<WindContent> windFromBands(const RasterBand& speed, const RasterBand& dir
         return fileProblem(file, problem);
     WindContent content;
     content.summary.direction = "from, degrees clockwise from grid north";
-    content.summary.unit = canonicalSpeedUnit(speed.unit);
+    content.summary.unit = canonicalUnit(Dimension::Speed, speed.unit);
     content.summary.crs = speed.crs.empty() ? direction.crs : speed.crs;
     if (!content.summary.crs.empty())
         content.summary.coordinates = Crs::parse(content.summary.crs).value().name();

@@ -27,7 +27,9 @@ struct OSGTREEWIND_EXPORT WindSeriesColumns {
     std::string direction;  ///< Clockwise from north, at most 360 degrees either way, or a compass point.
     std::string directionUnit; ///< "deg", "10 deg" or "rad"; empty: as the column's name says, or else "deg".
     DirectionSense sense = DirectionSense::From; ///< Meaning of `direction`.
-    std::string speedUnit = "m/s"; ///< Unit of all velocities: "m/s", "km/h", "kn", "mph" or "ft/s".
+    /// Unit of all velocities: "m/s", "km/h", "kn", "mph", "ft/s" or another that UDUNITS knows; empty: as
+    /// the names of the columns say, "wind (km/h)", or else m/s.
+    std::string speedUnit;
     std::optional<char> delimiter; ///< Separator of columns; empty: guessed from the header.
     std::optional<bool>
         decimalComma;            ///< Whether numbers use a decimal comma; empty: if it is not the separator.

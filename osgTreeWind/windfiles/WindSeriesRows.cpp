@@ -3,9 +3,9 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/places/UnitSize.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/DirectionText.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -16,7 +16,8 @@ namespace osgTreeWind {
 
 WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns)
     : _table{head.file, head.headerLine, head.columns, {}, head.format}, _columns(columns),
-      _polar(!columns.speed.empty() || !columns.direction.empty()), _times(_columns) {
+      _columnCount(head.columns.size()), _polar(!columns.speed.empty() || !columns.direction.empty()),
+      _times(_columns) {
     if (_polar == !(_columns.u.empty() && _columns.v.empty() && _columns.w.empty())) {
         report(0, {}, "expected columns for u and v, or for speed and direction");
         return;
@@ -29,27 +30,63 @@ WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& co
         _up = find("w", _columns.w);
     for (const Diagnostic& problem : _times.check())
         report(0, problem.key, problem.message);
-    if (const Result<double> speed = speedUnit(_columns.speedUnit))
-        _speedPerUnit = speed.value();
-    else
-        report(0, "speed unit", speed.problems().front().message);
-    if (_polar)
+    if (_problems.empty())
+        chooseSpeedUnit();
+    if (_polar && _problems.empty())
         chooseDirectionUnit();
     _areColumnsValid = _problems.empty();
 }
 
+std::string WindSeriesRows::unitInName(Dimension dimension, std::size_t column) const {
+    return column < _columnCount ? osgTreeWind::unitInName(dimension, _table.columns[column]) : std::string();
+}
+
+void WindSeriesRows::chooseSpeedUnit() {
+    std::vector<std::size_t> columns = {_first};
+    if (!_polar)
+        columns.push_back(_second);
+    if (!_columns.w.empty())
+        columns.push_back(_up);
+    std::optional<double> size;
+    for (const std::size_t column : columns) {
+        const std::string& name = _table.columns[column];
+        const std::string unit = unitInName(Dimension::Speed, column);
+        if (unit.empty())
+            continue;
+        const Result<double> named = sizeOfUnit(Dimension::Speed, unit);
+        if (!named)
+            _notes.push_back("the name of the column " + inQuotes(name) + " ends in no known unit of speed");
+        else if (size && *size != named.value() && _columns.speedUnit.empty())
+            report(_table.headerLine, name, expectedFound("the unit of the other columns, " + _unit, unit));
+        else {
+            size = named.value();
+            _unit = canonicalUnit(Dimension::Speed, unit);
+        }
+    }
+    _speedPerUnit = size.value_or(1.0);
+    if (!_columns.speedUnit.empty()) {
+        if (const Result<double> asked = sizeOfUnit(Dimension::Speed, _columns.speedUnit))
+            _speedPerUnit = asked.value();
+        else
+            report(0, "speed unit", asked.problems().front().message);
+    } else if (_speedPerUnit != 1.0)
+        _notes.push_back("the name of the column " + inQuotes(_table.columns[_first]) +
+                         " gives the unit of speed");
+}
+
 void WindSeriesRows::chooseDirectionUnit() {
     const std::string& asked = _columns.directionUnit;
-    const std::string named = directionUnitInName(_columns.direction);
-    const double degreesOfName = directionUnit(named).value_or(1.0);
-    const std::optional<double> unit = asked.empty() ? degreesOfName : directionUnit(asked);
+    const std::optional<double> named =
+        knownUnit(Dimension::Direction, unitInName(Dimension::Direction, _second));
+    const std::optional<double> unit =
+        asked.empty() ? named.value_or(1.0) : knownUnit(Dimension::Direction, asked);
     if (!unit)
-        return report(0, "direction unit", expectedFound("deg, 10 deg or rad", asked));
+        return report(0, "direction unit", expectedFound(expectedUnit(Dimension::Direction), asked));
     _degreesPerUnit = *unit;
-    if (!named.empty() && asked.empty() && degreesOfName != 1.0)
+    if (named && asked.empty() && *named != 1.0)
         _notes.push_back("the name of the column " + inQuotes(_columns.direction) +
                          " gives the unit of directions");
-    else if (!named.empty() && degreesOfName != *unit)
+    else if (named && *named != *unit)
         _notes.push_back("direction_unit replaces the unit in the name of the column " +
                          inQuotes(_columns.direction));
 }
@@ -79,7 +116,7 @@ std::size_t WindSeriesRows::find(const char* role, const std::string& name) {
     return _table.columns.size() - 1;
 }
 
-/// A cell times `scale` if in [low, high]; otherwise 0, with a problem.
+/// A cell, if `scale` times it is in [low, high]; otherwise 0, with a problem.
 double WindSeriesRows::number(const Row& row, std::size_t column, double scale, double low, double high,
                               const char* what) {
     const Result<double> cell = _table.number(row, column);
@@ -89,7 +126,7 @@ double WindSeriesRows::number(const Row& row, std::size_t column, double scale, 
     }
     const double value = cell.value() * scale;
     if (value >= low && value <= high)
-        return value;
+        return cell.value();
     report(row.line, _table.columns[column], expectedFound(what, row.cells[column]));
     return 0.0;
 }
@@ -268,6 +305,7 @@ Result<WindContent> WindSeriesRows::content(const char* format, const char* comp
         return _problems;
     WindContent content;
     content.summary.format = format;
+    content.summary.unit = _unit;
     content.summary.direction = _columns.speed.empty() ? components
                                 : _columns.sense == DirectionSense::From
                                     ? "from, degrees clockwise from north"

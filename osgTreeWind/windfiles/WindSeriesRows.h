@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/RowExpression.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/windfiles/TimeColumns.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
@@ -17,12 +18,12 @@ public:
 
     void addRow(const CsvTable::Row& row);
 
-    /// Call after the last row. Returns the record, in seconds since the first row with wind, or all
-    /// problems: columns of both forms or neither, a missing column, an unknown unit, no row with wind, dates
-    /// without a known order of day and month, and, with its line, a cell that is not a number, a time before
-    /// that of the row above (for dates more than an hour, as clocks go back), or an impossible value
-    /// (negative speed, more than 200 m/s). Rows without wind or with a variable direction are skipped; speed
-    /// 0 needs no direction. Rows of one time are averaged.
+    /// Call after the last row. Returns the record, in seconds since the first row with wind and in the unit
+    /// of speed of the table, or all problems: columns of both forms or neither, a missing column, an unknown
+    /// unit, no row with wind, dates without a known order of day and month, and, with its line, a cell that
+    /// is not a number, a time before that of the row above (for dates more than an hour, as clocks go back),
+    /// or an impossible value (negative speed, more than 200 m/s). Rows without wind or with a variable
+    /// direction are skipped; speed 0 needs no direction. Rows of one time are averaged.
     /// @param components their meaning, if the columns have no directions.
     Result<WindContent> content(const char* format, const char* components,
                                 std::vector<std::string> assumptions = {});
@@ -44,12 +45,15 @@ private:
     double speed(const Row& row, std::size_t column, double low);
     double degrees(const Row& row);
     glm::vec3 velocity(const Row& row);
+    std::string unitInName(Dimension dimension, std::size_t column) const;
+    void chooseSpeedUnit();
     void chooseDirectionUnit();
     void joinRecords();
 
     CsvTable _table; ///< The header, without rows. Expressions follow the columns.
     std::vector<RowExpression> _expressions;
     const WindSeriesColumns _columns;
+    const std::size_t _columnCount; ///< Of the file.
     struct Record {
         double dayFirst, monthFirst; ///< The readings of its time.
         glm::vec3 velocity;
@@ -66,7 +70,7 @@ private:
     Diagnostics _problems;
     std::vector<std::string> _notes;
     bool _areColumnsValid = false;
-    std::string _start;
+    std::string _start, _unit; ///< Unit of speed that the names of columns give.
     std::size_t _rowCount = 0, _skippedCount = 0, _variableCount = 0; ///< All rows; those left out.
 };
 

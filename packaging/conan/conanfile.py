@@ -65,7 +65,7 @@ class OsgTreeWind(ConanFile):
             self.requires("nlohmann_json/[>=3.7 <4]")
 
     def system_requirements(self):
-        Apt(self).install(["libcsv-dev"])  # Conan has no package for it
+        Apt(self).install(["libcsv-dev", "libudunits2-dev"])  # Conan has no packages for them
 
     def generate(self):
         CMakeDeps(self).generate()

@@ -4,6 +4,7 @@
 #include <plugins/map/RasterFormats.h>
 
 #include <plugins/map/GdalCrs.h>
+#include <plugins/map/Udunits.h>
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
@@ -30,12 +31,15 @@ constexpr Range heightRange = within(-12000, 30000); // metres: excludes common 
 
 /// Metres per unit of the heights; empty for an unknown unit.
 std::optional<double> metresPerUnit(GDALRasterBandH band, OGRSpatialReferenceH reference) {
-    const std::string name = lower(GDALGetRasterUnitType(band));
+    const std::string name = GDALGetRasterUnitType(band);
     if (name.empty())
         return reference && OSRIsCompound(reference)
                    ? OSRGetTargetLinearUnits(reference, "COMPD_CS|VERT_CS", nullptr)
                    : 1.0;
-    return sizeOfUnit(unitsOfLength, name);
+    if (const auto known = knownUnit(Dimension::Length, name))
+        return known;
+    const double size = sizeByUdunits(name, "m");
+    return size > 0.0 ? std::optional(size) : std::nullopt;
 }
 
 bool isHeightName(const std::string& name) {

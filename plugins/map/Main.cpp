@@ -5,6 +5,7 @@
 #include <plugins/ReaderLimits.h>
 #include <plugins/map/FeatureFile.h>
 #include <plugins/map/GdalRaster.h>
+#include <plugins/map/Udunits.h>
 
 #include <cpl_conv.h>
 #include <gdal.h>
@@ -66,6 +67,8 @@ public:
             PointTable table;
             return Wire::receiver(_descriptor).transfer(table) && send(done(writeGeoPackage(table, first)));
         }
+        case Task::SizeOfUnit:
+            return send(Result<double>(sizeByUdunits(first, second)));
         default:
             return answerFeatureRequest(request, first, second);
         }

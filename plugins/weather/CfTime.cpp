@@ -177,7 +177,7 @@ Result<CfTimes> decodeCfTimes(const std::vector<double>& numbers, const std::str
                               const std::string& calendarName) {
     constexpr std::string_view since = " since ";
     const std::size_t end = lower(unit).find(since);
-    const auto scale = sizeOfUnit(unitsOfTime, lower(unit.substr(0, end)));
+    const auto scale = knownUnit(Dimension::Time, unit.substr(0, end));
     if (!scale || numbers.empty())
         return fileProblem({}, expectedFound("times in seconds, minutes, hours, days or weeks", unit));
     CfTimes times;

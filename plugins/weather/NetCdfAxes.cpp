@@ -25,11 +25,11 @@ std::string unitOf(const NetCdfArray& array) {
 std::optional<double> metresIn(const std::string& unit) {
     if (isOneOf(unit, {"km", "kilometer", "kilometers", "kilometre", "kilometres"}))
         return 1000.0;
-    return unit.empty() ? 1.0 : sizeOfUnit(unitsOfLength, unit);
+    return unit.empty() ? 1.0 : knownUnit(Dimension::Length, unit);
 }
 
 bool isTimeUnit(const std::string& unit) {
-    return unit.find(" since ") != std::string::npos || sizeOfUnit(unitsOfTime, unit);
+    return unit.find(" since ") != std::string::npos || knownUnit(Dimension::Time, unit);
 }
 
 NetCdfMeasure byStandardName(const std::string& name) {

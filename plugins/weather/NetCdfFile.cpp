@@ -6,7 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -267,12 +267,10 @@ std::vector<double> NetCdfFile::coordinates(const NetCdfArray& array) {
 std::string NetCdfFile::speedUnitOf(const std::vector<Array>& arrays) {
     std::string unit;
     for (const Array& array : arrays) {
-        const std::string found = canonicalSpeedUnit(array->unit);
+        const std::string found = canonicalUnit(Dimension::Speed, array->unit);
         if (array != arrays.front() && found != unit)
             fail(array->name, expectedFound("the unit of the other components, " + unit, found));
         unit = found;
-        if (const auto known = speedUnit(unit); !unit.empty() && !known)
-            fail(array->name, known.problems().front().message);
     }
     return unit;
 }

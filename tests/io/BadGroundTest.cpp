@@ -60,7 +60,7 @@ void ofBands(const std::string& path) {
 template <int Unit>
 void ofUnit(const std::string& path) {
     RasterFile file;
-    file.unit = Unit == 0 ? "fathom" : "degree Celsius";
+    file.unit = Unit == 0 ? "hectare" : "degree Celsius";
     file.write(path);
 }
 void ofPalette(const std::string& path) {
@@ -165,7 +165,7 @@ const BadGround badGrounds[] = {
     {"Bands", ofBands, "a.tif: expected one band of heights, found 3"},
     {"Palette", ofPalette, "a.tif: expected heights, found colours of a palette"},
     {"Complex", complex, "a.tif: expected heights, found complex numbers"},
-    {"Fathoms", ofUnit<0>, "a.tif: expected heights in metres or feet, found the unit \"fathom\""},
+    {"Areas", ofUnit<0>, "a.tif: expected heights in metres or feet, found the unit \"hectare\""},
     {"Temperatures", ofUnit<1>, "a.tif: expected heights in metres or feet, found the unit"},
     {"NodataUndeclared", undeclared,
      "a.tif: expected heights in [-12000, 30000] metres, found -32768 in column 3, row 0"},

@@ -250,4 +250,40 @@ TEST(InventoryPlaces, ReportsAnOutlier) {
     EXPECT_TRUE(hasPart(tooFar.problems().front().text(), "a.csv: line 32: this tree stands 400 km"));
 }
 
+TEST(InventorySizes, HaveTheUnitsInTheNamesOfTheirColumns) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "X,Y,Height (ft),DBH_in,Crown [yd],note\n1,2,60,12,10,a\n5,6,40,8,9,b\n");
+    const std::string columns =
+        "file = \"a.csv\"\ncolumns = { x = \"X\", y = \"Y\", height = \"Height (ft)\", "
+        "trunk_diameter = \"DBH_in\", crown_width = \"Crown [yd]\" }\n";
+    const ForestFile named = inventoryOf(folder.path(), columns);
+    EXPECT_FLOAT_EQ(named.trees[0].size.height, 18.288f);
+    EXPECT_FLOAT_EQ(named.trees[0].size.trunkDiameter, 0.3048f);
+    EXPECT_FLOAT_EQ(named.trees[0].size.crownWidth, 9.144f);
+    EXPECT_TRUE(hasPart(notesOf(named), "the names of columns give their units, unless inventory.units does: "
+                                        "\"Height (ft)\", \"DBH_in\", \"Crown [yd]\""))
+        << notesOf(named);
+    const ForestFile asked =
+        inventoryOf(folder.path(), columns + "units = { height = \"us-ft\", trunk_diameter = "
+                                             "\"in\", crown_width = \"ft\" }\n");
+    EXPECT_FLOAT_EQ(asked.trees[0].size.height, 60.0f * 1200.0f / 3937.0f);
+    EXPECT_FLOAT_EQ(asked.trees[0].size.crownWidth, 3.048f);
+    EXPECT_TRUE(hasPart(notesOf(asked),
+                        "inventory.units replaces the units in the names of columns: \"Height (ft)\", "
+                        "\"Crown [yd]\""))
+        << notesOf(asked);
+}
+
+TEST(InventorySizes, AreInMetresIfTheNameEndsInNoUnit) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "X,Y,Height (est.)\n1,2,18\n5,6,12\n");
+    const ForestFile forest = inventoryOf(
+        folder.path(), "file = \"a.csv\"\ncolumns = { x = \"X\", y = \"Y\", height = \"Height (est.)\" }\n");
+    EXPECT_FLOAT_EQ(forest.trees[0].size.height, 18.0f);
+    EXPECT_TRUE(hasPart(notesOf(forest),
+                        "end in no known unit, and metres are assumed, unless inventory.units sets "
+                        "another: \"Height (est.)\""))
+        << notesOf(forest);
+}
+
 } // namespace osgTreeWind

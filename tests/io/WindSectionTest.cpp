@@ -6,6 +6,7 @@
 #include <tests/places/RasterFile.h>
 #include <tests/windfiles/NetCdfWriting.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestFile.h>
 
 #include <gtest/gtest.h>
@@ -150,7 +151,7 @@ TEST(WindSection, NotesOfAFileAreNotesOfTheForest) {
                                  "search = [\"" OSGTREEWIND_TEST_DATA "/wind\"]\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
     ASSERT_FALSE(forest.value().notes.empty());
-    EXPECT_TRUE(hasPart(forest.value().notes.back(), "pair_vel.asc: the file gives no unit of speed"));
+    EXPECT_TRUE(hasPart(joined(forest.value().notes), "pair_vel.asc: the file gives no unit of speed"));
 }
 
 /// A forest in Sydney in the wind of Germany, as ERA5 writes it.

@@ -21,7 +21,7 @@ version = re.search(r"project\(osgTreeWind VERSION ([0-9.]+)", (root / "CMakeLis
 # Package names for the arguments of find_package() and pkg_check_modules().
 vcpkg_names = {"OpenSceneGraph": "osg", "Eigen3": "eigen3", "LibCsv": "libcsv", "GDAL": "gdal", "Matio": "matio", "ZLIB": "zlib",
                "SQLite3": "sqlite3", "CLI11": "cli11", "nlohmann_json": "nlohmann-json", "netcdf": "netcdf-c"}
-conan_names = {"OpenSceneGraph": "openscenegraph", "Eigen3": "eigen", "LibCsv": "libcsv-dev", "GDAL": "gdal", "Matio": "matio",
+conan_names = {"OpenSceneGraph": "openscenegraph", "udunits": "libudunits2-dev", "Eigen3": "eigen", "LibCsv": "libcsv-dev", "GDAL": "gdal", "Matio": "matio",
                "ZLIB": "zlib", "SQLite3": "sqlite3", "CLI11": "cli11", "nlohmann_json": "nlohmann_json", "netcdf": "netcdf"}
 system_packages = {"OpenGL", "PkgConfig", "OSMesa", "osgViewer"}  # optional, from the driver, or part of OpenSceneGraph
 

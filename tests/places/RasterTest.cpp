@@ -99,6 +99,8 @@ TEST(Raster, ConvertsUnitScaleAndOffsetToMetres) {
     expectNear(opened(file).height({0.5, 3.5}), 30.48);
     file.unit = "US survey foot";
     expectNear(opened(file).height({0.5, 3.5}), 100.0 * 1200.0 / 3937.0);
+    file.unit = "yd"; // known to UDUNITS
+    expectNear(opened(file).height({0.5, 3.5}), 91.44);
     file.unit = "metre";
     expectNear(opened(file).height({0.5, 3.5}), 100.0);
     file.unit = "";

@@ -35,8 +35,6 @@ const Broken files[] = {
          axes(file).array("u10", latLon, {}, Numbers(6, 1)).array("u100", latLon, {}, Numbers(6, 1));
          file.array("t2m", latLon, {}, Numbers(6, 1));
      }},
-    {"u: expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'furlongs'",
-     [](NetCdfWriter& file) { winds(axes(file), latLon, "furlongs"); }},
     {"v: expected the unit of the other components, m/s, found 'kn'",
      [](NetCdfWriter& file) {
          axes(file)

@@ -365,4 +365,35 @@ TEST(NetCdfDegrees, TakesOneComponentOfEachFile) {
     EXPECT_FALSE(readWindFiles({u, u}, {}, options)) << "the same component twice";
 }
 
+TEST(NetCdfDegrees, UnitsAreSpelledInManyWays) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path() + "/a.nc";
+    for (const auto& [unit, speed] : {std::pair("m.s-1", 36.0),
+                                      {"meter second-1", 36.0},
+                                      {"kmh", 10.0},
+                                      {"cm/s", 0.36},
+                                      {"furlongs", -1.0}}) {
+        const Numbers axis = numbersFrom(0.0, 100.0, 3);
+        NetCdfWriter(path)
+            .axis("x", axis, "m")
+            .axis("y", axis, "m")
+            .array("u", {"y", "x"}, {{"units", unit}}, Numbers(9, 36.0))
+            .array("v", {"y", "x"}, {{"units", unit}}, Numbers(9, 36.0));
+        REQUIRE_NETCDF(path);
+        WindFileOptions options;
+        const auto wind = readWindFile(path, options);
+        if (speed > 0.0) {
+            ASSERT_TRUE(wind) << unit << firstProblem(wind);
+            EXPECT_NEAR(wind.value().summary.fastest, speed * std::sqrt(2.0), 1e-5) << unit;
+        } else
+            EXPECT_NE(firstProblem(wind).find("found 'furlongs'; speed_unit replaces it"), std::string::npos)
+                << firstProblem(wind);
+        options.speedUnit = "kn";
+        const auto asked = readWindFile(path, options);
+        ASSERT_TRUE(asked) << firstProblem(asked);
+        EXPECT_NEAR(asked.value().summary.fastest, 36.0 * std::sqrt(2.0) * 1852.0 / 3600.0, 1e-5);
+        EXPECT_TRUE(hasNote(asked.value().summary, "speed_unit, kn, replaces the unit of the file"));
+    }
+}
+
 } // namespace osgTreeWind

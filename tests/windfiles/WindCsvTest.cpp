@@ -81,7 +81,7 @@ TEST(WindCsv, ConvertsUnits) {
     const auto series = read("t,u,v\n1.5,36,-18\n2,0,0\n", columns);
     ASSERT_TRUE(series) << firstProblem(series);
     EXPECT_EQ(series.value().times[1], 30.0);
-    expectNear(series.value().velocities[0], {10, -5, 0});
+    expectNear(series.value().velocities[0], {36, -18, 0}); // convertVelocities() converts them
 }
 
 TEST(WindCsv, ReadsDatesAndTimes) {
@@ -252,8 +252,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv: expected columns for u and v, or for speed and direction"},
         BadRecord{"SpeedUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::speedUnit, "bft"),
                   "w.csv: speed unit: expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'bft'"},
-        BadRecord{"TimeUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::timeUnit, "d"),
-                  "w.csv: time unit: expected s, min, h, days, ms or iso8601, found 'd'"},
+        BadRecord{
+            "TimeUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::timeUnit, "a"),
+            "w.csv: time unit: expected iso8601 or a unit of time (s, min, h, days, weeks, ms), found 'a'"},
         BadRecord{"TextInNumber", "t,ws,wd\n0,1,0\n1,x,0\n", polar(),
                   "w.csv:3: ws: expected a number, found 'x'"},
         BadRecord{"EmptyCell", "t,ws,wd\n0,1,\n", polar(),
@@ -268,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
                   with(with(polar(), &Columns::timeFormat, "%F"), &Columns::timeUnit, "h"),
                   "w.csv: time format: cannot be used with the time unit h"},
         BadRecord{"DirectionUnit", "t,ws,wd\n0,1,0\n", with(polar(), &Columns::directionUnit, "gon"),
-                  "w.csv: direction unit: expected deg, 10 deg or rad, found 'gon'"},
+                  "w.csv: direction unit: expected a unit of direction (deg, 10 deg, rad), found 'gon'"},
         BadRecord{"OnlyVariable", "t,ws,wd\n0,1,990\n", polar(),
                   "w.csv:1: expected at least one record with wind, found none in 1"},
         BadRecord{

@@ -4,6 +4,7 @@
 #include <tests/Folders.h>
 #include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
 #include <tests/windfiles/Notes.h>
 
 #include <gtest/gtest.h>
@@ -69,7 +70,50 @@ TEST(WindFile, ConvertsTheGivenUnitIfTheFileHasNone) {
     options.speedUnit = "km/h";
     const WindFile file = readSmall("vectors.vtk", options);
     expectNear(asField(file.wind)->velocity({120, 200, 5}, 0), {3 / 3.6f, 0, 0});
-    EXPECT_TRUE(hasNote(file.summary, "km/h is assumed"));
+    EXPECT_FALSE(hasNote(file.summary, "is assumed"));
+    EXPECT_TRUE(hasNote(readSmall("vectors.vtk").summary, "gives no unit of speed; m/s is assumed"));
+}
+
+/// One record of 36 in the unit that the name of its column gives.
+WindFile readNamed(const std::string& column, WindFileOptions options = {}) {
+    const TemporaryFolder folder;
+    options.columns.time = {"time"};
+    options.columns.speed = column;
+    options.columns.direction = "from";
+    const auto file = readWindFile(folder.write("a.csv", "time,from," + column + "\n0,270,36\n"), options);
+    EXPECT_TRUE(file) << column << ": " << firstProblem(file);
+    return file ? file.value() : WindFile();
+}
+
+TEST(WindFile, ReadsTheUnitInTheNameOfAColumn) {
+    for (const auto& [column, speed] : {std::pair("wind_speed_10m (km/h)", 10.0),
+                                        {"Wind [kn]", 36 * 1852.0 / 3600},
+                                        {"ws_mph", 36 * 0.44704},
+                                        {"Vitesse (m.s-1)", 36.0},
+                                        {"windspeedKmph", 10.0},
+                                        {"speed (mi/h)", 36 * 0.44704}}) {
+        const WindFile file = readNamed(column);
+        expectNear(asField(file.wind)->velocity({}, 0), {speed, 0, 0}, 1e-4f);
+        EXPECT_EQ(hasNote(file.summary, "gives the unit of speed"), speed != 36.0) << column;
+    }
+    EXPECT_TRUE(hasNote(readNamed("speed (avg)").summary, "\"speed (avg)\" ends in no known unit of speed"));
+    WindFileOptions options;
+    options.speedUnit = "kn";
+    const WindFile file = readNamed("wind (km/h)", options);
+    expectNear(asField(file.wind)->velocity({}, 0), {36 * 1852.0 / 3600, 0, 0}, 1e-4f);
+    EXPECT_TRUE(hasNote(file.summary, "speed_unit, kn, replaces the unit of the file, km/h"));
+}
+
+TEST(WindFile, RefusesColumnsOfTwoUnits) {
+    const TemporaryFolder folder;
+    WindFileOptions options;
+    options.columns.time = {"time"};
+    options.columns.u = "u (km/h)";
+    options.columns.v = "v (kn)";
+    const auto file = readWindFile(folder.write("a.csv", "time,u (km/h),v (kn)\n0,1,2\n"), options);
+    EXPECT_NE(firstProblem(file).find("v (kn): expected the unit of the other columns, km/h, found 'kn'"),
+              std::string::npos)
+        << firstProblem(file);
 }
 
 TEST(WindFile, RefusesAnUnknownUnit) {

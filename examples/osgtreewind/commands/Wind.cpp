@@ -93,7 +93,7 @@ osg::ref_ptr<osg::Image> drawArrows(const WindField& wind, const glm::dvec3& low
 struct WindArguments {
     std::vector<std::string> files;
     std::vector<double> times;
-    std::string unit = "m/s";
+    std::string unit;
     std::string crs;
     std::vector<double> at;
     std::string time = "0";
@@ -265,8 +265,9 @@ void addWindCommand(CLI::App& app) {
             "--crs", arguments->crs,
             "Projected coordinate system of --at, such as EPSG:32611; velocities are turned to its axes")
         ->needs(at);
-    command->add_option("--unit", arguments->unit,
-                        "Unit of speeds if the file gives none: m/s, km/h, kn, mph or ft/s (default: m/s)");
+    command->add_option(
+        "--unit", arguments->unit,
+        "Unit of speeds: m/s, km/h, kn, mph, ft/s or another (default: that of the file, or m/s)");
     command->add_option("-o,--output", arguments->picture,
                         "PNG file for a picture: arrows over colours of speed");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
