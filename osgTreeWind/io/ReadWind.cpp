@@ -214,6 +214,17 @@ Wind readForestWind(TableReader& table, const InputFolders& folders, const Scene
     return checked(GridWind::fromForestWind(width, length, std::move(values), corner), table);
 }
 
+/// Reads one name or an array of names.
+bool readNames(TableReader& table, const char* key, std::vector<std::string>& names) {
+    std::string name;
+    if (table.hasArray(key))
+        return table.read(key, names);
+    if (!table.read(key, name))
+        return false;
+    names = {name};
+    return true;
+}
+
 /// Reads the columns of a CSV record.
 bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     const TableOptions options = readTableOptions(table);
@@ -232,10 +243,8 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     if (!table.has("columns"))
         return table.reportMissing("columns");
     table.table("columns", [&](TableReader& t) {
-        if (t.hasArray("time"))
-            t.read("time", columns.time);
-        else
-            t.require("time", columns.time.emplace_back());
+        if (!readNames(t, "time", columns.time))
+            t.reportMissing("time");
         t.read("u", columns.u);
         t.read("v", columns.v);
         t.read("w", columns.w);
@@ -408,6 +417,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     options.crs = forest.crs;
     table.read("roughness", options.roughness, keyAt(keysOf<LogProfile>(), "roughness").range);
     table.read("height", options.height, keyAt(keysOf<LogProfile>(), "height").range);
+    readNames(table, "variable", options.variable);
     bool allowsOutside = false;
     table.readChoice<bool>("beyond", allowsOutside, {{"hold", true}});
     chooseArea(forest.origin, trees, options);
@@ -436,6 +446,7 @@ Wind readWindData(TableReader& table, const InputFolders& folders, const ForestD
     known.roughness = options.roughness;
     known.height = options.height;
     known.speedUnit = options.speedUnit;
+    known.variable = options.variable;
     known.mayIncludeTrees = wind.value().summary.mayIncludeTrees;
     if (date && read.clock.scale == 1.0)
         known.date = *date - read.clock.start;

@@ -99,6 +99,8 @@ private:
         key("offset", tomlText(source.offset));
         if (!source.speedUnit.empty())
             key("speed_unit", tomlText(source.speedUnit));
+        if (!source.variable.empty())
+            key("variable", tomlText(source.variable));
         if (source.roughness > 0.0)
             key("roughness", tomlText(source.roughness));
         if (source.height > 0.0)

@@ -18,14 +18,15 @@ struct WindFiles {
     std::optional<DataTransform> map; ///< To the data of the field; empty if they are in the scene's CRS.
     std::vector<std::string> files{}; ///< Empty if the field was not read for a forest file.
     bool series = false; ///< Whether the files are time steps (key `files`), even if there is only one.
-    std::vector<double> times{};  ///< Time of each file, seconds; empty: the files contain their times.
-    glm::dvec3 offset{0.0};       ///< From file to world coordinates, metres.
-    glm::dvec3 origin{0.0};       ///< World origin of the forest that the wind was read for.
-    std::string crs{};            ///< CRS of that forest.
-    double roughness = 0.0;       ///< WindFileOptions::roughness
-    double height = 0.0;          ///< WindFileOptions::height
-    std::string speedUnit{};      ///< WindFileOptions::speedUnit
-    bool mayIncludeTrees = false; ///< WindSummary::mayIncludeTrees
+    std::vector<double> times{}; ///< Time of each file, seconds; empty: the files contain their times.
+    glm::dvec3 offset{0.0};      ///< From file to world coordinates, metres.
+    glm::dvec3 origin{0.0};      ///< World origin of the forest that the wind was read for.
+    std::string crs{};           ///< CRS of that forest.
+    double roughness = 0.0;      ///< WindFileOptions::roughness
+    double height = 0.0;         ///< WindFileOptions::height
+    std::string speedUnit{};     ///< WindFileOptions::speedUnit
+    std::vector<std::string> variable{}; ///< WindFileOptions::variable
+    bool mayIncludeTrees = false;        ///< WindSummary::mayIncludeTrees
     /// Date of time 0 of the field, seconds since 1970-01-01T00:00Z; empty: unknown.
     std::optional<double> date{};
     bool allowsOutside = false; ///< Whether a forest completely outside the data gets the wind at their edge.

@@ -6,6 +6,7 @@
 #include <osgTreeWind/windfiles/WindContent.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ struct VtkImage {
     glm::dvec3 spacing{1.0};
     std::vector<float> levels{}; ///< Heights of the layers of points, if they are not evenly spaced.
     bool ofCells = false;        ///< Vectors belong to cells, one fewer than points along each axis.
-    std::string name;            ///< Name of the array of vectors.
+    std::string note;            ///< The arrays of the wind, and others that may be named.
     std::vector<float> values;   ///< Three for each point or cell.
     std::vector<float> energy;   ///< Turbulent kinetic energy of each, m^2/s^2. A file may have none.
     std::optional<double> time;  ///< Seconds, if the file contains a time.
@@ -33,8 +34,23 @@ struct VtkImage {
     double vectorCount() const;
 };
 
-/// Whether an array with this name is the turbulent kinetic energy: k, as in OpenFOAM, or TKE.
-bool isTurbulentEnergy(std::string_view name);
+/// An array of the points or cells of a VTK file.
+struct VtkArray {
+    std::string name;
+    double components = 1.0;
+    bool ofCells = false;
+    bool isActive = false; ///< Declared as the vectors of the data.
+};
+
+/// Reads the wind, and the turbulent kinetic energy (k, as in OpenFOAM, or TKE) of the same points or cells.
+/// Without `variable`, the wind is the active array of 3 components, otherwise U, velocity or wind in any
+/// case, otherwise the only one.
+/// @param arrays all arrays of the file. @param variable as WindFileOptions::variable: an array of 3
+/// components, or 2 or 3 arrays of one.
+/// @param read reads the array with this index; false after a problem.
+/// @return the problem of the choice, with the arrays to choose from; empty if there is none.
+std::string readVtkWind(const std::vector<VtkArray>& arrays, const std::vector<std::string>& variable,
+                        const std::function<bool(std::size_t, std::vector<float>&)>& read, VtkImage& image);
 
 /// Converts an image to wind.
 WindContent windFromVtk(VtkImage&& image, const std::string& format);

@@ -45,12 +45,15 @@ bool isReal(const std::string& type) {
 
 class LegacyReader {
 public:
-    LegacyReader(std::string_view text, const std::string& file) : _file(file), _tokens(text, file) {}
+    LegacyReader(std::string_view text, const std::string& file, const std::vector<std::string>& variable)
+        : _file(file), _variable(variable), _tokens(text, file) {}
 
     Result<WindContent> read() {
         readHead();
-        while (_tokens.good() && !_isWindRead)
+        while (_tokens.good() && !_isAtEnd)
             readSection();
+        if (_tokens.good())
+            readWind();
         if (!_tokens.good() && _isBinary && _isInData)
             return Diagnostic{_file, 0, 0, "byte " + std::to_string(_tokens.offset()),
                               _tokens.problem().message};
@@ -93,8 +96,7 @@ private:
         else if (word == "METADATA")
             skipMetadata();
         else if (word.empty())
-            _tokens.fail(
-                "expected VECTORS, or a FIELD of 3 components, of the points; none found before the end");
+            _isAtEnd = true;
         else if (!(_isCountRead ? readAttribute(word) : readGeometry(word)))
             _tokens.fail(expectedFound("a section of " + _dataset + " with VECTORS or FIELD data", found));
     }
@@ -123,15 +125,13 @@ private:
 
     /// Reads or skips an attribute of points or cells. @return false if it is unknown.
     bool readAttribute(const std::string& word) {
-        static const std::map<std::string, double> components = {{"NORMALS", 3.0},
-                                                                 {"TENSORS", 9.0},
-                                                                 {"TENSORS6", 6.0},
-                                                                 {"GLOBAL_IDS", 1.0},
-                                                                 {"PEDIGREE_IDS", 1.0}};
+        static const std::map<std::string, double> components = {{"NORMALS", 3.0},    {"TENSORS", 9.0},
+                                                                 {"TENSORS6", 6.0},   {"EDGE_FLAGS", 1.0},
+                                                                 {"GLOBAL_IDS", 1.0}, {"PEDIGREE_IDS", 1.0}};
         const auto known = components.find(word);
         if (word == "VECTORS") {
             const std::string_view name = _tokens.next();
-            readWind(name, upper(_tokens.next()));
+            noteArray(name, upper(_tokens.next()), 3.0, true);
         } else if (word == "SCALARS")
             readScalars();
         else if (word == "COLOR_SCALARS" || word == "LOOKUP_TABLE")
@@ -157,7 +157,6 @@ private:
         if (const std::string problem = _image.normalizeSpacing(); !problem.empty())
             return _tokens.fail(problem);
         _image.ofCells = ofCells;
-        _image.energy.clear();
         expectCount("a number of points", 0.0, _image.vectorCount());
         _isCountRead = true;
     }
@@ -242,20 +241,28 @@ private:
         return !isEven;
     }
 
-    void readWind(const std::string_view name, const std::string& type) {
-        _image.name = name;
-        readArray(type, 3.0 * _image.vectorCount(), _image.values);
-        _isWindRead = _tokens.good();
+    /// Notes where an array begins, and skips it.
+    void noteArray(std::string_view name, const std::string& type, double components, bool isActive) {
+        _arrays.push_back({std::string(name), components, _image.ofCells, isActive});
+        _places.emplace_back(type, _tokens);
+        skipArray(type, components * _image.vectorCount());
     }
 
-    void readEnergy(const std::string& type) {
-        std::vector<float> energy;
-        readArray(type, _image.vectorCount(), energy);
-        _image.energy = std::move(energy);
+    void readWind() {
+        const TextTokens end = _tokens;
+        const auto read = [&](std::size_t i, std::vector<float>& values) {
+            _tokens = _places[i].second;
+            readArray(_places[i].first, _arrays[i].components * _image.vectorCount(), values);
+            return _tokens.good();
+        };
+        if (const std::string problem = readVtkWind(_arrays, _variable, read, _image); !problem.empty()) {
+            _tokens = end;
+            _tokens.fail(problem);
+        }
     }
 
     void readScalars() {
-        const bool isEnergy = isTurbulentEnergy(_tokens.next());
+        const std::string_view name = _tokens.next();
         const std::string type = upper(_tokens.next());
         TextTokens ahead = _tokens;
         const auto components = parseNumber(ahead.next());
@@ -263,11 +270,7 @@ private:
             _tokens.next();
         expect("LOOKUP_TABLE");
         _tokens.next(); // name
-        const double numbers = components.value_or(1.0) * _image.vectorCount();
-        if (isEnergy && isReal(type) && numbers == _image.vectorCount())
-            readEnergy(type);
-        else
-            skipArray(type, numbers);
+        noteArray(name, type, components.value_or(1.0), false);
     }
 
     void readColours(bool table) {
@@ -279,7 +282,7 @@ private:
     void readFields() {
         _tokens.next(); // name
         const int arrays = _tokens.integer("a number of arrays from 0 to 1000", 0, 1000);
-        for (int i = 0; i < arrays && _tokens.good() && !_isWindRead; ++i) {
+        for (int i = 0; i < arrays && _tokens.good(); ++i) {
             std::string_view name = _tokens.next();
             if (upper(name) == "METADATA") {
                 skipMetadata();
@@ -289,8 +292,8 @@ private:
             const int tuples = _tokens.integer("a number of tuples", 0, std::numeric_limits<int>::max());
             const std::string type = upper(_tokens.next());
             const double numbers = static_cast<double>(components) * tuples;
-            if (components == 3 && _isCountRead && tuples == _image.vectorCount()) {
-                readWind(name, type);
+            if (_isCountRead && tuples == _image.vectorCount()) {
+                noteArray(name, type, components, false);
             } else if (name == "TimeValue" && !_isCountRead && numbers == 1.0 && isReal(type)) {
                 std::vector<double> time;
                 readArray(type, 1.0, time);
@@ -298,9 +301,6 @@ private:
                     _tokens.fail("expected a TimeValue within 1e15 s, found " + numberText(time.front()));
                 if (_tokens.good())
                     _image.time = time.front();
-            } else if (isTurbulentEnergy(name) && _isCountRead && numbers == _image.vectorCount() &&
-                       isReal(type)) {
-                readEnergy(type);
             } else {
                 skipArray(type, numbers);
             }
@@ -390,17 +390,21 @@ private:
     }
 
     const std::string& _file;
+    const std::vector<std::string>& _variable;
     TextTokens _tokens;
+    std::vector<VtkArray> _arrays;
+    std::vector<std::pair<std::string, TextTokens>> _places; ///< Type and beginning of each array.
     VtkImage _image;
     std::string _dataset;
     unsigned _knownAxes = 0; // a bit for each axis whose coordinates are known
-    bool _isBinary = false, _isCountRead = false, _isInData = false, _isWindRead = false;
+    bool _isBinary = false, _isCountRead = false, _isInData = false, _isAtEnd = false;
 };
 
 } // namespace
 
-Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file) {
-    return LegacyReader(bytes, file).read();
+Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file,
+                                  const std::vector<std::string>& variable) {
+    return LegacyReader(bytes, file, variable).read();
 }
 
 } // namespace osgTreeWind

@@ -25,7 +25,8 @@ struct Problem {
 
 class XmlReader {
 public:
-    XmlReader(std::string_view bytes, const std::string& file) : _bytes(bytes), _file(file) {}
+    XmlReader(std::string_view bytes, const std::string& file, const std::vector<std::string>& variable)
+        : _bytes(bytes), _file(file), _variable(variable) {}
 
     Result<WindContent> read() {
         if (!parse() || !readPacking() || !readGrid() || !readVectors()) {
@@ -131,34 +132,26 @@ private:
         return true;
     }
 
-    /// The array named by the attribute Vectors, otherwise the first with three components.
-    static pugi::xml_node vectorsOf(pugi::xml_node data) {
-        const std::string active = data.attribute("Vectors").value();
-        pugi::xml_node first;
-        for (pugi::xml_node array : data.children("DataArray")) {
-            if (std::string(array.attribute("NumberOfComponents").value()) != "3")
-                continue;
-            if (!first || array.attribute("Name").value() == active)
-                first = array;
-        }
-        return first;
-    }
-
     bool readVectors() {
-        pugi::xml_node array = vectorsOf(_piece.child("PointData"));
-        if (!array) {
-            array = vectorsOf(_piece.child("CellData"));
-            _image.ofCells = true;
+        std::vector<VtkArray> arrays;
+        std::vector<pugi::xml_node> nodes;
+        for (const char* place : {"PointData", "CellData"}) {
+            const pugi::xml_node data = _piece.child(place);
+            for (const pugi::xml_node node : data.children("DataArray")) {
+                const std::string name = node.attribute("Name").value();
+                if (!name.empty() && name == data.attribute("Normals").value())
+                    continue;
+                arrays.push_back({name, node.attribute("NumberOfComponents").as_double(1.0),
+                                  place == std::string("CellData"),
+                                  !name.empty() && name == data.attribute("Vectors").value()});
+                nodes.push_back(node);
+            }
         }
-        if (!array)
-            return fail(_piece, "PointData", "expected a DataArray of 3 components");
-        _image.name = array.attribute("Name").as_string("without a name");
-        for (pugi::xml_node each : array.parent().children("DataArray"))
-            if (isTurbulentEnergy(each.attribute("Name").value()) &&
-                each.attribute("NumberOfComponents").as_string("1") == std::string("1") &&
-                !readArray(each, 1.0, _image.energy))
-                return false;
-        return readArray(array, 3.0, _image.values);
+        const auto read = [&](std::size_t i, std::vector<float>& values) {
+            return readArray(nodes[i], arrays[i].components, values);
+        };
+        const std::string problem = readVtkWind(arrays, _variable, read, _image);
+        return problem.empty() ? _problem.message.empty() : fail(_piece, "PointData", problem);
     }
 
     /// @param components of each point or cell.
@@ -210,6 +203,7 @@ private:
 
     std::string_view _bytes, _appended;
     const std::string& _file;
+    const std::vector<std::string>& _variable;
     pugi::xml_document _document;
     pugi::xml_node _piece;
     VtkPacking _packing;
@@ -220,8 +214,9 @@ private:
 
 } // namespace
 
-Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file) {
-    return XmlReader(bytes, file).read();
+Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file,
+                               const std::vector<std::string>& variable) {
+    return XmlReader(bytes, file, variable).read();
 }
 
 } // namespace osgTreeWind

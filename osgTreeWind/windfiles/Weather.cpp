@@ -9,15 +9,19 @@ namespace {
 
 Result<WindContent> readWeather(const char* format, const char* libraries, const std::string& path,
                                 const WindRequest& request) {
-    std::vector<std::string> command = {path, request.asStored ? "stored" : "grid"};
-    if (const auto& area = request.area)
-        command.insert(command.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
-                                       numberText(area->high.x), numberText(area->high.y)});
-    if (!request.secondFile.empty()) {
+    const WindArea area = request.area.value_or(WindArea{"all"});
+    std::vector<std::string> command = {path,
+                                        request.secondFile,
+                                        request.asStored ? "stored" : "grid",
+                                        area.crs,
+                                        numberText(area.low.x),
+                                        numberText(area.low.y),
+                                        numberText(area.high.x),
+                                        numberText(area.high.y)};
+    command.insert(command.end(), request.variable.begin(), request.variable.end());
+    if (!request.secondFile.empty())
         if (const auto problem = problemOfInput(request.secondFile))
             return *problem;
-        command.push_back(request.secondFile);
-    }
     return readWithProgram<WindContent>({"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries},
                                         command);
 }

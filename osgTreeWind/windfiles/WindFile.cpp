@@ -239,7 +239,7 @@ Result<WindFile> makeRecordFile(WindContent&& content, const WindFileOptions& op
 /// @param secondFile file of the other component; empty if there is none.
 Result<WindContent> readConverted(const std::string& path, const WindFileOptions& options,
                                   const std::string& secondFile = {}) {
-    WindRequest request{options.columns, options.asStored, {}, secondFile};
+    WindRequest request{options.columns, options.asStored, {}, secondFile, options.variable};
     if (!options.crs.empty())
         request.area = {options.crs, glm::dvec2(options.origin) + options.low,
                         glm::dvec2(options.origin) + options.high};
@@ -325,7 +325,7 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
 
 Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns,
                                   std::vector<std::string>* notes) {
-    Result<WindContent> read = readWindContent(path, {columns, false, {}, {}});
+    Result<WindContent> read = readWindContent(path, {columns, false, {}, {}, {}});
     if (!read)
         return read.problems();
     WindContent& content = read.value();

@@ -40,6 +40,10 @@ struct WindFileOptions {
     /// Columns of a CSV or TOA5 table. If none are named: time and u, v, w or speed, direction in CSV, and
     /// TIMESTAMP, Ux, Uy, Uz in TOA5. The unit is `speedUnit` above.
     WindSeriesColumns columns;
+    /// Names the wind of a VTK, NetCDF or GRIB file that has several: an array of vectors, or the first
+    /// component, or the arrays of each component or of speed and direction. In GRIB, the short names of
+    /// ecCodes. Empty: the usual names.
+    std::vector<std::string> variable;
     /// Keeps velocities as in the file: does not turn them from true north to the grid's north, and ignores
     /// the motion of a moving model grid.
     bool asStored = false;

@@ -25,6 +25,8 @@ struct Format {
     const char* extension; ///< Used if no format is recognised by content; null if there is none.
     bool (*begins)(std::string_view head); ///< Recognises the first kilobyte; null if it cannot.
     Result<WindContent> (*read)(const ReaderInput& source);
+    bool hasVariables =
+        false; ///< Whether a file may have several winds, of which WindRequest::variable names one.
 };
 
 bool startsWith(std::string_view text, std::string_view start) {
@@ -35,17 +37,11 @@ bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// Adapts a reader of bytes to Format::read.
-template <Result<WindContent> (*Read)(std::string_view, const std::string&)>
+/// Adapts a reader of bytes, with some members of the request, to Format::read.
+template <auto Read, auto... Options>
 Result<WindContent> readAll(const ReaderInput& source) {
     const Result<std::string> bytes = source.input.bytes();
-    return bytes ? Read(bytes.value(), source.input.path()) : bytes.problems();
-}
-
-template <Result<WindContent> (*Read)(std::string_view, const std::string&, const WindSeriesColumns&)>
-Result<WindContent> readTable(const ReaderInput& source) {
-    const Result<std::string> bytes = source.input.bytes();
-    return bytes ? Read(bytes.value(), source.input.path(), source.request.columns) : bytes.problems();
+    return bytes ? Read(bytes.value(), source.input.path(), source.request.*Options...) : bytes.problems();
 }
 
 const Format windFormats[] = {
@@ -59,19 +55,20 @@ const Format windFormats[] = {
      },
      [](const ReaderInput& source) { return readTiffPair(source.input.path()); }},
     {"VTK", nullptr, [](std::string_view head) { return startsWith(head, "# vtk DataFile"); },
-     readAll<readVtkLegacy>},
-    {"VTK", nullptr, [](std::string_view head) { return contains(head, "<VTKFile"); }, readAll<readVtkXml>},
+     readAll<readVtkLegacy, &WindRequest::variable>, true},
+    {"VTK", nullptr, [](std::string_view head) { return contains(head, "<VTKFile"); },
+     readAll<readVtkXml, &WindRequest::variable>, true},
     {"TurbSim .bts", ".bts", nullptr, readAll<readTurbSim>},
     {"TOA5", nullptr, [](std::string_view head) { return startsWith(head, "\"TOA5\""); },
-     readTable<readToa5>},
+     readAll<readToa5, &WindRequest::columns>},
     {"EPW", nullptr, [](std::string_view head) { return startsWith(head, "LOCATION,"); }, readAll<readEpw>},
     {"NetCDF", nullptr, isNetCdf,
-     [](const ReaderInput& source) { return readNetCdf(source.input.path(), source.request); }},
+     [](const ReaderInput& source) { return readNetCdf(source.input.path(), source.request); }, true},
     {"GRIB", nullptr, isGrib,
-     [](const ReaderInput& source) { return readGrib(source.input.path(), source.request); }},
+     [](const ReaderInput& source) { return readGrib(source.input.path(), source.request); }, true},
     {"QES sensor XML", ".xml", [](std::string_view head) { return contains(head, "<timeSeries"); },
      readAll<readQesSensor>},
-    {".csv", ".csv", nullptr, readTable<readWindCsv>}};
+    {".csv", ".csv", nullptr, readAll<readWindCsv, &WindRequest::columns>}};
 
 const Format& csv = windFormats[std::size(windFormats) - 1];
 
@@ -102,9 +99,13 @@ Result<WindContent> readWindContent(const std::string& path, const WindRequest& 
     const Result<std::string> head = input.head();
     if (!head)
         return head.problems();
-    if (const Format* format = findFormat(path, head.value(), request.columns))
-        return format->read({input, request});
-    return fileProblem(path, "unknown format of wind data; expected " + formatNames());
+    const Format* format = findFormat(path, head.value(), request.columns);
+    if (!format)
+        return fileProblem(path, "unknown format of wind data; expected " + formatNames());
+    if (!request.variable.empty() && !format->hasVariables)
+        return keyProblem("variable",
+                          std::string("a file of the format ") + format->name + " has only one wind");
+    return format->read({input, request});
 }
 
 } // namespace osgTreeWind

@@ -33,9 +33,13 @@ Result<WindContent> readTiffPair(const std::string& path);
 
 /// Reads legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or
 /// STRUCTURED_GRID with evenly spaced points. A TimeValue becomes the only time of the grid.
-Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file);
+/// @param variable as WindFileOptions::variable.
+Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file,
+                                  const std::vector<std::string>& variable = {});
 /// Reads VTK XML ImageData of one piece: ascii, base64 or raw, optionally zlib, either byte order.
-Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file);
+/// @param variable as WindFileOptions::variable.
+Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file,
+                               const std::vector<std::string>& variable = {});
 /// Reads a TurbSim full field, which drifts along x with the mean wind at the hub (frozen turbulence).
 Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file);
 /// Reads Campbell TOA5, with four header lines, the third with units. Skips records without wind.

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -25,6 +26,7 @@ struct WindRequest {
     bool asStored = false;        ///< As WindFileOptions::asStored.
     std::optional<WindArea> area; ///< Where wind is needed; empty: everywhere.
     std::string secondFile;       ///< NetCDF or GRIB file of the other component; empty if there is none.
+    std::vector<std::string> variable; ///< As WindFileOptions::variable.
 };
 
 /// Bounding rectangle of an area in the CRS of a file, with longitudes within 180 degrees of its centre. A

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/GribChoice.h>
 
+#include <plugins/weather/Words.h>
+
 #include <osgTreeWind/base/DateText.h>
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
@@ -47,7 +51,8 @@ public:
                 (field.problem.empty() ? _items : _undecodable).push_back({meaning, &field});
     }
 
-    Result<GribChoice> choose() {
+    Result<GribChoice> choose(const std::vector<std::string>& variable) {
+        keepNamed(variable);
         choosePair();
         chooseKind();
         chooseTimesAndLevels();
@@ -75,6 +80,45 @@ private:
     }
 
     bool isPair(GribLevelKind kind) const { return has(_first, kind) && has(_second, kind); }
+
+    static bool isPolar(const Item& item) {
+        return item.meaning.quantity == Quantity::Speed || item.meaning.quantity == Quantity::Direction;
+    }
+    static bool isHorizontal(const Item& item) {
+        return item.meaning.quantity == Quantity::East || item.meaning.quantity == Quantity::North ||
+               isPolar(item);
+    }
+
+    /// The short name, with the height above ground that ecCodes leaves out for all but the usual heights:
+    /// "80u".
+    static std::string shortNameOf(const GribField& field) {
+        const bool isBare = field.level.kind == GribLevelKind::AboveGround && isOneOf(field.name, {"u", "v"});
+        return (isBare ? numberText(field.level.value) : "") + field.name;
+    }
+
+    /// Removes the winds at levels without a field of these names.
+    void keepNamed(const std::vector<std::string>& variable) {
+        if (variable.empty())
+            return;
+        std::vector<Item> named;
+        std::set<std::string> names;
+        for (const Item& item : _items)
+            if (isHorizontal(item)) {
+                names.insert(shortNameOf(*item.field));
+                if (isOneOf(shortNameOf(*item.field), variable) || isOneOf(item.field->variable, variable))
+                    named.push_back(item);
+            }
+        if (named.empty())
+            fail(expectedFound("a field of wind that wind.variable names: " +
+                                   joined({names.begin(), names.end()}),
+                               joined(variable)));
+        const auto isUnwanted = [&](const Item& item) {
+            return isHorizontal(item) && std::none_of(named.begin(), named.end(), [&](const Item& one) {
+                       return isPolar(one) == isPolar(item) && isSame(one.meaning.level, item.meaning.level);
+                   });
+        };
+        _items.erase(std::remove_if(_items.begin(), _items.end(), isUnwanted), _items.end());
+    }
 
     void choosePair() {
         if (has(Quantity::East) && has(Quantity::North))
@@ -127,7 +171,7 @@ private:
         pairs.erase(_kind);
         if (!pairs.empty())
             _choice.notes.push_back("the wind at " + nameOf(_kind) + " is used; that at " + listOf(pairs) +
-                                    " is ignored");
+                                    " is ignored; wind.variable chooses another by its short name");
     }
 
     static std::string listOf(const std::set<GribLevelKind>& kinds) {
@@ -319,8 +363,9 @@ std::string textOf(const GribField& field) {
     return textOf(meaning.quantity, meaning.level, field.valid);
 }
 
-Result<GribChoice> chooseGribWind(const std::vector<GribField>& fields, const std::string& file) {
-    return Chooser(fields, file).choose();
+Result<GribChoice> chooseGribWind(const std::vector<GribField>& fields, const std::string& file,
+                                  const std::vector<std::string>& variable) {
+    return Chooser(fields, file).choose(variable);
 }
 
 } // namespace osgTreeWind

@@ -33,7 +33,9 @@ struct GribChoice {
 /// Chooses the wind at heights above ground, otherwise at isobaric levels, model levels or heights above sea
 /// level; isobaric and model levels only if their heights are known. Of several forecasts for the same time
 /// the latest is used. A missing or duplicate field is a problem.
-Result<GribChoice> chooseGribWind(const std::vector<GribField>& fields, const std::string& file);
+/// @param variable as WindFileOptions::variable: only fields at the levels of these are used.
+Result<GribChoice> chooseGribWind(const std::vector<GribField>& fields, const std::string& file,
+                                  const std::vector<std::string>& variable);
 
 /// Name for messages: "U at 850 hPa at 2017-06-03T18:00:00Z".
 std::string textOf(const GribField& field);

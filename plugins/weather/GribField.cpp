@@ -219,6 +219,8 @@ private:
         field.isInstantaneous = lead.has_value();
         if (GribMeaning::of(field).quantity == GribMeaning::Quantity::None)
             return {};
+        field.name = product.text("shortName");
+        field.variable = product.text("cfVarName");
         field.parts.assign(sections.begin(), sections.end());
         field.parts.push_back(end);
         const auto reference = referenceOf(product);

@@ -42,6 +42,7 @@ struct GribParameter {
 struct GribField {
     std::vector<std::string_view> parts; ///< The message, as for GribHandle.
     GribParameter parameter;
+    std::string name, variable; ///< Short name of ecCodes, "10u", and its name in NetCDF, "u10".
     GribLevel level;
     bool isInstantaneous = false; ///< At a single time: not a mean, maximum or probability.
     double reference = 0.0;       ///< Start of the forecast, seconds since 1970.

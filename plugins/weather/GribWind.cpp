@@ -330,7 +330,7 @@ Result<WindContent> readGribWind(const std::string& path, const WindRequest& req
         std::move(some.value().begin(), some.value().end(), std::back_inserter(fields));
         size += static_cast<double>(bytes.size());
     }
-    const Result<GribChoice> choice = chooseGribWind(fields, path);
+    const Result<GribChoice> choice = chooseGribWind(fields, path, request.variable);
     if (!choice)
         return choice.problems();
     return GribReader(path, size, choice.value(), request).read();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1] [FILE]: reads NetCDF and GRIB for the library in a
-// separate process, because libhdf5 can crash on damaged files.
+// osgtreewind-weather FILE SECOND grid|stored all|CRS X0 Y0 X1 Y1 [VARIABLE]...: reads NetCDF and GRIB for
+// the library in a separate process, because libhdf5 can crash on damaged files.
 #include <plugins/ReaderLimits.h>
 #include <plugins/weather/GribWind.h>
 #include <plugins/weather/NetCdfFile.h>
@@ -41,16 +41,17 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
     }
 }
 
+constexpr int requiredArguments = 9;
+
 WindRequest parseRequest(char** arguments, int count) {
-    const bool hasArea = count > 2;
     WindRequest request;
-    request.asStored = std::string(arguments[0]) == "stored";
-    if (hasArea)
-        request.area = {arguments[1],
-                        {std::atof(arguments[2]), std::atof(arguments[3])},
-                        {std::atof(arguments[4]), std::atof(arguments[5])}};
-    if (count % 5 == 2)
-        request.secondFile = arguments[count - 1];
+    request.secondFile = arguments[2];
+    request.asStored = std::string(arguments[3]) == "stored";
+    if (std::string(arguments[4]) != "all")
+        request.area = {arguments[4],
+                        {std::atof(arguments[5]), std::atof(arguments[6])},
+                        {std::atof(arguments[7]), std::atof(arguments[8])}};
+    request.variable.assign(arguments + requiredArguments, arguments + count);
     return request;
 }
 
@@ -60,14 +61,14 @@ WindRequest parseRequest(char** arguments, int count) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
-    if (argc != 3 && argc != 4 && argc != 8 && argc != 9) {
+    if (argc < requiredArguments) {
         std::cerr
-            << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1] [FILE]\n"
+            << "usage: osgtreewind-weather FILE SECOND grid|stored all|CRS X0 Y0 X1 Y1 [VARIABLE]...\n"
                "Used by osgTreeWind to read NetCDF and GRIB; the output is binary. To inspect a file, use "
                "`osgtreewind wind`.\n";
         return 2;
     }
-    const WindRequest request = parseRequest(argv + 2, argc - 2);
+    const WindRequest request = parseRequest(argv, argc);
     limitResources({argv[1], request.secondFile}, std::size_t(1) << 30, 10);
     const int output = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // keeps messages of libraries out of the output

@@ -27,7 +27,7 @@ public:
 
     Result<WindContent> read() {
         summary().format = "NetCDF";
-        _winds = windsOf(_file);
+        _winds = windsOf(_file, _request.variable);
         if (_file.good())
             findPoints();
         summary().mayIncludeTrees = !isOfWeatherModel();

@@ -30,7 +30,8 @@ struct NetCdfWinds {
     std::vector<NetCdfFile::Array> arrays() const;
 };
 
-/// Finds wind arrays by CF standard names, otherwise by common names. Fails if there are none.
-NetCdfWinds windsOf(NetCdfFile& file);
+/// Finds wind arrays by CF standard names, otherwise by common names. Fails if there are none, or several on
+/// the same points. @param variable as WindFileOptions::variable.
+NetCdfWinds windsOf(NetCdfFile& file, const std::vector<std::string>& variable);
 
 } // namespace osgTreeWind

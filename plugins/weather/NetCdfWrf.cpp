@@ -2,6 +2,7 @@
 #include <plugins/weather/CfTime.h>
 #include <plugins/weather/NetCdfFile.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/places/CrsTransform.h>
 
@@ -177,9 +178,10 @@ void append(const CellValues& means, std::size_t t, const ModelPart& part, const
 constexpr const char* names[] = {"U", "V", "W", "PH", "PHB"};
 using Arrays = std::vector<NetCdfFile::Array>;
 
-bool hasLevels(const NetCdfFile& file) {
+/// @param variable as WindFileOptions::variable.
+bool hasLevels(const NetCdfFile& file, const std::vector<std::string>& variable) {
     const NetCdfFile::Array u = file.array("U");
-    return u && u->dimensions.size() == 4;
+    return u && u->dimensions.size() == 4 && (variable.empty() || variable.front() == "U");
 }
 
 void expectShape(NetCdfFile& file, const NetCdfArray& array, const std::vector<std::size_t>& sizes) {
@@ -193,11 +195,15 @@ void expectShape(NetCdfFile& file, const NetCdfArray& array, const std::vector<s
 }
 
 /// Finds the staggered U, V, W, PH and PHB, or U10 and V10, and checks their shapes.
-Arrays arraysOf(NetCdfFile& file, Sizes& n) {
-    const bool levels = hasLevels(file);
+Arrays arraysOf(NetCdfFile& file, const std::vector<std::string>& variable, Sizes& n) {
+    const bool levels = hasLevels(file, variable);
     Arrays arrays;
-    for (const char* name :
-         levels ? std::vector<const char*>(names, names + 5) : std::vector<const char*>{"U10", "V10"}) {
+    const std::vector<std::string> wanted =
+        levels ? std::vector<std::string>(names, names + 5) : std::vector<std::string>{"U10", "V10"};
+    for (std::size_t i = 0; i < variable.size(); ++i)
+        if (i >= (levels ? 3u : 2u) || variable[i] != wanted[i])
+            file.fail({}, expectedFound("wind.variable = \"U\" or \"U10\" for WRF output", variable[i]));
+    for (const std::string& name : wanted) {
         arrays.push_back(file.array(name));
         if (!arrays.back() || arrays.back()->dimensions.size() != (levels ? 4 : 3)) {
             file.fail(name, "expected this array of " + std::string(levels ? "4" : "3") +
@@ -335,7 +341,7 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) 
     WindContent content;
     GridWind::Grid grid;
     Sizes n{};
-    const Arrays arrays = arraysOf(file, n);
+    const Arrays arrays = arraysOf(file, request.variable, n);
     const glm::dvec2 cell(file.positiveNumber("DX"), file.positiveNumber("DY"));
     if (!file.good())
         return file.problem();

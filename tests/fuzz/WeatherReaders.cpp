@@ -32,7 +32,7 @@ void readGribMessages(const std::string& bytes) {
         return;
     for (const GribField& field : fields.value())
         require(!field.parts.empty() && std::isfinite(field.valid) && std::isfinite(field.level.value));
-    const auto choice = chooseGribWind(fields.value(), "fuzz");
+    const auto choice = chooseGribWind(fields.value(), "fuzz", {});
     if (!isRead(choice))
         return;
     const std::size_t count = choice.value().times.size() * choice.value().levels.size();

@@ -423,6 +423,12 @@ const BadInput badInputs[] = {
      "expected a grid at one time, found a record", "a.csv", "time,u,v\n0,1,2\n"},
     {"FileUnitUnknown", wind("kind = \"file\"\nfile = \"a.csv\"\nspeed_unit = @\"beaufort\"\n"),
      "wind.speed_unit", "expected a unit of speed", "a.csv", "time,u,v\n0,1,2\n"},
+    {"FileVariableOfATable", wind("kind = \"file\"\nfile = \"a.csv\"\nvariable = @\"U\"\n"), "wind.variable",
+     "a file of the format .csv has only one wind", "a.csv", "time,u,v\n0,1,2\n"},
+    {"FileVariableAbsent", wind("kind = \"file\"\nfile = \"a.vtk\"\nvariable = \"U\"\n"), "",
+     "that wind.variable names; found wind (3)", "a.vtk",
+     "# vtk DataFile Version 3.0\none point\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
+     "POINT_DATA 1\nVECTORS wind float\n1 2 @0"},
     {"TimeScaleInfinite", wind("kind = \"calm\"\ntime_scale = @inf\n"), "wind.time_scale", "finite number"},
 };
 

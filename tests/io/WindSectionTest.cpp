@@ -113,6 +113,25 @@ TEST(WindSection, ConvertsTheSpeedUnit) {
     EXPECT_FLOAT_EQ(windOf(forest, {0, 0, 5}).x, 3 / 3.6f);
 }
 
+TEST(WindSection, VariableNamesTheArrays) {
+    const TemporaryFolder folder;
+    folder.write("w.vtk",
+                 "# vtk DataFile Version 3.0\none point\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
+                 "POINT_DATA 1\nFIELD f 3\na 1 1 float\n1\nb 1 1 float\n2\nc 3 1 float\n3 4 5\n");
+    for (const auto& [variable, velocity] :
+         {std::pair("\"c\"", glm::vec3(3, 4, 5)), {"[\"c\"]", {3, 4, 5}}, {"[\"a\", \"b\"]", {1, 2, 0}}}) {
+        std::istringstream document(
+            "version = 1\n[[tree]]\nposition = [0, 0]\n[wind]\nfile = \"w.vtk\"\nvariable = " +
+            std::string(variable));
+        const auto forest = readForest(document, {"f.treewind", folder.path()});
+        EXPECT_EQ(windOf(forest, {}), velocity) << variable;
+        std::ostringstream text;
+        ASSERT_TRUE(writeForest(forest.value(), text).empty());
+        std::istringstream again(text.str());
+        EXPECT_EQ(windOf(readForest(again, {"f.treewind", "."}), {}), velocity) << text.str();
+    }
+}
+
 TEST(WindSection, ReportsTheLineOfABrokenFile) {
     const auto forest = readWith("kind = \"file\"\nfile = \"small.cdl\"\n");
     EXPECT_TRUE(hasPart(firstProblem(forest), "small.cdl: unknown format of wind data"));

@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"VtkCells", "cells.vtk", "CELL_DATA 12", "CELL_DATA 36",
                "f:8: expected 12 as in DIMENSIONS, found 36"},
         Damage{"VtkBinaryType", "binary.vtk", "wind float", "wind bytes",
-               "f:12: expected float or double, found 'BYTES'"},
+               "f:12: expected a VTK type of number, found 'BYTES'"},
         Damage{"VtiHuge", "raw.vti",
                "WholeExtent=\"0 2 0 1 0 1\" Origin=\"100 200 5\" Spacing=\"10 20 5\">\n<Piece "
                "Extent=\"0 2 0 1 0 1\"",

@@ -6,7 +6,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int isobaric = 100, hybrid = 105, aboveSea = 102, surface = 1, pascal = 100;
+constexpr int isobaric = 100, hybrid = 105, aboveSea = 102, aboveGround = 103, surface = 1, pascal = 100;
 
 std::function<double(int, int)> constant(double value) {
     return [value](int, int) { return value; };
@@ -54,6 +54,29 @@ TEST(GribLevels, HeightsAreAboveTheTerrainOfTheModel) {
     expectSpeed(file, {10, 50, 960}, 15);
     expectSpeed(file, WindPlace(glm::vec3(10, 50, 2510), 2000), 10); // relative to the ground below the place
     EXPECT_TRUE(hasNote(file.value().summary, "heights are above the terrain of the model"));
+}
+
+TEST(GribLevels, VariableChoosesLevelsByTheirShortName) {
+    std::string bytes = twoLevels();
+    for (const double height : {10.0, 100.0})
+        bytes += grib::wind(atLevel(aboveGround, height), constant(height / 10.0), constant(0));
+    const auto read = [&](const std::vector<std::string>& variable) {
+        return readGribBytes(bytes, true, variable);
+    };
+    const auto all = read({});
+    expectSpeed(all, {10, 50, 55}, 5.5f);
+    EXPECT_TRUE(hasNote(all.value().summary,
+                        "the wind at heights above ground is used; that at isobaric levels is "
+                        "ignored; wind.variable chooses another by its short name"));
+    expectSpeed(read({"u"}), {10, 50, 550}, 10);
+    expectSpeed(read({"10u"}), {10, 50, 55}, 1);
+    expectSpeed(read({"100u", "100v"}), {10, 50, 55}, 10);
+    EXPECT_TRUE(read({"10u"}).value().summary.notes.empty());
+    EXPECT_NE(firstProblem(read({"gust"}))
+                  .find("expected a field of wind that wind.variable names: 100u, 100v, 10u, "
+                        "10v, u, v, found 'gust'"),
+              std::string::npos)
+        << firstProblem(read({"gust"}));
 }
 
 TEST(GribLevels, LevelsBelowTheTerrainGetTheLowestWindAboveIt) {

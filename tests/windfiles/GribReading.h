@@ -11,9 +11,13 @@
 namespace osgTreeWind {
 
 /// Reads the whole of a file with these bytes in its own CRS.
-inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = true) {
+inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = true,
+                                      const std::vector<std::string>& variable = {}) {
     const TemporaryFolder folder;
-    return readAt(folder.write("wind.grib", bytes), glm::dvec3(0.0), asStored);
+    WindFileOptions options;
+    options.asStored = asStored;
+    options.variable = variable;
+    return readWindFile(folder.write("wind.grib", bytes), options);
 }
 
 /// The problem of a file with these bytes, without the name of the file.

@@ -43,6 +43,22 @@ struct Cell {
 
 } // namespace
 
+TEST(NetCdfWrf, VariableNamesTheComponents) {
+    REQUIRE_NETCDF(polarFile);
+    WindFileOptions options;
+    options.asStored = true;
+    options.variable = {"U", "V"};
+    const auto named = readWindFile(polarFile, options);
+    ASSERT_TRUE(named) << firstProblem(named);
+    EXPECT_EQ(named.value().summary.points, readAt(polarFile, {}, true).value().summary.points);
+    options.variable = {"U", "W"};
+    EXPECT_EQ(firstProblem(readWindFile(polarFile, options)),
+              polarFile + ": expected wind.variable = \"U\" or \"U10\" for WRF output, found 'W'");
+    options.variable = {"U10"};
+    EXPECT_EQ(firstProblem(readWindFile(polarFile, options)),
+              polarFile + ": U10: expected this array of 3 dimensions in WRF output");
+}
+
 /// The projection is Mercator around 89 W on a sphere of 6370 km; the grid moves with a storm.
 TEST(NetCdfWrf, CellsAreAtTheirLatitudesAndLongitudes) {
     REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");

@@ -22,26 +22,30 @@ inline const std::vector<FormatCase>& formatCases() {
     const auto toa5 = [](std::string_view bytes, const std::string& file) {
         return readToa5(bytes, file, {});
     };
+    const auto legacy = [](std::string_view bytes, const std::string& file) {
+        return readVtkLegacy(bytes, file);
+    };
+    const auto xml = [](std::string_view bytes, const std::string& file) { return readVtkXml(bytes, file); };
     const auto esri = [](std::string_view bytes, const std::string& file) -> Result<WindContent> {
         const Result<RasterBand> grid = readEsriGrid(bytes, file);
         if (!grid)
             return grid.problems();
         return windFromBands(grid.value(), grid.value(), file);
     };
-    static const std::vector<FormatCase> cases = {{"vectors.vtk", readVtkLegacy},
-                                                  {"field.vtk", readVtkLegacy},
-                                                  {"binary.vtk", readVtkLegacy},
-                                                  {"paraview.vtk", readVtkLegacy},
-                                                  {"paraviewbinary.vtk", readVtkLegacy},
-                                                  {"cells.vtk", readVtkLegacy},
-                                                  {"rectilinear.vtk", readVtkLegacy},
-                                                  {"structured.vtk", readVtkLegacy},
-                                                  {"ascii.vti", readVtkXml},
-                                                  {"base64.vti", readVtkXml},
-                                                  {"zlib.vti", readVtkXml},
-                                                  {"raw.vti", readVtkXml},
-                                                  {"rawzlib.vti", readVtkXml},
-                                                  {"bigendian.vti", readVtkXml},
+    static const std::vector<FormatCase> cases = {{"vectors.vtk", legacy},
+                                                  {"field.vtk", legacy},
+                                                  {"binary.vtk", legacy},
+                                                  {"paraview.vtk", legacy},
+                                                  {"paraviewbinary.vtk", legacy},
+                                                  {"cells.vtk", legacy},
+                                                  {"rectilinear.vtk", legacy},
+                                                  {"structured.vtk", legacy},
+                                                  {"ascii.vti", xml},
+                                                  {"base64.vti", xml},
+                                                  {"zlib.vti", xml},
+                                                  {"raw.vti", xml},
+                                                  {"rawzlib.vti", xml},
+                                                  {"bigendian.vti", xml},
                                                   {"small.bts", readTurbSim},
                                                   {"toa5.dat", toa5},
                                                   {"pair_vel.asc", esri},

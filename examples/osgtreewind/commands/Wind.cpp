@@ -94,6 +94,7 @@ struct WindArguments {
     std::vector<std::string> files;
     std::vector<double> times;
     std::string unit;
+    std::vector<std::string> variable;
     std::string crs;
     std::vector<double> at;
     std::string time = "0";
@@ -163,6 +164,7 @@ void print(const WindSummary& summary) {
 WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
     WindFileOptions options;
     options.speedUnit = arguments.unit;
+    options.variable = arguments.variable;
     options.origin = origin;
     options.crs = arguments.crs;
     options.low = glm::dvec2(-1000.0);
@@ -268,6 +270,12 @@ void addWindCommand(CLI::App& app) {
     command->add_option(
         "--unit", arguments->unit,
         "Unit of speeds: m/s, km/h, kn, mph, ft/s or another (default: that of the file, or m/s)");
+    command
+        ->add_option("--variable", arguments->variable,
+                     "Wind of a VTK, NetCDF or GRIB file that has several: NAME, or EAST,NORTH[,UP] or "
+                     "SPEED,DIRECTION (default: the usual names)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("-o,--output", arguments->picture,
                         "PNG file for a picture: arrows over colours of speed");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
