@@ -3,9 +3,10 @@
 # itself. Usage: add_reader_program(NAME LIBRARY SOURCE...)     (LIBRARY: the target that reads the format)
 function(add_reader_program name library)
     add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp
-                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/MemoryLimit.cpp)
+                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/MemoryLimit.cpp
+                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/Unicode.cpp)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_link_libraries(${name} PRIVATE ${library} glm::glm osgTreeWind_warnings)
+    target_link_libraries(${name} PRIVATE ${library} glm::glm PkgConfig::utf8proc osgTreeWind_warnings)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY $<TARGET_FILE_DIR:osgTreeWind>/osgTreeWind)
     install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_LIBDIR}/osgTreeWind COMPONENT library)
     add_dependencies(osgTreeWind ${name})

@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/BadAccess.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 
@@ -101,7 +102,7 @@ ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool
 
 void printNotes(const std::string& file, const std::vector<std::string>& notes) {
     for (const std::string& note : notes)
-        std::cerr << file << ": note: " << note << '\n';
+        std::cerr << asUtf8(file + ": note: " + note) << '\n';
 }
 
 void checkOutputPath(const std::string& output) {

@@ -3,23 +3,33 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/Unicode.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace osgTreeWind {
 
-std::string printable(std::string text) {
+namespace {
+
+/// UTF-8 of about `maxLength` bytes and "...".
+std::string shortened(std::string_view text, std::size_t maxLength) {
+    if (text.size() <= maxLength)
+        return asUtf8(std::string(text));
+    std::size_t end = maxLength;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+        --end; // do not split a UTF-8 character
+    return asUtf8(std::string(text.substr(0, end))) + "...";
+}
+
+} // namespace
+
+std::string printable(const std::string& text) {
     constexpr std::size_t maxLength = 200;
-    if (text.size() > maxLength) {
-        std::size_t end = maxLength;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-            --end; // do not split a UTF-8 character
-        text = text.substr(0, end) + "...";
-    }
+    std::string shown = shortened(text, maxLength);
     std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-    return text;
+        shown.begin(), shown.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return shown;
 }
 
 std::string inQuotes(const std::string& text) {
@@ -51,10 +61,10 @@ std::string expectedFound(std::string_view what, std::string_view text) {
     std::string message = "expected " + std::string(what) + ", found ";
     if (text.empty())
         return message + "nothing";
-    std::string quote(text.substr(0, longestQuote));
+    std::string quote = shortened(text, longestQuote);
     std::replace_if(
         quote.begin(), quote.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-    return message + "'" + quote + (text.size() > longestQuote ? "...'" : "'");
+    return message + "'" + quote + "'";
 }
 
 } // namespace osgTreeWind

@@ -8,8 +8,8 @@
 /// Formats texts for messages.
 namespace osgTreeWind {
 
-/// The text with control characters replaced by '?', truncated to 200 bytes.
-std::string printable(std::string text);
+/// The text as UTF-8 with control characters replaced by '?', truncated to about 200 bytes.
+std::string printable(const std::string& text);
 /// printable() in double quotes.
 std::string inQuotes(const std::string& text);
 /// "a, b, c".

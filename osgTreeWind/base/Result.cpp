@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/Result.h>
 
 #include <osgTreeWind/base/BadAccess.h>
+#include <osgTreeWind/base/Unicode.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -20,7 +21,7 @@ std::string Diagnostic::text() const {
         result += place + ": ";
     if (!key.empty())
         result += key + ": ";
-    return result + message;
+    return asUtf8(result + message);
 }
 
 std::string toString(const Diagnostics& problems) {

@@ -107,6 +107,10 @@ bool isUtf8(std::string_view bytes) {
     }
 }
 
+std::string asUtf8(std::string text) {
+    return isUtf8(text) ? std::move(text) : fromWindows1252(text);
+}
+
 DecodedText decodeText(std::string bytes) {
     if (bytes.compare(0, 2, "\xff\xfe") == 0 || bytes.compare(0, 2, "\xfe\xff") == 0)
         return {fromUtf16(bytes, bytes[0] == '\xfe'), {}};

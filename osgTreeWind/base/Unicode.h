@@ -9,6 +9,9 @@ namespace osgTreeWind {
 /// Whether bytes are valid UTF-8 (RFC 3629): no surrogates, no overlong forms.
 bool isUtf8(std::string_view bytes);
 
+/// The text if it is UTF-8, otherwise converted from Windows-1252.
+std::string asUtf8(std::string text);
+
 /// A text converted to UTF-8.
 struct DecodedText {
     std::string text;

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/growth/GrowthKeys.h>
 #include <osgTreeWind/model/CheckScan.h>
@@ -24,6 +25,11 @@ constexpr std::size_t maxProblems = 100;
 
 void add(Diagnostics& problems, const std::string& key, const std::string& message) {
     problems.push_back(keyProblem(key, message));
+}
+
+void checkText(const std::string& text, const std::string& key, Diagnostics& problems) {
+    if (!isUtf8(text))
+        add(problems, key, "expected UTF-8");
 }
 
 /// Reports values out of range, or if there are none, conflicts between values.
@@ -94,6 +100,11 @@ void addPartProblems(Diagnostics&& partProblems, const char* list, std::size_t i
 
 Diagnostics check(const Species& species) {
     Diagnostics problems;
+    checkText(species.name, "name", problems);
+    for (const std::string& alias : species.aliases)
+        checkText(alias, "aliases", problems);
+    checkText(species.source, "source", problems);
+    checkText(species.height.source, "height.source", problems);
     checkKeys(species, "", problems);
     checkStruct(species.tree.wood, "tree", problems);
     if (species.tree.palm)
@@ -112,6 +123,7 @@ Diagnostics check(const TreePlacement& tree, const ForestDescription& forest) {
         add(problems, "species",
             "there is no species " + std::to_string(tree.species) + "; the forest has " +
                 std::to_string(forest.species.size()) + ", from 0 on");
+    checkText(tree.name, "id", problems);
     checkPlace(tree.position, "position", problems);
     if (problems.empty() && !(glm::distance(tree.position, forest.origin) <= maxTreeDistance))
         add(problems, "position", "expected at most 100 km from the origin");
@@ -125,6 +137,7 @@ Diagnostics check(const TreePlacement& tree, const ForestDescription& forest) {
 
 Diagnostics check(const ForestDescription& forest) {
     Diagnostics problems;
+    checkText(forest.hostCrs, "host_crs", problems);
     if (!forest.crs.empty())
         if (const auto crs = Crs::parseMap(forest.crs); !crs)
             problems.push_back(crs.problems().front());

@@ -69,6 +69,8 @@ public:
             return;
         _places = std::move(*places);
         readRows(seed);
+        for (const std::string& warning : _rows->warnings())
+            addNote(warning);
         reportSkippedRows();
         reportUnknownSpecies();
         reportDuplicateIds();

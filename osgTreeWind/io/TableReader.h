@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Range.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/base/UnitsOfMeasure.h>
 #include <osgTreeWind/io/ReadLog.h>
 
@@ -96,7 +97,7 @@ public:
     /// Reports a problem with another file.
     void report(const Diagnostic& problem) { _log.add(problem); }
     /// Adds a note on the forest.
-    void note(std::string text) { _log.notes.push_back(std::move(text)); }
+    void note(std::string text) { _log.notes.push_back(asUtf8(std::move(text))); }
     /// Whether no problem of the document has been reported so far.
     bool isDocumentValid() const { return _log.problems.empty(); }
     /// Does not report unknown keys; for use after a problem that makes the remaining keys meaningless.

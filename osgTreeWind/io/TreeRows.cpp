@@ -203,6 +203,7 @@ public:
     const std::vector<std::string>& columns() const override { return _file.columns(); }
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
+    std::vector<std::string> warnings() const override { return _file.warnings(); }
     Result<VectorPlace> place() const override {
         auto place = _file.place();
         return place ? place : problem("", place.problems().front().message);
@@ -269,8 +270,6 @@ std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& pa
         table.report(problem);
     if (!problems.empty())
         return {};
-    for (const std::string& warning : file.value().warnings())
-        table.note(path + ": " + warning);
     return std::make_unique<FeatureRows>(std::move(file.value()));
 }
 

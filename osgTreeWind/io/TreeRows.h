@@ -34,6 +34,8 @@ public:
     virtual const std::optional<Crs>& crs() const = 0;
     /// Whether rows have a geometry.
     virtual bool hasPlaces() const = 0;
+    /// Notes on the rows read so far.
+    virtual std::vector<std::string> warnings() const { return {}; }
 
     /// From now on, leaves out the rows that do not match.
     void setFilter(RowExpression filter) { _filter = std::move(filter); }

@@ -26,10 +26,6 @@ namespace {
 class WriteChecks {
 public:
     explicit WriteChecks(const ForestDescription& forest) : _problems(check(forest)) {
-        if (!isUtf8(forest.crs))
-            add("crs", "expected UTF-8");
-        if (!isUtf8(forest.hostCrs))
-            add("host_crs", "expected UTF-8");
         if (forest.species.empty())
             add("species", "expected at least one");
         for (std::size_t i = 0; i < forest.species.size(); ++i)
@@ -53,9 +49,7 @@ private:
     }
     void checkName(const std::string& name, std::set<std::string>& names, const std::string& key,
                    const std::string& folded) {
-        if (!isUtf8(name))
-            add(key, "expected UTF-8");
-        else if (!names.insert(folded).second)
+        if (!names.insert(folded).second)
             add(key, "the name " + inQuotes(name) + " is taken already");
     }
     void checkSpecies(const Species& species, const std::string& path) {
@@ -64,10 +58,6 @@ private:
         checkName(species.name, _species, path + ".name", foldedName(species.name));
         for (const std::string& alias : species.aliases)
             checkName(alias, _species, path + ".aliases", foldedName(alias));
-        if (!isUtf8(species.source))
-            add(path + ".source", "expected UTF-8");
-        if (!isUtf8(species.height.source))
-            add(path + ".height.source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
                 checkFile(*picture, path + ".appearance");

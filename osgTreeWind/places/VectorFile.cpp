@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/Unicode.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -26,7 +27,32 @@ bool VectorFile::receiveBatch() {
     _batch = received ? std::move(received.value()) : FeatureBatch();
     if (!received)
         _problems = received.problems();
+    for (FeatureBatch::Column& column : _batch.columns)
+        if (!isUtf8(column.texts))
+            recode(column);
     return received.ok();
+}
+
+/// Converts the texts of a column to UTF-8, with a warning for the first.
+void VectorFile::recode(FeatureBatch::Column& column) {
+    std::string texts;
+    std::size_t begin = 0;
+    for (std::uint32_t& end : column.ends) {
+        texts += asUtf8(column.texts.substr(begin, end - begin));
+        begin = end;
+        end = static_cast<std::uint32_t>(texts.size());
+    }
+    column.texts = std::move(texts);
+    noteRecoding();
+}
+
+void VectorFile::noteRecoding() {
+    if (!_isRecoded)
+        _header.warnings.push_back("is no UTF-8 and is read as Windows-1252" +
+                                   std::string(format() == "ESRI Shapefile"
+                                                   ? "; a .cpg file beside it would name another encoding"
+                                                   : ""));
+    _isRecoded = true;
 }
 
 /// Receives a pending batch so that the program can receive the next request.
@@ -66,6 +92,11 @@ Diagnostics VectorFile::chooseLayer(const std::string& layer) {
     if (!chosen)
         return chosen.problems();
     _layer = std::move(chosen.value());
+    for (std::string& column : _layer.columns)
+        if (!isUtf8(column)) {
+            column = asUtf8(std::move(column));
+            noteRecoding();
+        }
     _crs.reset();
     if (const auto& facts = _layer.crs)
         _crs = Crs(*facts);

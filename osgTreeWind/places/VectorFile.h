@@ -32,7 +32,7 @@ public:
     const std::vector<std::string>& columns() const { return _layer.columns; }
     const std::optional<Crs>& crs() const { return _crs; }
     bool hasGeometry() const { return _layer.hasGeometry; }
-    /// Warnings of GDAL.
+    /// Warnings of GDAL, and the encoding that was assumed for the texts read so far.
     const std::vector<std::string>& warnings() const { return _header.warnings; }
 
     /// Restarts before the first feature.
@@ -56,6 +56,8 @@ private:
     void requestBatch();
     bool receiveBatch();
     void discardPendingBatch();
+    void recode(FeatureBatch::Column& column);
+    void noteRecoding();
     const FeatureBatch::Column* column(std::size_t column) const;
 
     std::string _path;
@@ -68,6 +70,7 @@ private:
     std::vector<std::size_t> _batchColumns; ///< Index in the batch of each column of the layer.
     FeatureBatch _batch;
     std::size_t _index = 0;       ///< One past the current feature in the batch.
+    bool _isRecoded = false;      ///< Whether a text was no UTF-8.
     bool _isBatchPending = false; ///< The next batch is requested but not received.
     Diagnostics _problems{};      ///< Errors of the program, after which it cannot be read.
 };

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Unicode.h>
 
 #include <osgTreeWind/places/CrsMesh.h>
 #include <osgTreeWind/places/LongitudeWrap.h>
@@ -263,6 +264,8 @@ Result<WindFile> makeWindFile(Result<WindContent>&& read, const std::string& pat
         return read.problems();
     WindContent& content = read.value();
     std::vector<std::string>& notes = content.summary.notes;
+    for (std::string* text : {&content.summary.unit, &content.summary.coordinates})
+        *text = asUtf8(std::move(*text));
     notes.insert(notes.end(), content.assumptions.begin(), content.assumptions.end());
     noteMissing(content, notes);
     if (std::holds_alternative<WindSeries>(content.data))

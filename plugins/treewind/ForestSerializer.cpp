@@ -58,14 +58,14 @@ bool checkDocument(const Forest&) {
 
 bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
     return guarded([&] {
+        const osgTreeWind::Result<std::string> document = writeDocumentText(forest);
+        if (!document) // without brackets, so that no reader takes the rest for a forest
+            return output.throwException("a Forest cannot be written: " + document.problems().front().text());
         output << output.BEGIN_BRACKET << std::endl;
         output << output.PROPERTY("Folder");
         output.writeWrappedString(forest.getDescription().folder);
         output << std::endl << output.PROPERTY("Source");
-        const osgTreeWind::Result<std::string> document = writeDocumentText(forest);
-        if (!document)
-            output.throwException("a Forest cannot be written: " + document.problems().front().text());
-        output.writeWrappedString(document ? document.value() : std::string());
+        output.writeWrappedString(document.value());
         output << std::endl << output.END_BRACKET << std::endl;
     });
 }
@@ -88,7 +88,7 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
         input.readWrappedString(source);
         input >> input.END_BRACKET;
     });
-    if (isRead && !source.empty()) // empty if the forest could not be written
+    if (isRead)
         guarded([&] { readForestInto(forest, source, where); });
     return isRead;
 }

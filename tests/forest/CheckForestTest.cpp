@@ -57,6 +57,15 @@ TEST(CheckForest, ReportsValuesOutOfRangeWithTheirKey) {
               [](F& f) { f.species[0].tree.palm->height = 0.8f; }},
              {"species[0].leaves.droop", "[-1, 1], found -2",
               [](F& f) { f.species[0].tree.leaves.droop = -2.0f; }},
+             {"species[0].name", "expected UTF-8", [](F& f) { f.species[0].name = "\xe9"; }},
+             {"species[0].aliases", "expected UTF-8", [](F& f) { f.species[0].aliases = {"ch\xeane"}; }},
+             {"species[0].source", "expected UTF-8", [](F& f) { f.species[0].source = "\xff"; }},
+             {"host_crs", "expected UTF-8", [](F& f) { f.hostCrs = "\xd6sterreich"; }},
+             {"tree[0].id", "expected UTF-8",
+              [](F& f) {
+                  f.trees[0].name = "Stra\xdf"
+                                    "e";
+              }},
              {"tree[0].heading", "[-1000000, 1000000] degrees, found 1145915.625 degrees",
               [](F& f) { f.trees[0].heading = 2e4f; }},
              {"tree[0].crown_width", "(0, 150], found 151",

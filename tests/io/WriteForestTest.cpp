@@ -231,7 +231,6 @@ TEST(WriteForest, ReportsWhatCannotBeWritten) {
         f.species[1].name = "OAK ";
     });
     refused("species[0].name", "missing", [](auto& f) { f.species[0].name.clear(); });
-    refused("species[0].name", "UTF-8", [](auto& f) { f.species[0].name = "\xe9"; });
     refused("species[0].appearance", "no file \"/no.png\"",
             [](auto& f) { f.species[0].appearance.barkImage = "/no.png"; });
     refused("species[0].scan", "scan 0 was not read from a file", [](auto& f) {

@@ -4,6 +4,7 @@
 #include <osgTreeWind/places/VectorFile.h>
 
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 namespace osgTreeWind {
@@ -154,6 +155,42 @@ TEST(VectorFile, OutlineGivesItsCentroidAndWidth) {
     place = file.place().value();
     EXPECT_NEAR(place.position.x, 4.5, 1e-9);
     EXPECT_EQ(place.width, 6.0);
+}
+
+/// The bytes of this table are Latin-1, and neither it nor a file beside it says so.
+TEST(VectorFile, TextsOfUnknownEncodingAreReadAsWindows1252) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson",
+                 geoJson(point("9, 50", "\"Baumart\": \"H\u00e4ngebirke\", \"ID\": \"Stra\u00dfe-1\"") + "," +
+                         point("9, 50", "\"Baumart\": \"Rotbuche\", \"ID\": \"\"") + "," +
+                         point("9, 50", "\"Baumart\": \"S\u00e4uleneiche\", \"ID\": \"3\"")));
+    convert(folder, "a.geojson", "a.shp", "-lco ENCODING=ISO-8859-1");
+    std::filesystem::remove(folder.path() + "/a.cpg");
+    {
+        std::fstream table(folder.path() + "/a.dbf", std::ios::in | std::ios::out | std::ios::binary);
+        table.seekp(29); // the code page
+        table.put('\0');
+    }
+    VectorFile file = openedVectors(folder.path() + "/a.shp");
+    EXPECT_EQ(remainingFeatures(file),
+              "feature 0 (9.000000, 50.000000, 0.000000) H\xc3\xa4ngebirke Stra\xc3\x9f"
+              "e-1\n"
+              "feature 1 (9.000000, 50.000000, 0.000000) Rotbuche \n"
+              "feature 2 (9.000000, 50.000000, 0.000000) S\xc3\xa4uleneiche 3\n");
+    const std::string note = "is no UTF-8 and is read as Windows-1252";
+    EXPECT_EQ(file.warnings(),
+              std::vector<std::string>{note + "; a .cpg file beside it would name another encoding"});
+    folder.write("a.cpg", "ISO-8859-2");
+    VectorFile stated = openedVectors(folder.path() + "/a.shp");
+    EXPECT_NE(remainingFeatures(stated).find("S\xc3\xa4uleneiche"), std::string::npos);
+    EXPECT_TRUE(stated.warnings().empty());
+
+    VectorFile json =
+        openedVectors(folder.write("b.geojson", geoJson(point("9, 50", "\"H\xf6he\": 5, \"n\": \"\x80\""))));
+    EXPECT_EQ(json.columns(), (std::vector<std::string>{"H\xc3\xb6he", "n"}));
+    ASSERT_TRUE(json.next().value());
+    EXPECT_EQ(json.text(1), "\xe2\x82\xac");
+    EXPECT_EQ(json.warnings(), std::vector<std::string>{note});
 }
 
 TEST(VectorFile, ThreadsMayReadFilesConcurrently) {

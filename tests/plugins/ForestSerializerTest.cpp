@@ -187,15 +187,19 @@ TEST_P(ForestSerializerTest, OmitsAWindWithoutFileFormWithAWarning) {
     EXPECT_EQ(back->getNumTrees(), 2u);
 }
 
-TEST_P(ForestSerializerTest, RefusesNamesThatAreNotUtf8) {
+TEST_P(ForestSerializerTest, RefusesAForestWithoutADocument) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
-    ForestDescription description = smallForest(2);
-    description.species[0].name = "\xe9";
-    scene->addChild(new Forest(description));
     const TemporaryFolder folder;
-    EXPECT_FALSE(osgDB::writeNodeFile(*scene, folder.path() + "/scene." + GetParam()));
-    EXPECT_NE(takeWarnings().find("a Forest cannot be written: species[0].name: expected UTF-8"),
+    ForestDescription description = smallForest(2);
+    description.species[0].appearance.barkImage = folder.path() + "/bark.png";
+    scene->addChild(new Forest(description));
+    const std::string file = folder.path() + "/scene." + GetParam();
+    EXPECT_FALSE(osgDB::writeNodeFile(*scene, file));
+    EXPECT_NE(takeWarnings().find("a Forest cannot be written: species[0].appearance: no file "),
               std::string::npos);
+    const osg::ref_ptr<osg::Node> back = osgDB::readRefNodeFile(file);
+    const std::string warnings = takeWarnings();
+    EXPECT_TRUE(!back || warnings.find("version") != std::string::npos) << warnings;
 }
 
 TEST_P(ForestSerializerTest, IsSmall) {

@@ -121,7 +121,7 @@ void bench(const BenchOptions& options) {
     BenchReport report;
     measure(options, forest, conditions, report);
     if (!options.output.empty())
-        writeOrThrow(options.output, benchReport(conditions, report).dump(2) + '\n');
+        writeOrThrow(options.output, textOf(benchReport(conditions, report)) + '\n');
 }
 
 } // namespace

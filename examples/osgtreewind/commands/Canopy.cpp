@@ -117,7 +117,7 @@ void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const
         throwWriteError(whole, file->problem());
     printWarnings(options, forest.description(), tally);
     if (options.json)
-        std::cout << toJson(grid, tally).dump(2) << '\n';
+        std::cout << textOf(toJson(grid, tally)) << '\n';
     else
         print(grid, tally);
 }

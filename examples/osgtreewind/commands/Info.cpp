@@ -290,7 +290,7 @@ void addInfoCommand(CLI::App& app) {
         const ForestFile forest = loadForest(*file, *tiles);
         const Json info = describe(forest);
         if (*json)
-            std::cout << info.dump(2) << '\n';
+            std::cout << textOf(info) << '\n';
         else
             printTable(info);
         if (!trees->empty())

@@ -89,7 +89,7 @@ void portrait(const PortraitOptions& options) {
         return print(species, growingPlaceOf(options), looks);
     Json json = toJson(species, looks);
     json["grown"] = growingPlaceOf(options);
-    std::cout << json.dump(2) << '\n';
+    std::cout << textOf(json) << '\n';
 }
 
 } // namespace

@@ -197,7 +197,7 @@ void storm(const StormOptions& options) {
         trace->finish();
     noteBreakage(job.species.name, object);
     if (options.json)
-        std::cout << object.dump(2) << '\n';
+        std::cout << textOf(object) << '\n';
     else
         print(object);
 }

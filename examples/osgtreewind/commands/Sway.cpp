@@ -47,16 +47,15 @@ void printObject(const SwayOptions& options, const Species& species, const FreeS
     Json list = Json::array();
     for (const SwayMode& mode : modes)
         list.push_back({{"hz", mode.frequency}, {"damping", mode.dampingRatio}, {"share", mode.share}});
-    std::cout << Json{{"species", species.name},
-                      {"dbh_cm", options.diameter},
-                      {"height_m", options.height},
-                      {"crown_width_m", options.crownWidth},
-                      {"open_grown", options.open},
-                      {"leaves", options.leaves},
-                      {"frequency_hz", free.frequency},
-                      {"damping_ratio", free.dampingRatio},
-                      {"modes", list}}
-                     .dump(2)
+    std::cout << textOf(Json{{"species", species.name},
+                             {"dbh_cm", options.diameter},
+                             {"height_m", options.height},
+                             {"crown_width_m", options.crownWidth},
+                             {"open_grown", options.open},
+                             {"leaves", options.leaves},
+                             {"frequency_hz", free.frequency},
+                             {"damping_ratio", free.dampingRatio},
+                             {"modes", list}})
               << '\n';
 }
 

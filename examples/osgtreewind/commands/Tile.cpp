@@ -26,9 +26,12 @@ void print(const ForestTiles& tiles, bool json) {
     const auto withTrees = std::count_if(tiles.tiles.begin(), tiles.tiles.end(),
                                          [](const ForestTiles::Tile& tile) { return tile.trees > 0; });
     if (json)
-        std::cout << Json{{"trees", tiles.treeCount()}, {"columns", tiles.columns}, {"rows", tiles.rows()},
-                          {"files", withTrees},         {"size", tiles.size},       {"range", tiles.range}}
-                         .dump(2)
+        std::cout << textOf(Json{{"trees", tiles.treeCount()},
+                                 {"columns", tiles.columns},
+                                 {"rows", tiles.rows()},
+                                 {"files", withTrees},
+                                 {"size", tiles.size},
+                                 {"range", tiles.range}})
                   << '\n';
     else
         std::cout << "trees   " << tiles.treeCount() << "\ntiles   " << tiles.columns << " x " << tiles.rows()

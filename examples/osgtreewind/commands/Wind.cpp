@@ -196,14 +196,13 @@ void printVelocity(const WindFile& wind, const WindArguments& arguments) {
                   << ": note: the place is outside the grid of the file; this is the wind at the edge of the "
                      "grid\n";
     if (arguments.json) {
-        std::cout << Json{{"at", {at[0], at[1], at[2]}},
-                          {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
-                          {"heights", heightsOf(wind.summary)},
-                          {"time", *time},
-                          {"velocity", vectorJson(velocity)},
-                          {"speed", glm::length(velocity)},
-                          {"notes", wind.summary.notes}}
-                         .dump(2)
+        std::cout << textOf(Json{{"at", {at[0], at[1], at[2]}},
+                                 {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
+                                 {"heights", heightsOf(wind.summary)},
+                                 {"time", *time},
+                                 {"velocity", vectorJson(velocity)},
+                                 {"speed", glm::length(velocity)},
+                                 {"notes", wind.summary.notes}})
                   << '\n';
         return;
     }
@@ -227,7 +226,7 @@ void run(const WindArguments& arguments) {
     if (!arguments.at.empty())
         printVelocity(wind, arguments);
     else if (arguments.json)
-        std::cout << toJson(wind.summary).dump(2) << '\n';
+        std::cout << textOf(toJson(wind.summary)) << '\n';
     else
         print(wind.summary);
     if (!arguments.picture.empty())
