@@ -11,11 +11,13 @@
 namespace osgTreeWind {
 
 /// Reads delimited text row by row with libcsv. It feeds libcsv one line at a time to know each row's line
-/// number. Blank lines are skipped.
+/// number. Blank lines are skipped. A quotation mark within a cell that does not begin with one is part of
+/// it.
 class CsvReader {
 public:
-    /// @param text from plainText(); must outlive the reader.
-    CsvReader(std::string_view text, std::string file, char delimiter);
+    /// @param text from plainText(); must outlive the reader. @param format its delimiter, comment and first
+    /// line.
+    CsvReader(std::string_view text, std::string file, const CsvFormat& format);
     CsvReader(const CsvReader&) = delete;
     CsvReader& operator=(const CsvReader&) = delete;
     ~CsvReader();
@@ -28,10 +30,12 @@ public:
 private:
     static void onCell(void* cell, std::size_t length, void* self);
     static void onRowEnd(int, void* self);
+    std::size_t parse(std::size_t length);
     Diagnostic problem(int line, int column, const char* syntax) const;
 
     std::string_view _text; ///< Not parsed yet.
     std::string _file;
+    const std::string _comment;
     mutable csv_parser _parser; // csv_error takes no const
     CsvTable::Row _row;
     int _line = 0;

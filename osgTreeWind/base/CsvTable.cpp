@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <set>
 
 namespace osgTreeWind {
@@ -18,22 +20,34 @@ namespace {
 
 using Row = CsvTable::Row;
 
-Diagnostics readHeader(const Row& row, CsvTable& table) {
-    table.headerLine = row.line;
-    table.columns = row.cells;
+std::optional<Diagnostic> readHeader(std::vector<std::string> names, int line, CsvTable& table) {
+    table.headerLine = line;
+    table.columns = std::move(names);
     constexpr std::size_t maxColumns = 10000; // column() searches linearly
     if (table.columns.size() > maxColumns)
-        return {fileProblem(table.file,
-                            "expected at most " + std::to_string(maxColumns) + " columns, found " +
-                                std::to_string(table.columns.size()),
-                            row.line)};
-    Diagnostics problems;
-    std::set<std::string> names;
-    for (const std::string& name : table.columns) {
-        if (!name.empty() && !names.insert(name).second)
-            problems.push_back({table.file, row.line, 0, name, "the header names this column twice"});
-    }
-    return problems;
+        return fileProblem(table.file,
+                           "expected at most " + std::to_string(maxColumns) + " columns, found " +
+                               std::to_string(table.columns.size()),
+                           line);
+    std::map<std::string, std::size_t> counts;
+    for (const std::string& name : table.columns)
+        ++counts[name];
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (std::string& name = table.columns[i]; counts[name] > 1 && !name.empty())
+            name += " [" + std::to_string(i + 1) + ']';
+    return std::nullopt;
+}
+
+/// Number of bytes of the thousands separator at the beginning of a text; 0 if there is none.
+std::size_t separatorSize(std::string_view text) {
+    for (const std::string_view separator : {"'", " ", "\u00a0", "\u2009", "\u2019", "\u202f"})
+        if (text.substr(0, separator.size()) == separator)
+            return separator.size();
+    return 0;
+}
+
+std::size_t digitCount(std::string_view text) {
+    return std::min(text.find_first_not_of("0123456789"), text.size());
 }
 
 /// Parses a number with a decimal comma and full stops as thousands separators.
@@ -47,6 +61,13 @@ std::optional<double> parseDecimalComma(std::string text) {
     return parseNumber(text);
 }
 
+/// "; line 4 is taken for the header, "id,height"".
+std::string headerText(const CsvTable& table) {
+    return table.headerLine == 0 ? std::string()
+                                 : "; line " + std::to_string(table.headerLine) +
+                                       " is taken for the header, " + inQuotes(joined(table.columns));
+}
+
 bool isNines(std::string_view digits, std::size_t minCount) {
     return digits.size() >= minCount && digits.find_first_not_of('9') == std::string_view::npos;
 }
@@ -55,6 +76,31 @@ bool isNines(std::string_view digits, std::size_t minCount) {
 
 std::optional<double> CsvFormat::numberOf(const std::string& cell) const {
     return decimalComma ? parseDecimalComma(cell) : parseNumber(cell);
+}
+
+std::optional<double> CsvFormat::groupedNumberOf(const std::string& cell) const {
+    constexpr std::size_t groupSize = 3;
+    std::string_view rest = trimmed(cell);
+    const std::size_t begin = rest.find_first_of("0123456789");
+    if (begin > 1)
+        return std::nullopt;
+    const std::size_t first = begin + digitCount(rest.substr(begin));
+    std::string digits(rest.substr(0, first));
+    rest.remove_prefix(first);
+    const std::string_view separator = rest.substr(0, separatorSize(rest));
+    while (!separator.empty() && rest.substr(0, separator.size()) == separator &&
+           digitCount(rest.substr(separator.size())) == groupSize) {
+        digits += rest.substr(separator.size(), groupSize);
+        rest.remove_prefix(separator.size() + groupSize);
+    }
+    if (first - begin > groupSize || digits.size() == first)
+        return std::nullopt;
+    return numberOf(digits += rest);
+}
+
+bool beginsAsComment(const CsvTable::Row& row) {
+    const std::string& cell = row.cells.front();
+    return !cell.empty() && (std::strchr("#%;", cell.front()) || cell.substr(0, 2) == "//");
 }
 
 bool isMissing(std::string_view cell) {
@@ -72,6 +118,14 @@ bool isMissing(double number) {
     const std::size_t point = std::min(text.find('.'), text.size());
     return isNines(std::string_view(text).substr(0, point), number < 0.0 ? 2 : 3) &&
            (point == text.size() || isNines(std::string_view(text).substr(point + 1), 1));
+}
+
+std::string CsvTable::commentNote() const {
+    return commentCount == 0
+               ? std::string()
+               : std::to_string(commentCount) +
+                     " lines have other numbers of cells, begin with #, %, // or a semicolon, and "
+                     "are left out as comments";
 }
 
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {
@@ -99,30 +153,44 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, Csv
         return plain.problems();
     CsvTable table;
     table.file = file;
-    table.format = format;
+    table.format = std::move(format);
     table.headerLine = 0;
-    Diagnostics problems;
-    CsvReader rows(plain.value(), file, format.delimiter);
+    std::optional<Diagnostic> problem;
+    if (!table.format.columns.empty())
+        problem = readHeader(table.format.columns, table.format.headerLine, table);
+    std::size_t raggedCount = 0;
+    CsvReader rows(plain.value(), file, table.format);
     Result<bool> found = rows.next();
-    for (; found && found.value(); found = rows.next()) {
+    for (; found && found.value() && (!problem || raggedCount > 0); found = rows.next()) {
         Row& row = rows.row();
-        if (table.headerLine == 0)
-            problems = readHeader(row, table);
-        else if (row.cells.size() != table.columns.size())
-            problems.push_back(fileProblem(file,
-                                           "expected " + std::to_string(table.columns.size()) +
-                                               " cells as in the header, found " +
-                                               std::to_string(row.cells.size()),
-                                           row.line));
-        else if (problems.empty())
-            onRow(table, row);
+        if (table.columns.empty()) {
+            problem = readHeader(std::move(row.cells), row.line, table);
+            continue;
+        }
+        while (row.cells.size() > table.columns.size() && row.cells.back().empty())
+            row.cells.pop_back();
+        if (row.cells.size() == table.columns.size()) {
+            if (!problem)
+                onRow(table, row);
+        } else if (beginsAsComment(row)) {
+            ++table.commentCount;
+        } else if (raggedCount++ == 0) {
+            problem = fileProblem(file,
+                                  "expected " + std::to_string(table.columns.size()) +
+                                      " cells as in the header, found " + std::to_string(row.cells.size()),
+                                  row.line);
+        }
     }
     if (!found)
         return found.problems();
-    if (table.headerLine == 0)
+    if (table.columns.empty())
         return fileProblem(file, "expected a header row, found only blank lines", 1);
-    if (!problems.empty())
-        return problems;
+    if (raggedCount > 1)
+        problem->message += ", as in " + std::to_string(raggedCount - 1) + " more rows";
+    if (raggedCount > 0 && !table.format.hint.empty())
+        problem->message += headerText(table) + table.format.hint;
+    if (problem)
+        return *problem;
     return table;
 }
 

@@ -14,16 +14,25 @@ namespace osgTreeWind {
 
 struct Range;
 
-/// The delimiter and the number format of a table.
+/// The form of a table.
 struct CsvFormat {
     CsvFormat(char delimiter = ',', bool decimalComma = false)
         : delimiter(delimiter), decimalComma(decimalComma) {}
 
     /// The cell as a finite number, or empty.
     std::optional<double> numberOf(const std::string& cell) const;
+    /// As numberOf(), for a number with thousands separators: apostrophes or blanks between groups of three
+    /// digits, as in "2'600'100.5".
+    std::optional<double> groupedNumberOf(const std::string& cell) const;
 
     char delimiter;
-    bool decimalComma; ///< Whether "1,5" and "1.234,5" are numbers.
+    bool decimalComma;   ///< Whether "1,5" and "1.234,5" are numbers.
+    int firstLine = 1;   ///< 1-based; earlier lines are skipped.
+    std::string comment; ///< Lines that begin with it are skipped; may be empty.
+    /// Names of the columns, if the first row does not have them, and their line; 0: the table has none.
+    std::vector<std::string> columns;
+    int headerLine = 0;
+    std::string hint; ///< How to correct the form, at the end of messages; may be empty.
 };
 
 /// Whether a cell marks a missing value: empty, "NA", "null", "M", "-" and similar.
@@ -41,10 +50,14 @@ struct CsvTable {
 
     std::string file;                 ///< Name used in diagnostics.
     int headerLine = 1;               ///< 1-based line of the file on which the header row starts.
-    std::vector<std::string> columns; ///< Header names, trimmed of blanks and a byte-order mark.
+    std::vector<std::string> columns; ///< Header names, trimmed of blanks and a byte-order mark. A name that
+                                      ///< several have gets the number of the column: "name [3]".
     std::vector<Row> rows;            ///< Every row has columns.size() cells.
     CsvFormat format;
+    std::size_t commentCount = 0; ///< Rows left out because they begin with a mark and differ in cells.
 
+    /// "3 lines begin as comments and are left out", or empty.
+    std::string commentNote() const;
     /// Index of the column called `name` (exact match), or empty.
     std::optional<std::size_t> column(const std::string& name) const;
 
@@ -52,7 +65,11 @@ struct CsvTable {
     Result<double> number(const Row& row, std::size_t column) const;
 };
 
-/// Reads a whole table. Ragged rows, no header, unterminated quotes and NUL bytes are errors with a line.
+/// Whether a row begins as a comment: with #, %, // or a semicolon.
+bool beginsAsComment(const CsvTable::Row& row);
+
+/// Reads a whole table. Ragged rows, no header, unterminated quotes and NUL bytes are errors with a line. A
+/// row may end in further delimiters.
 /// @param file name for diagnostics only.
 Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, CsvFormat format = {});
 

@@ -230,6 +230,8 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     const TableOptions options = readTableOptions(table);
     columns.delimiter = options.delimiter;
     columns.decimalComma = options.decimalComma;
+    columns.headerLine = options.headerLine;
+    columns.comment = options.comment;
     table.read("missing", columns.missing);
     if (table.hasText("time_unit", "iso8601"))
         table.read("time_unit", columns.timeUnit);

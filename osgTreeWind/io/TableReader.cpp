@@ -127,6 +127,22 @@ bool TableReader::hasArray(const std::string& key) const {
     return node && node->is_array();
 }
 
+std::vector<std::string> TableReader::texts(const std::string& key) const {
+    std::vector<std::string> texts;
+    const auto add = [&](const toml::node& node) {
+        if (const auto text = node.value_exact<std::string>(); text && !text->empty())
+            texts.push_back(*text);
+    };
+    if (const toml::table* const table = _table[key].as_table())
+        for (const auto& [name, node] : *table) {
+            add(node);
+            if (const toml::array* const array = node.as_array())
+                for (const toml::node& element : *array)
+                    add(element);
+        }
+    return texts;
+}
+
 void TableReader::problemAt(const toml::node& node, const std::string& key, const std::string& message) {
     _log.add(osgTreeWind::problemAt(node.source(), _log, dotted(key), message));
 }

@@ -38,6 +38,9 @@ public:
     /// Whether the value of the key is this text.
     bool hasText(const std::string& key, const std::string& text) const;
 
+    /// All texts in the table of the key, and in its arrays. The keys do not count as read.
+    std::vector<std::string> texts(const std::string& key) const;
+
     /// Reads a value if the key is present. @return whether `field` was set.
     bool read(const std::string& key, bool& field);
     bool read(const std::string& key, int& field, const Range& range = {});

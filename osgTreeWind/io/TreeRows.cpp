@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 namespace osgTreeWind {
@@ -135,6 +136,7 @@ public:
     }
 
     const Diagnostics& problems() const { return _header.problems(); }
+    std::string commentNote() const { return header().commentNote(); }
     const std::string& file() const override { return header().file; }
     const std::string& format() const override { return _format; }
     const std::vector<std::string>& columns() const override { return header().columns; }
@@ -154,9 +156,27 @@ private:
 
     bool hasCell(std::size_t column) const override { return !_cells[column].empty(); }
     std::string cellText(std::size_t column) const override { return std::string(_cells[column]); }
-    std::optional<double> cellNumber(std::size_t column) const override { return numberIn(cellText(column)); }
+    std::optional<double> cellNumber(std::size_t column) const override {
+        const std::string text = cellText(column);
+        if (const auto number = numberIn(text))
+            return number;
+        const auto grouped = header().format.groupedNumberOf(text);
+        return grouped && areNumbers(column) ? grouped : std::nullopt;
+    }
     std::optional<double> numberIn(const std::string& text) const override {
         return header().format.numberOf(text);
+    }
+    /// Whether all cells of a column are numbers, with or without thousands separators, or missing.
+    bool areNumbers(std::size_t column) const {
+        const auto [known, isNew] = _areNumbers.try_emplace(column, true);
+        std::size_t index = 0;
+        for (std::size_t at = 0; isNew && known->second && at < _text.size(); ++index) {
+            const std::string cell = _text.data() + at;
+            if (index % columns().size() == column)
+                known->second = isMissing(cell) || numberIn(cell) || header().format.groupedNumberOf(cell);
+            at += cell.size() + 1;
+        }
+        return known->second;
     }
     const CsvTable& header() const { return _header.value(); }
     int lineOf(std::size_t row) const {
@@ -184,8 +204,9 @@ private:
     std::string _text;
     std::vector<Jump> _jumps;
     Result<CsvTable> _header = CsvTable();
-    std::vector<std::string_view> _cells; ///< Of the current row.
-    std::size_t _at = 0, _row = 0;        ///< Begin of the next row in the text; number of rows up to it.
+    mutable std::map<std::size_t, bool> _areNumbers; ///< By column.
+    std::vector<std::string_view> _cells;            ///< Of the current row.
+    std::size_t _at = 0, _row = 0; ///< Begin of the next row in the text; number of rows up to it.
 };
 
 /// The features of a layer.
@@ -257,6 +278,8 @@ std::unique_ptr<TreeRows> openCsv(TableReader& table, const std::string& path, c
         return {};
     for (const std::string& note : text.value().notes)
         table.note(path + ": " + note);
+    if (const std::string note = rows->commentNote(); !note.empty())
+        table.note(path + ": " + note);
     return rows;
 }
 
@@ -277,9 +300,14 @@ std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& pa
 
 TableOptions readTableOptions(TableReader& table) {
     TableOptions options;
-    table.readChoice<std::optional<char>>("delimiter", options.delimiter,
-                                          {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
+    table.readChoice<std::optional<char>>(
+        "delimiter", options.delimiter,
+        {{",", ','}, {";", ';'}, {"\t", '\t'}, {"tab", '\t'}, {"|", '|'}, {"blanks", ' '}});
     table.readChoice<std::optional<bool>>("decimal", options.decimalComma, {{".", false}, {",", true}});
+    table.read("comment", options.comment);
+    if (int line = 0; table.read("header_line", line, within(0, 1e6)))
+        options.headerLine = line;
+    options.columns = table.texts("columns");
     return options;
 }
 
@@ -293,8 +321,8 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& f
         return {};
     const bool hasFeatures = VectorFile::isSupported(file->path);
     bool isValid = true;
-    for (const char* key : {"layer", "delimiter"})
-        if (table.has(key) && hasFeatures == (key == std::string("delimiter"))) {
+    for (const char* key : {"layer", "delimiter", "comment", "header_line"})
+        if (table.has(key) && hasFeatures == (key != std::string("layer"))) {
             table.problem(key, hasFeatures ? "applies only to a CSV table"
                                            : "applies only to a file with layers, not to a CSV table");
             isValid = false;

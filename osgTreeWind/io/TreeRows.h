@@ -81,10 +81,11 @@ private:
 class TableReader;
 class InputFolders;
 
-/// Reads the keys `delimiter` and `decimal` of an [inventory] or a [wind] record.
+/// Reads the keys `delimiter`, `decimal`, `comment`, `header_line` and `columns` of an [inventory] or a
+/// [wind] record.
 TableOptions readTableOptions(TableReader& table);
 
-/// Opens the file of an [inventory], with its `layer`, `filter` and `delimiter`. Null after a problem.
+/// Opens the file of an [inventory], with its `layer`, `filter` and the keys of tables. Null after a problem.
 std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& folders);
 
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/TableText.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/scanfiles/ScanColumns.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
@@ -63,35 +64,6 @@ struct CylinderCells {
     }
 };
 
-/// The delimiter of the column names in the first line that is not blank.
-char findDelimiter(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-    for (const char delimiter : text.substr(0, text.find('\n')))
-        if (delimiter == ',' || delimiter == ';' || delimiter == '\t')
-            return delimiter;
-    return ' ';
-}
-
-/// The text with single blanks between words. R writes quoted row names without a column name; they get an
-/// empty one.
-std::string collapseBlanks(std::string_view text) {
-    std::string single;
-    for (const char c : text) {
-        if ((c == '\n' || c == '\r') && !single.empty() && single.back() == ' ')
-            single.pop_back();
-        if (c != ' ' || (!single.empty() && single.back() != ' ' && single.back() != '\n'))
-            single += c;
-    }
-    const std::size_t headerEnd = single.find('\n'), row = headerEnd + 1;
-    const auto words = [&](std::size_t from, std::size_t to) {
-        return std::count(single.data() + from, single.data() + to, ' ');
-    };
-    if (headerEnd != std::string::npos && single[row] == '"' &&
-        words(row, std::min(single.find('\n', row), single.size())) == words(0, headerEnd) + 1)
-        single.insert(0, "\"\" ");
-    return single;
-}
-
 /// Sets the parent of the root to -1; it may be 0 if no id is 0. Extensions that contain a 0 are not ids: the
 /// cylinders are then numbered from 1.
 void normalizeLinks(std::vector<ScanLink>& links, bool areExtensions) {
@@ -108,11 +80,13 @@ void normalizeLinks(std::vector<ScanLink>& links, bool areExtensions) {
 } // namespace
 
 Result<ScanFile> readScanTable(std::string_view text, const std::string& file) {
-    const char delimiter = findDelimiter(text);
-    std::istringstream input(delimiter == ' ' ? collapseBlanks(text) : std::string(text));
-    const Result<CsvTable> table = readCsvTable(input, file, delimiter);
+    const Result<TableText> decoded = decodeTable(std::string(text), file);
+    if (!decoded)
+        return decoded.problems();
+    std::istringstream input(decoded.value().text);
+    const Result<CsvTable> table = readCsvTable(input, file, decoded.value().format);
     if (!table)
-        return table.problems().front();
+        return table.problems();
     const Result<ScanColumns> columns = ScanColumns::find(table.value());
     if (!columns)
         return columns.problems();

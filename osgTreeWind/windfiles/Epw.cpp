@@ -17,7 +17,7 @@ constexpr int headerLines = 8;
 } // namespace
 
 Result<WindContent> readEpw(std::string_view bytes, const std::string& file) {
-    const Result<TableText> text = decodeTable(std::string(bytes), file, {',', false});
+    const Result<TableText> text = decodeTable(std::string(bytes), file);
     if (!text)
         return text.problems();
     WindSeriesColumns columns;

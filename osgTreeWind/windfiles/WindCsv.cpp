@@ -25,12 +25,24 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table)
     return columns;
 }
 
+/// All columns that may be read.
+std::vector<std::string> askedColumns(const WindSeriesColumns& columns) {
+    if (!columns.named())
+        return {"time", "u", "v", "speed", "direction"};
+    std::vector<std::string> names = columns.time;
+    for (const std::string& name : {columns.u, columns.v, columns.w, columns.speed, columns.direction})
+        if (!name.empty())
+            names.push_back(name);
+    return names;
+}
+
 } // namespace
 
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns) {
-    const Result<TableText> text =
-        decodeTable(std::string(bytes), file, {columns.delimiter, columns.decimalComma});
+    const Result<TableText> text = decodeTable(std::string(bytes), file,
+                                               {columns.delimiter, columns.decimalComma, columns.headerLine,
+                                                columns.comment, askedColumns(columns)});
     if (!text)
         return text.problems();
     std::optional<WindSeriesRows> rows;
@@ -44,7 +56,10 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
         return table.problems();
     if (!rows)
         rows.emplace(table.value(), namedColumns(columns, table.value()));
-    return rows->content("CSV", "components toward east, north and up", text.value().notes);
+    std::vector<std::string> notes = text.value().notes;
+    if (const std::string note = table.value().commentNote(); !note.empty())
+        notes.push_back(note);
+    return rows->content("CSV", "components toward east, north and up", std::move(notes));
 }
 
 } // namespace osgTreeWind

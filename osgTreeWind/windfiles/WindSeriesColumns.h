@@ -30,10 +30,12 @@ struct OSGTREEWIND_EXPORT WindSeriesColumns {
     /// Unit of all velocities: "m/s", "km/h", "kn", "mph", "ft/s" or another that UDUNITS knows; empty: as
     /// the names of the columns say, "wind (km/h)", or else m/s.
     std::string speedUnit;
-    std::optional<char> delimiter; ///< Separator of columns; empty: guessed from the header.
+    std::optional<char> delimiter; ///< Separator of columns; ' ': blanks; empty: found.
     std::optional<bool>
-        decimalComma;            ///< Whether numbers use a decimal comma; empty: if it is not the separator.
-    std::vector<double> missing; ///< More codes for missing values, besides -99, 999 and similar ones.
+        decimalComma; ///< Whether numbers use a decimal comma; empty: if it is not the separator.
+    std::optional<int> headerLine; ///< 1-based line of the header; 0: none; empty: found.
+    std::string comment;           ///< Beginning of lines to skip; empty: found.
+    std::vector<double> missing;   ///< More codes for missing values, besides -99, 999 and similar ones.
 
     /// Whether any column is named; otherwise readers use default names.
     bool named() const { return !time.empty() || !(u + v + w + speed + direction).empty(); }

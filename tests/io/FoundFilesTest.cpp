@@ -83,6 +83,43 @@ TEST(FoundFiles, ReadsATypicalSpreadsheet) {
     EXPECT_EQ(forest.notes.size(), 7u) << notes;
 }
 
+/// Thousands separators count where all cells of the column are such numbers.
+TEST(FoundFiles, ReadsThousandsSeparators) {
+    const TemporaryFolder folder;
+    const std::string lines = "[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"X\", y = \"Y - 1\" }\n";
+    folder.write("a.csv", "sep=;\nX;Y\n2'600'100,5;1\u202f200\u202f051\n2'600'110.5;-\n2600120;1200052\n");
+    const ForestFile forest = forestIn(folder.path(), "origin = [2600000, 1200000, 0]\n" + lines);
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_EQ(forest.trees[0].position, glm::dvec3(2600100.5, 1200050.0, 0.0));
+    EXPECT_EQ(forest.trees[1].position, glm::dvec3(2600120.0, 1200051.0, 0.0));
+    folder.write("a.csv", "sep=;\nX;Y\n12 345;1\n12 34;2\n");
+    std::istringstream input("version = 1\n" + lines);
+    EXPECT_TRUE(hasPart(firstProblem(readForest(input, {"f.treewind", folder.path()})),
+                        "a.csv:3: X: expected a number, found '12 345'"));
+}
+
+TEST(FoundFiles, ReadsTablesAsTheirKeysSay) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "oak,7,8\n! moved\noak,9,8\n");
+    EXPECT_EQ(forestIn(folder.path(), "[inventory]\nfile = \"a.csv\"\nheader_line = 0\ncomment = \"!\"\n"
+                                      "columns = { x = \"2\", y = \"3\", species = \"1\" }\n")
+                  .trees.at(1)
+                  .position,
+              glm::dvec3(9.0, 8.0, 0.0));
+    folder.write("b.txt", "x y\n1 2\nx  y  h\n3  4  5\n");
+    EXPECT_EQ(forestIn(folder.path(),
+                       "[inventory]\nfile = \"b.txt\"\nheader_line = 3\ndelimiter = \"blanks\"\n"
+                       "columns = { x = \"x\", y = \"y\" }\n")
+                  .trees.at(0)
+                  .position,
+              glm::dvec3(3.0, 4.0, 0.0));
+    folder.write("c.csv", "0,5,6\n! battery\n10,6,7\n");
+    const ForestFile forest = forestIn(
+        folder.path(), "[wind]\nkind = \"series\"\nfile = \"c.csv\"\nheader_line = 0\ncomment = \"!\"\n"
+                       "columns = { time = \"1\", u = \"2\", v = \"3\" }\n[[tree]]\nposition = [0, 0]\n");
+    EXPECT_FLOAT_EQ(forest.wind.field->velocity({0, 0, 5}, 10.0).y, 7.0f);
+}
+
 TEST(FoundFiles, FindsRelatedSpecies) {
     const SpeciesCatalogue& ours = SpeciesCatalogue::builtIn();
     for (const auto& [name, species] : {std::pair("Eastern White Pine", "Scots pine"),

@@ -309,7 +309,11 @@ INSTANTIATE_TEST_SUITE_P(
                   "time_format; several "
                   "columns: time = [\"date\", \"time\"]), found '5'"},
         BadRecord{"Ragged", "t,ws,wd\n0,1\n", polar(),
-                  "w.csv:2: expected 3 cells as in the header, found 2"}),
+                  "w.csv:2: expected 3 cells as in the header, found 2; line 1 is taken for the header, \"t, "
+                  "ws, wd\"; to "
+                  "read it otherwise, set header_line (0: no header), comment (how lines begin that are left "
+                  "out) or "
+                  "delimiter in [inventory], or in a [wind] of kind \"series\""}),
     [](const auto& info) { return info.param.name; });
 
 TEST(WindCsv, ReportsEveryBadCell) {
