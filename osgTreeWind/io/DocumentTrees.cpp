@@ -26,6 +26,14 @@ void DocumentTrees::modify(
     });
 }
 
+std::string
+DocumentTrees::adviceToExchange(const std::function<bool(const glm::dvec2& place)>& isInArea) const {
+    for (const ExchangedPlace& each : exchangedPlaces)
+        if (isInArea(each.exchanged) && !isInArea(each.place))
+            return "; " + each.advice;
+    return {};
+}
+
 void DocumentTrees::findGrowingSpaces(ForestDescription& forest) {
     if (!_spool.isInMemory())
         return;

@@ -13,6 +13,12 @@
 
 namespace osgTreeWind {
 
+/// The first place of an inventory, and the place with its longitude and latitude exchanged.
+struct ExchangedPlace {
+    glm::dvec2 place, exchanged;
+    std::string advice; ///< How to exchange them.
+};
+
 /// The trees that are read from a document.
 class DocumentTrees {
 public:
@@ -37,6 +43,10 @@ public:
     void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _spool.visit(visitor); }
     void modify(const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
+    /// Places in the CRS of the scene.
+    std::vector<ExchangedPlace> exchangedPlaces;
+    /// "; " and the advice for an inventory of which only the exchanged place is in an area; otherwise empty.
+    std::string adviceToExchange(const std::function<bool(const glm::dvec2& place)>& isInArea) const;
     // If the trees are in memory, which is that of the forest:
     void findGrowingSpaces(ForestDescription& forest);
     void varyNeighbourSeeds(ForestDescription& forest, const ShapeFamilies& families);

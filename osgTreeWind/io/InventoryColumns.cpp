@@ -42,8 +42,9 @@ const KnownColumn knownColumns[] = {
 
 /// The first column with a name that open-data portals and databases use for places.
 std::optional<std::size_t> findPointColumn(const TreeRows& rows) {
-    for (const char* const name : {"geo_point_2d", "geopoint", "geo_point", "geom", "the_geom", "geometry",
-                                   "wkt", "wkt_geom", "shape", "point", "location"})
+    for (const char* const name : {"geo_point_2d", "geopoint", "geo_point", "geom", "the_geom",
+                                   "wkb_geometry", "geometry", "geo_shape", "wkt", "wkt_geom", "geojson",
+                                   "shape", "point", "location", "coordinates", "latlon", "latlng"})
         for (std::size_t i = 0; i < rows.columns().size(); ++i)
             if (lower(rows.columns()[i]) == name)
                 return i;
@@ -178,7 +179,7 @@ bool InventoryColumns::areInDegrees(const TreeRows& rows) const {
     const auto isCalled = [&](const MeasureColumn& measure, const std::vector<std::string>& names) {
         return measure.column && std::count(names.begin(), names.end(), lower(rows.nameOf(*measure.column)));
     };
-    return point || (isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"}));
+    return isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"});
 }
 
 } // namespace osgTreeWind

@@ -31,7 +31,7 @@ public:
     bool hasPlaceColumns() const { return x.column || point; }
     /// All columns to read.
     std::vector<std::size_t> allColumns();
-    /// Whether places are longitudes and latitudes: those of `point`, or of `x` and `y` with such names.
+    /// Whether `x` and `y` are longitudes and latitudes by their names.
     bool areInDegrees(const TreeRows& rows) const;
 
     MeasureColumn x{"x", worldCoordinates}, y{"y", worldCoordinates}, z{"z", worldCoordinates};

@@ -3,7 +3,9 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/io/SceneMap.h>
+#include <osgTreeWind/places/PlaceText.h>
 
 #include <glm/common.hpp>
 
@@ -15,13 +17,33 @@ namespace osgTreeWind {
 
 namespace {
 
-/// The CRS of the places; empty: that of the forest.
-Result<std::optional<Crs>> findSourceCrs(const std::string& text, const TreeRows& rows,
-                                         const InventoryColumns& columns) {
+/// Whether the first row with x and y has them in degrees, such as 9°58'51"E.
+bool hasDegreesInText(TreeRows& rows, const InventoryColumns& columns) {
+    if (!columns.x.column || !columns.y.column)
+        return false;
+    const std::size_t x = *columns.x.column, y = *columns.y.column;
+    rows.rewind({}, {x, y});
+    for (auto found = rows.next(); found && found.value(); found = rows.next())
+        if (rows.has(x) && rows.has(y)) {
+            const auto first = parseCoordinate(rows.text(x)), second = parseCoordinate(rows.text(y));
+            return first && second && first->isDegrees && second->isDegrees;
+        }
+    return false;
+}
+
+/// The CRS of the places; empty: that of the forest. @param text the key `crs`. @param points may be null.
+Result<std::optional<Crs>> findSourceCrs(const std::string& text, TreeRows& rows,
+                                         const InventoryColumns& columns, const PointColumn* points,
+                                         TableReader& table) {
+    const Result<std::optional<Crs>> stated = points ? points->crs() : std::optional<Crs>();
+    if (!stated)
+        return stated;
     Result<Crs> crs = Crs();
     if (!text.empty())
         crs = Crs::parse(text);
-    else if (columns.areInDegrees(rows))
+    else if (stated.value())
+        return stated;
+    else if (points || columns.areInDegrees(rows) || (!rows.crs() && hasDegreesInText(rows, columns)))
         crs = Crs::wgs84();
     else if (rows.crs())
         crs = *rows.crs();
@@ -29,42 +51,58 @@ Result<std::optional<Crs>> findSourceCrs(const std::string& text, const TreeRows
         return std::optional<Crs>();
     if (!crs)
         return crs.problems();
+    if (stated.value() && !stated.value()->isSame(crs.value()))
+        table.note("crs overrides " + stated.value()->name() + ", which the cells of " +
+                   inQuotes(rows.nameOf(*columns.point)) + " state");
     return std::optional(crs.value());
 }
 
-/// Parses a place in one cell: "POINT (2.30 48.88)", GeoJSON, or latitude and longitude, "48.88, 2.30".
-Result<glm::dvec2> parsePoint(const TreeRows& rows, std::size_t column) {
-    const std::string cell = rows.text(column);
-    std::vector<double> numbers;
-    for (std::size_t at = 0; (at = cell.find_first_of("+-.0123456789", at)) != std::string::npos;) {
-        const std::size_t end = std::min(cell.find_first_not_of("+-.0123456789eE", at), cell.size());
-        if (const auto number = parseNumber(std::string_view(cell).substr(at, end - at)))
-            numbers.push_back(*number);
-        at = end;
-    }
-    const bool isNamed = cell.find("oint") != std::string::npos || cell.find("OINT") != std::string::npos;
-    if (numbers.size() < 2)
-        return rows.problem(rows.nameOf(column),
-                            expectedFound("a place such as 48.88, 2.30 or POINT (2.30 48.88)", cell));
-    const bool isNorthFirst = !isNamed && std::abs(numbers[0]) <= 90.0;
-    return isNorthFirst ? glm::dvec2(numbers[1], numbers[0]) : glm::dvec2(numbers[0], numbers[1]);
+/// A number in the unit of its column, or degrees with minutes or letters.
+Result<CoordinateText> readCoordinate(const TreeRows& rows, const MeasureColumn& measure, bool isDegrees) {
+    const std::optional<double> number = rows.number(*measure.column);
+    const auto written = number ? std::nullopt : parseCoordinate(rows.text(*measure.column));
+    if (written && written->isDegrees && isDegrees)
+        return *written;
+    if (written && written->isDegrees)
+        return rows.problem(rows.nameOf(*measure.column),
+                            expectedFound("a number in the unit of the crs, which is not in degrees",
+                                          rows.text(*measure.column)));
+    const Result<double> metres = readMetres(rows, measure, number);
+    if (!metres)
+        return metres.problems();
+    return CoordinateText{metres.value()};
 }
 
-/// The place of a row: from its columns, not yet transformed, or else its transformed geometry.
-Result<VectorPlace> readPlace(const TreeRows& rows, const InventoryColumns& columns) {
+/// The place in x and y. Letters count more than the names of the columns.
+Result<glm::dvec2> readColumns(const TreeRows& rows, const InventoryColumns& columns, bool isDegrees) {
+    const auto x = readCoordinate(rows, columns.x, isDegrees), y = readCoordinate(rows, columns.y, isDegrees);
+    Diagnostics problems = x.problems();
+    problems.insert(problems.end(), y.problems().begin(), y.problems().end());
+    if (!problems.empty())
+        return problems;
+    const char first = x.value().axis, second = y.value().axis;
+    if (first && first == second)
+        return rows.problem(
+            rows.nameOf(*columns.y.column),
+            expectedFound("one coordinate with N or S, and one with E or W", rows.text(*columns.y.column)));
+    const glm::dvec2 place(x.value().value, y.value().value);
+    return first == 'y' || second == 'x' ? glm::dvec2(place.y, place.x) : place;
+}
+
+/// The place of a row: from x and y, not yet transformed, or else its transformed geometry.
+/// @param points may be null. @param index of the row.
+Result<VectorPlace> readPlace(const TreeRows& rows, const InventoryColumns& columns, bool isDegrees,
+                              const PointColumn* points, std::size_t index) {
     VectorPlace place;
     Diagnostics problems;
     const auto valueOf = [&](const auto& result) {
         problems.insert(problems.end(), result.problems().begin(), result.problems().end());
         return result ? result.value() : std::decay_t<decltype(result.value())>();
     };
-    if (columns.point) {
-        place.position = {valueOf(parsePoint(rows, *columns.point)), 0.0};
-    } else if (columns.hasPlaceColumns()) {
-        const double x = valueOf(readMetres(rows, columns.x)), y = valueOf(readMetres(rows, columns.y));
-        place.position = {x, y, 0.0};
-    } else
-        place = valueOf(rows.place());
+    if (columns.x.column)
+        place.position = {valueOf(readColumns(rows, columns, isDegrees)), 0.0};
+    else
+        place = valueOf(points ? points->placeOf(rows, index) : rows.place());
     place.position.z *= columns.z.unit;
     if (columns.z.column && rows.has(*columns.z.column)) {
         place.position.z = valueOf(readMetres(rows, columns.z));
@@ -77,19 +115,17 @@ Result<VectorPlace> readPlace(const TreeRows& rows, const InventoryColumns& colu
 
 /// The untransformed places of all rows; NaN if a row has none, which is reported later. @param maxCount
 /// stops after that many valid places.
-std::vector<glm::dvec2> readPlaces(TreeRows& rows, const InventoryColumns& columns,
+std::vector<glm::dvec2> readPlaces(TreeRows& rows, const InventoryColumns& columns, bool isDegrees,
                                    std::size_t maxCount = std::numeric_limits<std::size_t>::max()) {
     std::vector<glm::dvec2> places;
     std::vector<std::size_t> read;
     for (const MeasureColumn* measure : {&columns.x, &columns.y, &columns.z})
         if (measure->column)
             read.push_back(*measure->column);
-    if (columns.point)
-        read.push_back(*columns.point);
     rows.rewind({}, read);
     std::size_t count = 0;
     for (auto found = rows.next(); found && found.value() && count < maxCount; found = rows.next()) {
-        const auto place = readPlace(rows, columns);
+        const auto place = readPlace(rows, columns, isDegrees, nullptr, 0);
         count += place.ok();
         places.push_back(place ? glm::dvec2(place.value().position)
                                : glm::dvec2(std::numeric_limits<double>::quiet_NaN()));
@@ -108,13 +144,43 @@ glm::dvec2 centreOf(const std::vector<glm::dvec2>& places) {
 }
 
 /// The CRS for a scene at the places of the rows: their own if it is a map, or else a UTM zone.
-/// @param places gets all places if the zone depends on them.
+/// @param places of a column; otherwise gets all places if the zone depends on them.
 Result<Crs> findSceneCrs(TreeRows& rows, const InventoryColumns& columns, const Crs& from,
                          const SceneMap& map, TableReader& table, std::vector<glm::dvec2>& places) {
-    if (from.problemOfMap().empty())
-        return map.crsAt(centreOf(readPlaces(rows, columns, 1)), from, table);
-    places = readPlaces(rows, columns);
+    const bool isMap = from.problemOfMap().empty();
+    if (places.empty()) {
+        auto found = readPlaces(rows, columns, from.isDegrees(), isMap ? 1 : SIZE_MAX);
+        if (isMap)
+            return map.crsAt(centreOf(found), from, table);
+        places = std::move(found);
+    } else if (isMap)
+        return map.crsAt(centreOf(places), from, table);
     return utmZoneOf(centreOf(places), from, "crs");
+}
+
+const char* const adviceOnOrder[] = {"if their latitude stands first, set inventory.axis_order = \"yx\"",
+                                     "if their longitude stands first, set inventory.axis_order = \"xy\""};
+
+/// Whether places in degrees are on the globe only with their longitude and latitude exchanged.
+bool areExchanged(const std::vector<glm::dvec2>& places) {
+    std::size_t count = 0;
+    for (const glm::dvec2& place : places)
+        if (!std::isnan(place.x)) {
+            ++count;
+            if (std::abs(place.y) <= 90.0 || std::abs(place.y) > 180.0 || std::abs(place.x) > 90.0)
+                return false;
+        }
+    return count > 0;
+}
+
+/// Reads `axis_order`: whether y stands first. @return false after a problem.
+bool readAxisOrder(TableReader& table, const InventoryColumns& columns, std::optional<bool>& isYFirst) {
+    table.readChoice<std::optional<bool>>("axis_order", isYFirst, {{"xy", false}, {"yx", true}});
+    if (!isYFirst || !columns.x.column)
+        return true;
+    table.problem("axis_order", "applies to places in one column and to geometries; exchange columns.x and "
+                                "columns.y instead");
+    return false;
 }
 
 } // namespace
@@ -122,24 +188,48 @@ Result<Crs> findSceneCrs(TreeRows& rows, const InventoryColumns& columns, const 
 std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRows* rows,
                                                      const InventoryColumns& columns, SceneMap& map) {
     std::string text;
+    std::optional<bool> isYFirst;
     table.read("crs", text);
-    if (!rows || !columns.isComplete())
+    if (!readAxisOrder(table, columns, isYFirst) || !rows || !columns.isComplete())
         return std::nullopt;
     const auto fail = [&](const Diagnostics& problems) {
-        table.problem(text.empty() ? "file" : "crs", problems.front().message);
+        const std::string& key = problems.front().key;
+        table.problem(key == "axis_order" ? key : text.empty() ? "file" : "crs", problems.front().message);
         return std::nullopt;
     };
-    const auto source = findSourceCrs(text, *rows, columns);
+    InventoryPlaces found;
+    if (columns.point)
+        found._points.emplace(*rows, *columns.point);
+    else if (isYFirst.value_or(false))
+        rows->setYFirst();
+    PointColumn* const points = found._points ? &*found._points : nullptr;
+    const auto source = findSourceCrs(text, *rows, columns, points, table);
     if (!source)
         return fail(source.problems());
     if (!source.value())
-        return InventoryPlaces();
+        return found;
     const Crs& from = *source.value();
-    if (columns.hasPlaceColumns() && (columns.x.unit != 1.0 || columns.y.unit != 1.0)) {
+    found._isDegrees = from.isDegrees();
+    if (columns.x.column && (columns.x.unit != 1.0 || columns.y.unit != 1.0)) {
         table.problem("units", "expected no units for x and y, which " + from.name() + " defines");
         return std::nullopt;
     }
     std::vector<glm::dvec2> places;
+    if (points) {
+        if (const auto problems = points->order(isYFirst, from.isDegrees(), rows->nameOf(*columns.point));
+            !problems.empty())
+            return fail(problems);
+        if (!points->note().empty())
+            table.note(rows->file() + ": " + points->note());
+        places = points->places();
+    } else if (from.isDegrees() && !columns.x.column) {
+        constexpr std::size_t samples = 100;
+        places = readPlaces(*rows, columns, true, map.crs() ? samples : SIZE_MAX);
+    }
+    const bool hasOrder = from.isDegrees() && !columns.x.column;
+    const std::string advice = adviceOnOrder[isYFirst.value_or(false)];
+    if (hasOrder && areExchanged(places))
+        return fail({keyProblem("", "its places are no longitudes and latitudes; " + advice)});
     if (!map.crs()) {
         const Result<Crs> scene = findSceneCrs(*rows, columns, from, map, table, places);
         if (!scene)
@@ -149,10 +239,19 @@ std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRow
     const auto transform = CrsTransform::between(from, *map.crs());
     if (!transform)
         return fail(transform.problems());
-    InventoryPlaces found;
     found._transform = transform.value();
-    if (columns.hasPlaceColumns() && !found._transform.isIdentity()) {
-        found._transformed = places.empty() ? readPlaces(*rows, columns) : std::move(places);
+    const auto first = std::find_if(places.begin(), places.end(),
+                                    [](const glm::dvec2& place) { return std::isfinite(place.x); });
+    if (hasOrder && first != places.end()) {
+        found._exchanged = {*first, {first->y, first->x}, advice};
+        for (glm::dvec2* place : {&found._exchanged->place, &found._exchanged->exchanged})
+            found._transform.apply(*place);
+    }
+    if (points)
+        points->transform(*rows, found._transform);
+    else if (columns.x.column && !found._transform.isIdentity()) {
+        found._transformed =
+            places.empty() ? readPlaces(*rows, columns, from.isDegrees()) : std::move(places);
         found._transform.apply(found._transformed);
     }
     return found;
@@ -164,7 +263,7 @@ void InventoryPlaces::rewind(TreeRows& rows, InventoryColumns& columns) const {
 
 Result<VectorPlace> InventoryPlaces::placeOf(const TreeRows& rows, const InventoryColumns& columns,
                                              std::size_t index) const {
-    Result<VectorPlace> place = readPlace(rows, columns);
+    Result<VectorPlace> place = readPlace(rows, columns, _isDegrees, _points ? &*_points : nullptr, index);
     if (!place)
         return place;
     glm::dvec3& position = place.value().position;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/GroundPlacer.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -33,8 +34,13 @@ void putTreesOnGround(TableReader& table, const ForestDescription& read, Documen
     trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
         placer.place(some, onGround);
     });
-    for (const Diagnostic& problem : placer.problems())
-        table.problem("file", problem.message);
+    const std::string advice = trees.adviceToExchange(
+        [&](const glm::dvec2& place) { return heightOf(*read.ground, place).has_value(); });
+    Diagnostics problems = placer.problems();
+    if (problems.empty() && !advice.empty())
+        problems = {keyProblem("file", "no ground below the trees of an inventory")};
+    for (const Diagnostic& problem : problems)
+        table.problem("file", problem.message + advice);
 }
 
 } // namespace

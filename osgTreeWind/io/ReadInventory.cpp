@@ -68,6 +68,8 @@ public:
         if (!places || !_complete || !_columns.isComplete())
             return;
         _places = std::move(*places);
+        if (_places.exchanged())
+            _trees.exchangedPlaces.push_back(*_places.exchanged());
         readRows(seed);
         for (const std::string& warning : _rows->warnings())
             addNote(warning);

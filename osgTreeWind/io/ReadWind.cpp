@@ -387,7 +387,9 @@ void checkCoverage(const WindFile& file, const std::string& path, const glm::dve
             "no tree is inside the grid of " + path + ", " + extent + "; the trees stand at " +
                 extentText({glm::dvec2(bounds.low), glm::dvec2(bounds.high)}, glm::dvec2(0.0)) +
                 (onOwnMap ? " of " + forest.crs : "") +
-                "; expected a wind at their place, or beyond = \"hold\" to use that of the edge");
+                "; expected a wind at their place, or beyond = \"hold\" to use that of the edge" +
+                trees.adviceToExchange(
+                    [&](const glm::dvec2& place) { return file.covers(place - glm::dvec2(forest.origin)); }));
     }
     table.note((forest.tiles ? "parts of the world lie"
                              : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +

@@ -56,6 +56,9 @@ void SceneMap::reproject(DocumentTrees& trees, TableReader& table) {
         return;
     _transform = transform.value();
     set(map.value());
+    for (ExchangedPlace& each : trees.exchangedPlaces)
+        for (glm::dvec2* place : {&each.place, &each.exchanged})
+            _transform.apply(*place);
     trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>&) {
         std::vector<glm::dvec2> places;
         places.reserve(some.size());

@@ -225,6 +225,7 @@ public:
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
     std::vector<std::string> warnings() const override { return _file.warnings(); }
+    void setYFirst() override { _file.setYFirst(); }
     Result<VectorPlace> place() const override {
         auto place = _file.place();
         return place ? place : problem("", place.problems().front().message);

@@ -37,6 +37,8 @@ public:
     /// Notes on the rows read so far.
     virtual std::vector<std::string> warnings() const { return {}; }
 
+    /// From the next rewind() on, takes the coordinates of geometries for (y, x).
+    virtual void setYFirst() {}
     /// From now on, leaves out the rows that do not match.
     void setFilter(RowExpression filter) { _filter = std::move(filter); }
     /// Restarts before the first row. @param transform for places of geometries. @param columns to read;

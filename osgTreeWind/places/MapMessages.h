@@ -22,13 +22,15 @@ struct MapRequest {
         CompareCrs,          ///< Texts of two CRSs -> whether they are the same.
         FindTransform,       ///< Texts of two CRSs -> false if the transform is the identity.
         TransformPoints,     ///< Texts of two CRSs, and places -> transformed places, NaN for failures.
+        ReadGeometries,      ///< Texts of two CRSs (empty: no transform), then geometries -> GeometryBatch.
         DescribeGridMapping, ///< Text of a CRS -> GridMapping.
         ReadRaster,          ///< File, and name or number of a band -> RasterHeader, then rows.
         ReadBand,            ///< GeoTIFF file -> RasterBand.
         DetectFeatures,      ///< File -> whether it has features.
         OpenFeatures,        ///< File -> FeatureFileHeader. The tasks below refer to this file.
         ChooseLayer,         ///< Name -> FeatureLayer.
-        RewindFeatures,      ///< Texts of two CRSs, and columns (empty: all) -> MapAcknowledgement.
+        RewindFeatures,      ///< Texts of two CRSs (empty: no transform), and columns (empty: all) ->
+                             ///< MapAcknowledgement.
         NextFeatures,        ///< -> FeatureBatch.
         WriteTable,          ///< File, followed by a PointTable -> MapAcknowledgement.
         SizeOfUnit           ///< Names of a unit and a base unit -> double by sizeByUdunits().
@@ -37,8 +39,9 @@ struct MapRequest {
     std::vector<std::string> texts{};
     std::vector<glm::dvec2> places{};
     std::vector<std::size_t> columns{};
+    bool isYFirst = false; ///< Whether geometries have (y, x).
 
-    auto parts() { return std::tie(task, texts, places, columns); }
+    auto parts() { return std::tie(task, texts, places, columns, isYFirst); }
 };
 
 /// The answer to a task without a result.
@@ -72,7 +75,24 @@ struct FeatureLayer {
 struct VectorPlace {
     glm::dvec3 position{0.0};      ///< The point, or an outline's centroid with z = 0.
     bool hasHeight = false;        ///< Whether the file has z.
-    std::optional<double> width{}; ///< Mean of an outline's extents along x and y.
+    std::optional<double> width{}; ///< Diameter of the circle with the area of an outline.
+};
+
+/// Why a feature or a cell has no place.
+struct PlaceProblem {
+    std::size_t index = 0; ///< In its batch.
+    std::string message;
+
+    auto parts() { return std::tie(index, message); }
+};
+
+/// The places of texts.
+struct GeometryBatch {
+    std::vector<VectorPlace> places;
+    std::vector<PlaceProblem> problems; ///< By ascending index.
+    std::vector<std::int32_t> srids;    ///< Of EWKB; 0: none.
+
+    auto parts() { return std::tie(places, problems, srids); }
 };
 
 /// Consecutive features with the requested columns.
@@ -85,13 +105,6 @@ struct FeatureBatch {
         std::vector<std::uint32_t> ends{}; ///< End offset of each text.
 
         auto parts() { return std::tie(kinds, numbers, texts, ends); }
-    };
-    /// Why a feature has no place.
-    struct PlaceProblem {
-        std::size_t index = 0;
-        std::string message;
-
-        auto parts() { return std::tie(index, message); }
     };
     std::vector<std::int64_t> ids;
     std::vector<VectorPlace> places;

@@ -116,7 +116,7 @@ void VectorFile::rewind(const CrsTransform& transform, std::vector<std::size_t> 
     _batch = {};
     _index = 0;
     const auto done = _program->request<MapAcknowledgement>(
-        {Task::RewindFeatures, {_transform.from().text(), _transform.to().text()}, {}, _columns});
+        {Task::RewindFeatures, {_transform.from().text(), _transform.to().text()}, {}, _columns, _isYFirst});
     if (done)
         requestBatch();
     else
@@ -166,9 +166,9 @@ std::optional<double> VectorFile::number(std::size_t column) const {
 Result<VectorPlace> VectorFile::place() const {
     const std::size_t index = _index - 1;
     const auto& placeProblems = _batch.placeProblems;
-    const auto found = std::lower_bound(
-        placeProblems.begin(), placeProblems.end(), index,
-        [](const FeatureBatch::PlaceProblem& problem, std::size_t i) { return problem.index < i; });
+    const auto found =
+        std::lower_bound(placeProblems.begin(), placeProblems.end(), index,
+                         [](const PlaceProblem& problem, std::size_t i) { return problem.index < i; });
     if (found != placeProblems.end() && found->index == index)
         return keyProblem("", found->message);
     return _batch.places[index];

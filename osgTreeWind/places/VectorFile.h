@@ -35,6 +35,8 @@ public:
     /// Warnings of GDAL, and the encoding that was assumed for the texts read so far.
     const std::vector<std::string>& warnings() const { return _header.warnings; }
 
+    /// From the next rewind() on, takes the coordinates of geometries for (y, x).
+    void setYFirst() { _isYFirst = true; }
     /// Restarts before the first feature.
     /// @param transform for the places. @param columns to read; empty: all. Other columns have no values.
     void rewind(const CrsTransform& transform = {}, std::vector<std::size_t> columns = {});
@@ -66,6 +68,7 @@ private:
     FeatureLayer _layer;
     std::optional<Crs> _crs;
     CrsTransform _transform;
+    bool _isYFirst = false;
     std::vector<std::size_t> _columns;      ///< Requested columns.
     std::vector<std::size_t> _batchColumns; ///< Index in the batch of each column of the layer.
     FeatureBatch _batch;

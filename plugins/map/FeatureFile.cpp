@@ -4,9 +4,9 @@
 #include <plugins/map/CityJson.h>
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
+#include <plugins/map/GeometryPlace.h>
 
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
@@ -14,7 +14,6 @@
 #include <ogr_srs_api.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace osgTreeWind {
@@ -61,84 +60,6 @@ const std::string nodes = "points";
 
 std::string layerName(OGRLayerH layer) {
     return OGR_L_GetName(layer);
-}
-
-using Geometry = std::unique_ptr<void, decltype(&OGR_G_DestroyGeometry)>;
-
-Diagnostic problem(const std::string& message) {
-    return keyProblem("", message);
-}
-
-Result<VectorPlace> placeOfPoint(OGRGeometryH point, const CrsTransform& transform) {
-    VectorPlace place;
-    glm::dvec2 flat{OGR_G_GetX(point, 0), OGR_G_GetY(point, 0)};
-    place.position.z = OGR_G_GetZ(point, 0);
-    place.hasHeight = OGR_G_Is3D(point);
-    if (!std::isfinite(flat.x) || !std::isfinite(flat.y) || !std::isfinite(place.position.z))
-        return problem("expected finite coordinates");
-    const std::string was = numberText(flat.x) + ", " + numberText(flat.y);
-    if (!transform.apply(flat))
-        return problem("the place (" + was + ") cannot be transformed to the crs of the forest");
-    place.position.x = flat.x, place.position.y = flat.y;
-    return place;
-}
-
-/// Whether all points of a geometry and of its parts are finite.
-bool isFinite(OGRGeometryH geometry) {
-    for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
-        if (!isFinite(OGR_G_GetGeometryRef(geometry, i)))
-            return false;
-    for (int i = 0; i < OGR_G_GetPointCount(geometry); ++i)
-        if (!std::isfinite(OGR_G_GetX(geometry, i)) || !std::isfinite(OGR_G_GetY(geometry, i)))
-            return false;
-    return true;
-}
-
-/// The centroid and the width of an outline.
-Result<VectorPlace> placeOfOutline(OGRGeometryH given, const CrsTransform& transform) {
-    const GdalErrors errors;
-    const Geometry outline(OGR_G_GetLinearGeometry(given, 0.0, nullptr), &OGR_G_DestroyGeometry),
-        centre(OGR_G_CreateGeometry(wkbPoint), &OGR_G_DestroyGeometry);
-    if (transform.handle() && OGR_G_Transform(outline.get(), transform.handle()) != OGRERR_NONE)
-        return problem("its outline cannot be transformed to the crs of the forest");
-    OGREnvelope box{};
-    OGR_G_GetEnvelope(outline.get(), &box);
-    const double east = box.MaxX - box.MinX, north = box.MaxY - box.MinY;
-    if (!isFinite(outline.get()))
-        return problem("expected finite coordinates");
-    if (OGR_G_Centroid(outline.get(), centre.get()) != OGRERR_NONE)
-        return problem("its outline has no centroid: " + errors.textOr("GEOS finds none"));
-    VectorPlace place;
-    place.position = {OGR_G_GetX(centre.get(), 0), OGR_G_GetY(centre.get(), 0), 0.0};
-    if (!(std::abs(place.position.x - 0.5 * (box.MinX + box.MaxX)) <= 0.5 * east &&
-          std::abs(place.position.y - 0.5 * (box.MinY + box.MaxY)) <= 0.5 * north))
-        return problem("its outline crosses itself: the centroid is outside");
-    place.width = 0.5 * (east + north);
-    return place;
-}
-
-/// The place of an OGRGeometryH: a point or an outline. Null is an error.
-Result<VectorPlace> placeOf(void* geometry, const CrsTransform& transform) {
-    if (!geometry || OGR_G_IsEmpty(geometry))
-        return problem("it has no geometry");
-    switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
-    case wkbPoint:
-        return placeOfPoint(geometry, transform);
-    case wkbMultiPoint:
-    case wkbGeometryCollection:
-        if (OGR_G_GetGeometryCount(geometry) == 1)
-            return placeOf(OGR_G_GetGeometryRef(geometry, 0), transform);
-        break;
-    case wkbPolygon:
-    case wkbMultiPolygon:
-    case wkbCurvePolygon:
-    case wkbMultiSurface:
-        return placeOfOutline(geometry, transform);
-    default:
-        break;
-    }
-    return problem(std::string("expected a point or the outline of a crown, found ") +
-                   OGR_G_GetGeometryName(geometry));
 }
 
 } // namespace
@@ -225,10 +146,12 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
     return chosen;
 }
 
-Result<MapAcknowledgement> FeatureFile::rewind(CrsTransform transform, std::vector<std::size_t> columns) {
+Result<MapAcknowledgement> FeatureFile::rewind(CrsTransform transform, std::vector<std::size_t> columns,
+                                               bool isYFirst) {
     const GdalErrors ignored;
     OGR_L_ResetReading(_layer);
     _transform = std::move(transform);
+    _isYFirst = isYFirst;
     _columns = std::move(columns);
     const int count = OGR_FD_GetFieldCount(OGR_L_GetLayerDefn(_layer));
     if (_columns.empty())
@@ -257,7 +180,7 @@ FeatureBatch FeatureFile::next() {
 
 void FeatureFile::add(OGRFeatureH feature, FeatureBatch& batch) const {
     batch.ids.push_back(OGR_F_GetFID(feature));
-    const Result<VectorPlace> place = placeOf(OGR_F_GetGeometryRef(feature), _transform);
+    const Result<VectorPlace> place = placeOfGeometry(OGR_F_GetGeometryRef(feature), _transform, _isYFirst);
     if (!place)
         batch.placeProblems.push_back({batch.ids.size() - 1, place.problems().front().message});
     batch.places.push_back(place ? place.value() : VectorPlace());

@@ -23,8 +23,9 @@ public:
     const FeatureFileHeader& head() const { return _head; }
     /// @param layer may be empty if the file has only one.
     Result<FeatureLayer> chooseLayer(const std::string& layer);
-    /// Restarts at the first feature. @param columns empty: all.
-    Result<MapAcknowledgement> rewind(CrsTransform transform, std::vector<std::size_t> columns);
+    /// Restarts at the first feature. @param columns empty: all. @param isYFirst as for placeOfGeometry().
+    Result<MapAcknowledgement> rewind(CrsTransform transform, std::vector<std::size_t> columns,
+                                      bool isYFirst);
     /// The next features.
     FeatureBatch next();
 
@@ -41,6 +42,7 @@ private:
     OGRLayerH _layer = nullptr;  ///< Of `_data`.
     CrsTransform _transform;
     std::vector<std::size_t> _columns;
+    bool _isYFirst = false;
 };
 
 } // namespace osgTreeWind

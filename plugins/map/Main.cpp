@@ -5,6 +5,7 @@
 #include <plugins/ReaderLimits.h>
 #include <plugins/map/FeatureFile.h>
 #include <plugins/map/GdalRaster.h>
+#include <plugins/map/GeometryPlace.h>
 #include <plugins/map/Udunits.h>
 
 #include <cpl_conv.h>
@@ -52,6 +53,13 @@ public:
             transform.value().apply(places);
             return send(Result<std::vector<glm::dvec2>>(std::move(places)));
         }
+        case Task::ReadGeometries: {
+            const auto transform = transformOrIdentity(first, second);
+            if (!transform)
+                return send(Result<GeometryBatch>(transform.problems()));
+            const std::vector<std::string> cells(request.texts.begin() + 2, request.texts.end());
+            return send(Result<GeometryBatch>(placesOfTexts(cells, transform.value(), request.isYFirst)));
+        }
         case Task::DescribeGridMapping: {
             Crs::Facts map;
             map.text = first;
@@ -88,9 +96,8 @@ private:
         case Task::ChooseLayer:
             return send(_features.chooseLayer(first));
         case Task::RewindFeatures: {
-            const auto transform =
-                first.empty() ? Result<CrsTransform>(CrsTransform()) : findTransform(first, second);
-            return send(transform ? _features.rewind(transform.value(), request.columns)
+            const auto transform = transformOrIdentity(first, second);
+            return send(transform ? _features.rewind(transform.value(), request.columns, request.isYFirst)
                                   : transform.problems());
         }
         case Task::NextFeatures:
@@ -98,6 +105,10 @@ private:
         default:
             return false;
         }
+    }
+
+    Result<CrsTransform> transformOrIdentity(const std::string& from, const std::string& to) {
+        return from.empty() ? Result<CrsTransform>(CrsTransform()) : findTransform(from, to);
     }
 
     /// Caches the transforms, as PROJ takes long to find them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/fuzz/Readers.h>
 
+#include <osgTreeWind/base/SizeText.h>
 #include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileIds.h>
@@ -8,7 +9,9 @@
 #include <osgTreeWind/io/Toml.h>
 #include <osgTreeWind/io/TomlEdit.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/places/PlaceText.h>
 
+#include <cmath>
 #include <fstream>
 #include <numeric>
 #include <sstream>
@@ -48,6 +51,16 @@ void readExpression(const std::string& expression) {
     const std::string columns = "[inventory.columns]\nx = \"x\"\ny = \"y\"\nid = \"id\"\n";
     readDocument(head + "filter = " + tomlText(expression) + '\n' + columns);
     readDocument(head + columns + "height = " + tomlText(expression) + '\n');
+}
+
+/// A cell as a place and as a size.
+void readCell(const std::string& cell) {
+    const PlaceText place = parsePlace(cell);
+    require(std::isfinite(place.place.x) && std::isfinite(place.place.y) &&
+            std::isfinite(place.z.value_or(0.0)));
+    for (const SizeKind kind : {SizeKind::Height, SizeKind::Width, SizeKind::Trunk})
+        if (const auto size = parseSize(cell, kind))
+            require(std::isfinite(size->value));
 }
 
 /// Requires that an edit does not change other values of a document that stays valid.
@@ -99,11 +112,9 @@ void readTile(const std::string& text) {
     static_cast<void>(tile.value().resolve(known, tile.value().trees.size(), "fuzz"));
 }
 
-const FuzzReaders forestReaders = {{"Forest", readDocument},
-                                   {"Inventory", readInventory},
-                                   {"RowExpression", readExpression},
-                                   {"TomlEdit", editDocument},
-                                   {"Tile", readTile}};
+const FuzzReaders forestReaders = {{"Forest", readDocument},          {"Inventory", readInventory},
+                                   {"RowExpression", readExpression}, {"Cell", readCell},
+                                   {"TomlEdit", editDocument},        {"Tile", readTile}};
 
 } // namespace
 

@@ -132,6 +132,13 @@ TEST(GroundSection, SetsTheCrsOfTheForestUnlessItHasOne) {
     EXPECT_EQ(forest.crs, "EPSG:32632");
     ASSERT_EQ(forest.trees.size(), 1u);
     EXPECT_NEAR(forest.trees[0].position.z, 1000.0 + 0.5 * 35.8, 0.5);
+    // With the latitude first, only the exchanged place is on the ground.
+    folder.write("b.geojson", geoJson(point("50.0, 9.0005")));
+    const auto exchanged = readInventoryOf(folder.path(), "file = \"b.geojson\"\n" + ground);
+    ASSERT_FALSE(exchanged);
+    EXPECT_TRUE(hasPart(exchanged.problems().front().message,
+                        "; if their latitude stands first, set inventory.axis_order = \"yx\""))
+        << exchanged.problems().front().text();
 }
 
 TEST(GroundSection, ReadsBackAfterWriting) {

@@ -3,6 +3,9 @@
 
 #include <osgTreeWind/places/VectorFile.h>
 
+#include <glm/gtc/constants.hpp>
+
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -136,7 +139,7 @@ TEST(VectorFile, RequiresALayerNameIfThereAreSeveral) {
 
 TEST(VectorFile, OutlineGivesItsCentroidAndWidth) {
     const TemporaryFolder folder;
-    // An L of three squares of 2 m (centroid 5/3 m from the corner, extents 4 m); a rectangle with a hole.
+    // An L of three squares of 2 m (centroid 5/3 m from the corner); a rectangle of 27 m2 with a hole.
     VectorFile file = openedVectors(folder.write(
         "a.geojson",
         geoJson(
@@ -150,11 +153,11 @@ TEST(VectorFile, OutlineGivesItsCentroidAndWidth) {
     VectorPlace place = file.place().value();
     EXPECT_NEAR(place.position.x, 10.0 + 5.0 / 3.0, 1e-9);
     EXPECT_NEAR(place.position.y, 20.0 + 5.0 / 3.0, 1e-9);
-    EXPECT_EQ(place.width, 4.0);
+    EXPECT_NEAR(*place.width, 2.0 * std::sqrt(12.0 / glm::pi<double>()), 1e-9);
     ASSERT_TRUE(file.next().value());
     place = file.place().value();
     EXPECT_NEAR(place.position.x, 4.5, 1e-9);
-    EXPECT_EQ(place.width, 6.0);
+    EXPECT_NEAR(*place.width, 2.0 * std::sqrt(26.0 / glm::pi<double>()), 1e-9);
 }
 
 /// The bytes of this table are Latin-1, and neither it nor a file beside it says so.
