@@ -19,6 +19,12 @@ struct ExchangedPlace {
     std::string advice; ///< How to exchange them.
 };
 
+/// Trees of an inventory that has heights of feet.
+struct InventoryHeights {
+    std::string file;
+    std::size_t begin = 0, end = 0; ///< Among all trees.
+};
+
 /// The trees that are read from a document.
 class DocumentTrees {
 public:
@@ -43,6 +49,7 @@ public:
     void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _spool.visit(visitor); }
     void modify(const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
+    std::vector<InventoryHeights> inventoryHeights;
     /// Places in the CRS of the scene.
     std::vector<ExchangedPlace> exchangedPlaces;
     /// "; " and the advice for an inventory of which only the exchanged place is in an area; otherwise empty.

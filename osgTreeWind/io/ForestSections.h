@@ -9,7 +9,9 @@
 #include <osgTreeWind/io/InputFolders.h>
 #include <osgTreeWind/io/SceneMap.h>
 #include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/places/RasterGround.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,12 +47,16 @@ void readTree(TableReader& table, const TreeDefaults& defaults, DocumentSpecies&
 /// One [[scatter]].
 void readScatter(TableReader& table, const TreeDefaults& defaults, const SceneMap& map,
                  DocumentSpecies& species, DocumentTrees& trees);
-/// One [[inventory]].
+/// One [[inventory]]. @param findGround opens [ground] on the map; null if there is none, or a problem that
+/// is reported later.
 void readInventory(TableReader& table, const InputFolders& folders, const TreeDefaults& defaults,
-                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees);
+                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees,
+                   const std::function<GroundPtr()>& findGround);
 /// [tiles]. Empty after a problem.
 std::optional<ForestTiles> readTiles(TableReader& table, const InputFolders& folders,
                                      const DocumentSpecies& species);
+/// The keys of [ground]. Empty after a problem, or without files.
+std::optional<RasterGround::Source> readGroundSource(TableReader& table, const InputFolders& folders);
 /// [ground], and puts the trees on it.
 void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
                 DocumentTrees& trees);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/InventoryPlaces.h>
 
+#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
@@ -89,6 +90,11 @@ Result<glm::dvec2> readColumns(const TreeRows& rows, const InventoryColumns& col
     return first == 'y' || second == 'x' ? glm::dvec2(place.y, place.x) : place;
 }
 
+/// Whether a z stands for none: NaN, -9999, -32768, or the lowest number.
+bool isNoHeight(double z) {
+    return !worldCoordinates.contains(z) || z == -32768.0 || (z <= -999.0 && isMissing(z));
+}
+
 /// The place of a row: from x and y, not yet transformed, or else its transformed geometry.
 /// @param points may be null. @param index of the row.
 Result<VectorPlace> readPlace(const TreeRows& rows, const InventoryColumns& columns, bool isDegrees,
@@ -103,10 +109,17 @@ Result<VectorPlace> readPlace(const TreeRows& rows, const InventoryColumns& colu
         place.position = {valueOf(readColumns(rows, columns, isDegrees)), 0.0};
     else
         place = valueOf(points ? points->placeOf(rows, index) : rows.place());
+    bool isMarked = place.hasHeight && isNoHeight(place.position.z);
     place.position.z *= columns.z.unit;
     if (columns.z.column && rows.has(*columns.z.column)) {
-        place.position.z = valueOf(readMetres(rows, columns.z));
+        const auto number = rows.number(*columns.z.column);
+        isMarked = number ? isNoHeight(*number) : isMissing(rows.text(*columns.z.column));
+        place.position.z = isMarked ? 0.0 : valueOf(readMetres(rows, columns.z, number));
         place.hasHeight = true;
+    }
+    if (isMarked) {
+        place.position.z = std::numeric_limits<double>::quiet_NaN();
+        place.hasHeight = false;
     }
     if (!problems.empty())
         return problems;
@@ -275,7 +288,7 @@ Result<VectorPlace> InventoryPlaces::placeOf(const TreeRows& rows, const Invento
     }
     Diagnostics problems;
     for (int axis = 0; axis < 3; ++axis)
-        if (problems.empty() && !worldCoordinates.contains(position[axis]))
+        if (problems.empty() && !worldCoordinates.contains(position[axis]) && !std::isnan(position[axis]))
             problems.push_back(rows.problem("", "expected coordinates " + worldCoordinates.text() +
                                                     " metres, found " + numberText(position[axis])));
     if (!problems.empty())

@@ -23,7 +23,8 @@ public:
     const std::optional<ExchangedPlace>& exchanged() const { return _exchanged; }
     /// Restarts before the first row.
     void rewind(TreeRows& rows, InventoryColumns& columns) const;
-    /// The place of the current row. @param index of the row, from 0.
+    /// The place of the current row. Its z is NaN if it stands for none, such as -9999.
+    /// @param index of the row, from 0.
     Result<VectorPlace> placeOf(const TreeRows& rows, const InventoryColumns& columns,
                                 std::size_t index) const;
 

@@ -63,16 +63,16 @@ float InventorySizes::read(const TreeRows& row, const MeasureColumn& measure, fl
     return checked(measure, metres);
 }
 
-float InventorySizes::readOutline(const TreeRows& row, const MeasureColumn& measure, double width,
-                                  float record) {
-    Result<double> metres = width;
-    if (!measure.range.contains(width))
-        metres = row.problem("", "expected the outline of a crown, " + measure.range.text() +
-                                     " metres wide, found " + numberText(width));
-    else if (!isPossible(width, record))
-        metres = row.problem("", recordText(measure, record) + ", found an outline " + numberText(width) +
-                                     " m wide");
-    return checked(measure, metres);
+float InventorySizes::readGeometry(const TreeRows& row, const MeasureColumn& measure, const char* what,
+                                   double metres, float record) {
+    Result<double> checkedMetres = metres;
+    if (!measure.range.contains(metres))
+        checkedMetres = row.problem("", std::string("expected ") + what + " of " + measure.range.text() +
+                                            " metres, found " + numberText(metres));
+    else if (!isPossible(metres, record))
+        checkedMetres = row.problem("", recordText(measure, record) + ", found " + what + " of " +
+                                            numberText(metres) + " m");
+    return checked(measure, checkedMetres);
 }
 
 Diagnostics InventorySizes::problems() const {

@@ -21,8 +21,10 @@ public:
     /// @param record largest size of the species, of which at most 1.5 times is possible; 0 if unknown.
     float read(const TreeRows& row, const MeasureColumn& measure, float record = 0.0f);
 
-    /// Checks the width of an outline in metres. @return 0 if no tree has such a width.
-    float readOutline(const TreeRows& row, const MeasureColumn& measure, double width, float record);
+    /// Checks a size that the geometry gives, in metres. @param what for messages: "an outline".
+    /// @return 0 if no tree has such a size.
+    float readGeometry(const TreeRows& row, const MeasureColumn& measure, const char* what, double metres,
+                       float record);
 
     /// A problem for each column in which most sizes are impossible, for example because of a wrong unit.
     Diagnostics problems() const;

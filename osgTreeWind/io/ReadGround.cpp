@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/GroundPlacer.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/places/RasterGround.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace osgTreeWind {
@@ -22,6 +24,63 @@ std::vector<std::string> findFiles(TableReader& table, const InputFolders& folde
         if (const auto file = folders.open(table, "file", name))
             paths.push_back(file->path);
     return paths.size() == names.size() ? paths : std::vector<std::string>();
+}
+
+/// How far the heights of an inventory's trees are off the ground.
+class HeightCheck {
+public:
+    explicit HeightCheck(const InventoryHeights& heights) : _heights(heights) {}
+
+    void add(const TreePlacement& tree, double ground) {
+        const double offset = std::abs(tree.position.z - ground);
+        _isOff += offset > maxOffset && offset > maxShare * static_cast<double>(tree.size.height);
+        _offsets.push_back(offset);
+    }
+
+    void report(TableReader& table) {
+        if (_offsets.empty())
+            return;
+        const auto middle = _offsets.begin() + static_cast<std::ptrdiff_t>(_offsets.size() / 2);
+        std::nth_element(_offsets.begin(), middle, _offsets.end());
+        const double largest = *std::max_element(middle, _offsets.end());
+        const auto metres = [](double offset) {
+            return numberText(std::round(100.0 * offset) / 100.0) + " m";
+        };
+        const std::string count = std::to_string(_offsets.size()) + " trees ",
+                          howFar = metres(*middle) + " in the median and " + metres(largest) + " at most";
+        if (2 * _isOff > _offsets.size())
+            table.report(fileProblem(
+                _heights.file, "the z of " + std::to_string(_isOff) + " of " + count +
+                                   "is far off the ground, by " + howFar +
+                                   "; set inventory.z = \"ignore\" if it does not count, \"height\" if "
+                                   "it is the height of the tree, or \"top\" if it is that of its top"));
+        else if (largest > 0.005)
+            table.note(_heights.file + ": the z of " + count + "is off the ground by " + howFar +
+                       " (inventory.z = \"ignore\" puts them on it)");
+    }
+
+private:
+    static constexpr double maxOffset = 3.0, maxShare = 0.1; // metres; share of a tree's height
+
+    const InventoryHeights& _heights;
+    std::vector<double> _offsets;
+    std::size_t _isOff = 0;
+};
+
+void checkHeights(TableReader& table, const Ground& ground, DocumentTrees& trees) {
+    for (const InventoryHeights& heights : trees.inventoryHeights) {
+        HeightCheck check(heights);
+        std::size_t first = 0;
+        trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
+            for (std::size_t i = 0; i < some.size(); ++i)
+                if (first + i >= heights.begin && first + i < heights.end &&
+                    !std::binary_search(onGround.begin(), onGround.end(), i))
+                    if (const auto height = heightOf(ground, glm::dvec2(some[i].position)))
+                        check.add(some[i], *height);
+            first += some.size();
+        });
+        check.report(table);
+    }
 }
 
 void putTreesOnGround(TableReader& table, const ForestDescription& read, DocumentTrees& trees) {
@@ -45,39 +104,46 @@ void putTreesOnGround(TableReader& table, const ForestDescription& read, Documen
 
 } // namespace
 
-void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
-                DocumentTrees& trees) {
+std::optional<RasterGround::Source> readGroundSource(TableReader& table, const InputFolders& folders) {
     bool none = false;
     const bool isRead = table.read("none", none);
     const bool isConflict = none && (table.has("file") || table.has("crs"));
     if (isConflict)
         table.problem("none", "cannot be combined with file or crs");
     if (isConflict || (table.has("none") && !isRead))
-        return table.ignoreRest();
-    if (none)
-        return;
+        table.ignoreRest();
+    if (isConflict || (table.has("none") && !isRead) || none)
+        return std::nullopt;
     RasterGround::Source source;
     table.read("crs", source.crs);
     if (int number = 0; !table.readScalar("band", source.band) && table.has("band"))
         if (table.read("band", number, within(1, 65535)))
             source.band = std::to_string(number);
     source.files = findFiles(table, folders);
-    if (source.files.empty())
+    return source.files.empty() ? std::nullopt : std::optional(source);
+}
+
+void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
+                DocumentTrees& trees) {
+    const auto source = readGroundSource(table, folders);
+    if (!source)
         return;
-    auto ground = RasterGround::open(source, map.crs());
+    auto ground = RasterGround::open(*source, map.crs());
     if (ground && ground.value()->map() && !map.crs()) {
         map.set(*ground.value()->map());
         map.reproject(trees, table);
         if (map.isReprojected())
-            ground = RasterGround::open(source, map.crs());
+            ground = RasterGround::open(*source, map.crs());
     }
     if (!ground) {
         const Diagnostic& problem = ground.problems().front();
         return problem.file.empty() ? table.problem(problem.key, problem.message) : table.report(problem);
     }
     forest.ground = ground.value();
-    if (table.isDocumentValid())
+    if (table.isDocumentValid()) {
+        checkHeights(table, *forest.ground, trees);
         putTreesOnGround(table, forest, trees);
+    }
 }
 
 std::string writeGround(std::ostream& output, const ForestDescription& forest) {

@@ -50,8 +50,9 @@ std::string countsText(const RowCounts& rows) {
 /// Converts the rows of one inventory to trees. Problems with a row give the file and the line or feature.
 class InventoryReader {
 public:
-    InventoryReader(TableReader& table, DocumentSpecies& species, DocumentTrees& trees)
-        : _table(table), _species(species), _trees(trees) {}
+    InventoryReader(TableReader& table, DocumentSpecies& species, DocumentTrees& trees,
+                    const std::function<GroundPtr()>& findGround)
+        : _table(table), _species(species), _trees(trees), _findGround(findGround) {}
 
     void read(const InputFolders& folders, const TreeDefaults& defaults, SceneMap& map) {
         std::uint32_t seed = defaults.seed;
@@ -61,6 +62,8 @@ public:
         _table.read("missing", _sizes.missing);
         _leaves = defaults.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
+        _table.readChoice<Z>(
+            "z", _z, {{"foot", Z::Foot}, {"ignore", Z::Ignore}, {"height", Z::Height}, {"top", Z::Top}});
         readDefaultSpecies();
         _rows = openTreeRows(_table, folders);
         _columns.read(_table, _rows.get());
@@ -70,7 +73,14 @@ public:
         _places = std::move(*places);
         if (_places.exchanged())
             _trees.exchangedPlaces.push_back(*_places.exchanged());
+        if (_z == Z::Top)
+            _ground = _findGround();
+        if (_z == Z::Top && !_ground && !_columns.height.column)
+            return _table.problem("z", "\"top\" needs a ground or columns.height");
+        const std::size_t begin = _trees.size();
         readRows(seed);
+        if (_hasFeet)
+            _trees.inventoryHeights.push_back({_rows->file(), begin, _trees.size()});
         for (const std::string& warning : _rows->warnings())
             addNote(warning);
         reportSkippedRows();
@@ -82,6 +92,8 @@ public:
     }
 
 private:
+    /// What the z of a place is.
+    enum class Z { Foot, Ignore, Height, Top };
     /// A name that no species has.
     struct UnknownName {
         std::optional<std::size_t> related; ///< Species that it is read as.
@@ -136,28 +148,48 @@ private:
         ++_row;
         TreePlacement tree;
         const VectorPlace place = valueOf(_places.placeOf(*_rows, _columns, _row - 1));
-        tree.position = place.position;
         if (!isRowValid())
             return;
+        tree.position = {glm::dvec2(place.position),
+                         _z == Z::Foot && place.hasHeight ? place.position.z : 0.0};
+        _unknownHeights += std::isnan(place.position.z);
         tree.species = rowSpecies();
         const Species& species = _species.all()[tree.species];
         tree.size.height = _sizes.read(*_rows, _columns.height, species.height.largest);
+        if (tree.size.height == 0.0f && place.hasHeight)
+            tree.size.height = heightByZ(place.position, species);
         tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
         if (tree.size.trunkDiameter == 0.0f)
             tree.size.trunkDiameter = _sizes.read(*_rows, _columns.circumference) / glm::pi<float>();
         tree.size.crownWidth = _sizes.read(*_rows, _columns.crownWidth, species.crown.largest);
         if (tree.size.crownWidth == 0.0f && place.width)
             tree.size.crownWidth =
-                _sizes.readOutline(*_rows, _columns.crownWidth, *place.width, species.crown.largest);
+                _sizes.readGeometry(*_rows, _columns.crownWidth, "the outline of a crown with a width",
+                                    *place.width, species.crown.largest);
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string id = _columns.id ? _rows->text(*_columns.id) : std::string();
         estimate(tree, id.empty() ? std::to_string(_row) : id);
+        const bool isBelowTop = _z == Z::Top && place.hasHeight && !_ground;
+        if (isBelowTop)
+            tree.position.z = place.position.z - static_cast<double>(tree.size.height);
+        const bool hasFoot = isBelowTop || (_z == Z::Foot && place.hasHeight);
+        _hasFeet |= hasFoot;
         tree.name = uniqueName(id);
         _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
-        _trees.add(tree, !place.hasHeight, {!_isOpenGrownGiven});
+        _trees.add(tree, !hasFoot, {!_isOpenGrownGiven});
+    }
+
+    /// The height of a tree that its z gives; 0 if it gives none.
+    float heightByZ(const glm::dvec3& place, const Species& species) {
+        if (_z == Z::Height && place.z != 0.0)
+            return _sizes.readGeometry(*_rows, _columns.height, "a z", place.z, species.height.largest);
+        const auto ground = _z == Z::Top && _ground ? heightOf(*_ground, glm::dvec2(place)) : std::nullopt;
+        return ground ? _sizes.readGeometry(*_rows, _columns.height, "a z above the ground",
+                                            place.z - *ground, species.height.largest)
+                      : 0.0f;
     }
 
     template <typename T>
@@ -252,6 +284,8 @@ private:
     }
 
     void reportSizes() {
+        if (_unknownHeights > 0)
+            addNote("a z of -9999 or similar does not count: " + std::to_string(_unknownHeights) + " trees");
         for (const Diagnostic& problem : _sizes.problems())
             _table.report(problem);
         for (const std::string& note : _sizes.notes())
@@ -322,12 +356,15 @@ private:
     TableReader& _table;
     DocumentSpecies& _species;
     DocumentTrees& _trees;
+    const std::function<GroundPtr()>& _findGround;
+    GroundPtr _ground; ///< If tops are given.
     std::unique_ptr<TreeRows> _rows;
     InventoryColumns _columns;
     InventoryPlaces _places;
     bool _complete = true;
     bool _openGrown = false, _isOpenGrownGiven = false, _skip = true, _isSkipGiven = false;
-    bool _isSpeciesGiven = true;
+    bool _isSpeciesGiven = true, _hasFeet = false;
+    Z _z = Z::Foot;
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;
@@ -335,7 +372,7 @@ private:
     PlaceSpread _spread;
     Diagnostics _problems; ///< Problems of the current row.
     Diagnostic _firstSkipped;
-    std::size_t _row = 0, _skipped = 0;
+    std::size_t _row = 0, _skipped = 0, _unknownHeights = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
     double _diameterVariance = 0.0; ///< Sum over estimated diameters, of their logarithms.
     std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache;
@@ -346,8 +383,9 @@ private:
 } // namespace
 
 void readInventory(TableReader& table, const InputFolders& folders, const TreeDefaults& defaults,
-                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees) {
-    InventoryReader(table, species, trees).read(folders, defaults, map);
+                   SceneMap& map, DocumentSpecies& species, DocumentTrees& trees,
+                   const std::function<GroundPtr()>& findGround) {
+    InventoryReader(table, species, trees, findGround).read(folders, defaults, map);
 }
 
 } // namespace osgTreeWind

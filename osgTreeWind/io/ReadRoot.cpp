@@ -156,8 +156,20 @@ void readRoot(TableReader& root, ForestReading& reading) {
     readAllSpecies(root, folders, species);
     root.tables("tree", [&](TableReader& table) { readTree(table, defaults, species, trees); });
     root.tables("scatter", [&](TableReader& table) { readScatter(table, defaults, map, species, trees); });
-    root.tables("inventory",
-                [&](TableReader& table) { readInventory(table, folders, defaults, map, species, trees); });
+    const auto findGround = [&]() -> GroundPtr {
+        ReadLog unused; // [ground] is read again below
+        unused.settings = reading.log.settings;
+        std::optional<RasterGround::Source> source;
+        TableReader::readDocument(reading.forest.source, unused, [&](TableReader& document) {
+            document.ignoreRest();
+            document.table("ground", [&](TableReader& table) { source = readGroundSource(table, folders); });
+        });
+        const auto ground = source ? RasterGround::open(*source, map.crs()) : Diagnostics();
+        return ground ? ground.value() : nullptr;
+    };
+    root.tables("inventory", [&](TableReader& table) {
+        readInventory(table, folders, defaults, map, species, trees, findGround);
+    });
     root.table("tiles", [&](TableReader& table) { forest.tiles = readTiles(table, folders, species); });
     if (!root.has("tree") && !root.has("scatter") && !root.has("inventory") && !root.has("tiles"))
         root.problem("", "no trees: expected [[tree]], [scatter], [inventory] or [tiles]");

@@ -33,7 +33,7 @@ Result<VectorPlace> placeOfPoint(OGRGeometryH point, const CrsTransform& transfo
     glm::dvec2 flat{OGR_G_GetX(point, 0), OGR_G_GetY(point, 0)};
     place.position.z = OGR_G_GetZ(point, 0);
     place.hasHeight = OGR_G_Is3D(point);
-    if (!std::isfinite(flat.x) || !std::isfinite(flat.y) || !std::isfinite(place.position.z))
+    if (!std::isfinite(flat.x) || !std::isfinite(flat.y))
         return problem("expected finite coordinates");
     const std::string was = numberText(flat.x) + ", " + numberText(flat.y);
     if (!transform.apply(flat))

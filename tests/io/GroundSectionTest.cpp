@@ -39,7 +39,7 @@ RasterFile slope() {
 TEST(GroundSection, PlacesOnlyTreesWithoutAHeight) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
-    folder.write("a.csv", "x,y,z\n50,50,7\n50,50,\n");
+    folder.write("a.csv", "x,y,z\n50,50,1026\n50,50,\n");
     const ForestFile forest = forestIn(
         folder.path(), "[[tree]]\nposition = [20, 50]\n" + thin + "[[tree]]\nposition = [20, 50, 3]\n" +
                            thin + "[[scatter]]\ncount = 5\narea = [10, 10, 90, 90]\n" + thin +
@@ -52,7 +52,7 @@ TEST(GroundSection, PlacesOnlyTreesWithoutAHeight) {
     EXPECT_EQ(forest.trees[1].position.z, 3.0);
     for (std::size_t i = 2; i < 7; ++i)
         EXPECT_NEAR(forest.trees[i].position.z, 1000.0 + 0.5 * forest.trees[i].position.x, 0.01);
-    EXPECT_EQ(forest.trees[7].position.z, 7.0);
+    EXPECT_EQ(forest.trees[7].position.z, 1026.0);
     EXPECT_NEAR(forest.trees[8].position.z, 1025.0, 0.5);
     EXPECT_NEAR(forest.trees[9].position.z, 1025.0, 0.5);
     EXPECT_EQ(forest.origin, glm::dvec3(0.0)) << "the trees are near it";
@@ -105,11 +105,11 @@ TEST(GroundSection, GeometryWithAHeightKeepsIt) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     folder.write("a.geojson",
-                 geoJson(point("20, 50, 77") + "," + point("20, 50"), "urn:ogc:def:crs:EPSG::25832"));
+                 geoJson(point("20, 50, 1012") + "," + point("20, 50"), "urn:ogc:def:crs:EPSG::25832"));
     const ForestFile forest =
         inventoryOf(folder.path(), "file = \"a.geojson\"\n" + ground + "crs = \"EPSG:25832\"\n");
     ASSERT_EQ(forest.trees.size(), 2u);
-    EXPECT_EQ(forest.trees[0].position.z, 77.0);
+    EXPECT_EQ(forest.trees[0].position.z, 1012.0);
     EXPECT_NEAR(forest.trees[1].position.z, 1010.0, 0.5);
 }
 
