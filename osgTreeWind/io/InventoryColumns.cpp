@@ -35,6 +35,7 @@ const KnownColumn knownColumns[] = {
     {"OSM", "species", "species"},
     {"OSM", "species", "taxon"},
     {"OSM", "species", "genus"},
+    {"OSM", "leaf_type", "leaf_type"},
     {"OSM", "height", "height"},
     {"OSM", "circumference", "circumference"},
     {"OSM", "crown_width", "diameter_crown"},
@@ -116,6 +117,8 @@ void InventoryColumns::useKnownColumns(const TreeRows& rows) {
         if (known.key == std::string("species")) {
             if (!isSpeciesGiven)
                 species.push_back(*column);
+        } else if (known.key == std::string("leaf_type")) {
+            leafType = column;
         } else if (known.key == std::string("id")) {
             id = id ? id : column;
         } else
@@ -169,7 +172,7 @@ std::vector<std::size_t> InventoryColumns::allColumns() {
     for (const MeasureColumn* measure : measures())
         if (measure->column)
             columns.push_back(*measure->column);
-    for (const auto& column : {id, point})
+    for (const auto& column : {id, point, leafType})
         if (column)
             columns.push_back(*column);
     return columns;

@@ -38,7 +38,8 @@ public:
     MeasureColumn height, trunkDiameter, circumference, crownWidth;
     std::optional<std::size_t> point; ///< Places such as "48.88, 2.30" or "POINT (2.30 48.88)".
     std::optional<std::size_t> id;
-    std::vector<std::size_t> species; ///< The first with a known name counts.
+    std::vector<std::size_t> species;    ///< The first with a known name counts.
+    std::optional<std::size_t> leafType; ///< OpenStreetMap's `leaf_type`.
 
     InventoryColumns();
 

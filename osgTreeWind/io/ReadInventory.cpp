@@ -3,6 +3,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <unordered_map>
 
 namespace osgTreeWind {
@@ -109,6 +111,7 @@ private:
             }
         } else if (_species.isSingle())
             _default = 0;
+        _isDefaultGiven = _default.has_value();
     }
     /// The species for trees of unknown species.
     std::size_t defaultSpecies() {
@@ -220,16 +223,40 @@ private:
         std::string name;
         for (const std::size_t column : _columns.species) {
             const std::string cell = _rows->text(column);
-            if (const auto index = findSpecies(cell))
+            if (const auto index = findInCell(cell))
                 return *index;
             name = name.empty() ? cell : name;
         }
-        const auto [entry, isNew] = _unknownNames.try_emplace(name);
+        const std::string leafType = _columns.leafType ? _rows->text(*_columns.leafType) : std::string();
+        const auto [entry, isNew] = _unknownNames.try_emplace({name, leafType});
         UnknownName& unknown = entry->second;
-        if (isNew)
+        if (isNew) {
             unknown.related = _species.addBuiltIn(_species.builtIn().findRelated(name));
+            if (!unknown.related && !_isDefaultGiven)
+                unknown.related = findByLeafType(leafType);
+        }
         ++unknown.rows;
         return unknown.related ? *unknown.related : defaultSpecies();
+    }
+
+    /// The species of a cell, or the first that is known of several: "Quercus robur;Fagus sylvatica".
+    std::optional<std::size_t> findInCell(const std::string& cell) {
+        if (cell.find(';') == std::string::npos)
+            return findSpecies(cell);
+        std::istringstream names(cell);
+        for (std::string name; std::getline(names, name, ';');)
+            if (const auto index = findSpecies(std::string(trimmed(name)))) {
+                ++_severalSpecies;
+                return index;
+            }
+        return std::nullopt;
+    }
+
+    /// The generic species of OpenStreetMap's leaf types.
+    std::optional<std::size_t> findByLeafType(const std::string& leafType) {
+        return leafType == "needleleaved"  ? _species.findOrAdd("conifer")
+               : leafType == "broadleaved" ? _species.findOrAdd("broadleaf")
+                                           : std::nullopt;
     }
 
     /// Caches DocumentSpecies::findOrAdd().
@@ -308,11 +335,15 @@ private:
 
     void reportUnknownSpecies() {
         RowCounts related, unknown; // by "river birch as silver birch", and by name
-        for (const auto& [name, found] : _unknownNames)
+        for (const auto& [names, found] : _unknownNames)
             if (found.related)
-                related[name + " as " + _species.all()[*found.related].name] = found.rows;
+                related[(names.first.empty() ? "no name" : names.first) + " as " +
+                        _species.all()[*found.related].name] += found.rows;
             else
-                unknown[name] = found.rows;
+                unknown[names.first] += found.rows;
+        if (_severalSpecies > 0)
+            addNote("of several species in a cell, the first that is known counts: " +
+                    std::to_string(_severalSpecies) + " trees");
         if (!related.empty())
             addNote(std::to_string(sumOf(related)) +
                     " trees of unknown species are read as related species: " + countsText(related));
@@ -363,7 +394,7 @@ private:
     InventoryPlaces _places;
     bool _complete = true;
     bool _openGrown = false, _isOpenGrownGiven = false, _skip = true, _isSkipGiven = false;
-    bool _isSpeciesGiven = true, _hasFeet = false;
+    bool _isSpeciesGiven = true, _isDefaultGiven = false, _hasFeet = false;
     Z _z = Z::Foot;
     float _leaves = 1.0f;
     std::string _defaultName;
@@ -376,8 +407,9 @@ private:
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< Numbers of estimated sizes.
     double _diameterVariance = 0.0; ///< Sum over estimated diameters, of their logarithms.
     std::unordered_map<std::string, std::optional<std::size_t>> _speciesCache;
-    std::map<std::string, UnknownName> _unknownNames;
-    RowCounts _duplicateIds; ///< Rows by id.
+    std::map<std::pair<std::string, std::string>, UnknownName> _unknownNames; ///< By name and leaf type.
+    std::size_t _severalSpecies = 0;                                          ///< Rows with several.
+    RowCounts _duplicateIds;                                                  ///< Rows by id.
 };
 
 } // namespace

@@ -193,6 +193,41 @@ TEST(InventoryFeatures, OpenStreetMapNeedsNoColumns) {
     }
 }
 
+TEST(InventoryFeatures, OpenStreetMapNamesSpeciesInSeveralWays) {
+    const TemporaryFolder folder;
+    const std::vector<std::pair<std::string, std::string>> tagsAndSpecies = {
+        {R"("leaf_type": "needleleaved")", "conifer"},
+        {R"("leaf_type": "broadleaved")", "broadleaf"},
+        {R"("leaf_type": "mixed")", "broadleaf"},
+        {R"("species": "Mystery nova", "leaf_type": "needleleaved")", "conifer"},
+        {R"("species": "river birch", "leaf_type": "needleleaved")", "silver birch"},
+        {R"("genus": "Picea", "leaf_type": "broadleaved")", "Norway spruce"},
+        {R"("species": "Quercus robur;Fagus sylvatica")", "oak"},
+        {R"("species": "Mystery nova; Fagus sylvatica")", "beech"},
+        {R"("species": "Mystery nova;Mystery vetus", "genus": "Tilia")", "linden"}};
+    std::string features;
+    for (const auto& [tags, species] : tagsAndSpecies)
+        features += (features.empty() ? "" : ",") +
+                    point("9.0, 0.0", R"("@id": "node/1", "natural": "tree", )" + tags);
+    folder.write("a.geojson", geoJson(features));
+    const auto read = [&](const std::string& lines) {
+        std::istringstream input("version = 1\n[inventory]\nfile = \"a.geojson\"\n" + lines);
+        return readForest(input, {"test.treewind", folder.path()}).value();
+    };
+    const ForestFile forest = read("");
+    ASSERT_EQ(forest.trees.size(), tagsAndSpecies.size());
+    for (std::size_t i = 0; i < forest.trees.size(); ++i)
+        EXPECT_EQ(forest.species[forest.trees[i].species].name, tagsAndSpecies[i].second)
+            << tagsAndSpecies[i].first;
+    const std::string notes = notesOf(forest);
+    EXPECT_TRUE(hasPart(notes, "4 trees of unknown species are read as related species"));
+    EXPECT_TRUE(hasPart(notes, "Mystery nova as conifer (1)"));
+    EXPECT_TRUE(hasPart(notes, "no name as conifer (1)"));
+    EXPECT_TRUE(hasPart(notes, "of several species in a cell, the first that is known counts: 2 trees"));
+    const ForestFile other = read("default_species = \"beech\"\n");
+    EXPECT_EQ(other.species[other.trees[0].species].name, "beech") << "the file says so";
+}
+
 TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
     const TemporaryFolder folder;
     folder.write("city.json", R"({"type": "CityJSON", "version": "1.1",
