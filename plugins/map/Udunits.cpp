@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using UnitPtr = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
 ut_system* unitSystem() {
@@ -23,7 +23,7 @@ ut_system* unitSystem() {
     return units;
 }
 
-Unit parse(const std::string& text) {
+UnitPtr parse(const std::string& text) {
     return {unitSystem() ? ut_parse(unitSystem(), std::string(trimmed(text)).c_str(), UT_UTF8) : nullptr,
             ut_free};
 }
@@ -31,7 +31,7 @@ Unit parse(const std::string& text) {
 } // namespace
 
 double sizeByUdunits(const std::string& name, const std::string& base) {
-    const Unit unit = parse(name), metre = parse(base);
+    const UnitPtr unit = parse(name), metre = parse(base);
     if (!unit || !metre)
         return 0.0;
     const Converter converter(ut_get_converter(unit.get(), metre.get()), cv_free);
