@@ -115,7 +115,7 @@ private:
         const std::string_view word = std::string_view(_text).substr(_at, end - _at);
         const auto known = std::find_if(std::begin(words), std::end(words),
                                         [&](const Synonym& synonym) { return synonym.text == word; });
-        const auto unit = sizeOfUnit(unitsOfLength, word);
+        const auto unit = knownUnit(Dimension::Length, std::string(word));
         if (unit)
             _tokens.push_back({'u', *unit});
         else if (known == std::end(words))
@@ -129,7 +129,7 @@ private:
     bool readSign() {
         const char sign = _text[_at++];
         if (sign == '\'' || sign == '"')
-            _tokens.push_back({'u', *sizeOfUnit(unitsOfLength, sign == '"' ? "in" : "ft")});
+            _tokens.push_back({'u', *knownUnit(Dimension::Length, sign == '"' ? "in" : "ft")});
         else
             _tokens.push_back({sign});
         return std::string_view("'\"~<>-+,/&").find(sign) != std::string_view::npos;
@@ -211,7 +211,7 @@ private:
         Length length{_tokens[_at++].value, {}};
         if (kindAt(_at) == 'u')
             length.unit = _tokens[_at++].value;
-        const double foot = *sizeOfUnit(unitsOfLength, "ft"), inch = *sizeOfUnit(unitsOfLength, "in");
+        const double foot = *knownUnit(Dimension::Length, "ft"), inch = *knownUnit(Dimension::Length, "in");
         if (length.unit == foot && kindAt(_at) == '0' && kindAt(_at + 1) != 'x') {
             const bool isInch = kindAt(_at + 1) != 'u' || _tokens[_at + 1].value == inch;
             if (isInch) {
