@@ -30,17 +30,19 @@ void readLeafShape(TableReader& table, LeafParameters& leaves) {
 }
 
 /// Adds the trees of a file named by `scan`. @return false after a problem.
-bool addScans(TableReader& table, const InputFolders& folders, const std::string& name,
+bool addScans(TableReader& table, const InputFolders& folders, const std::string& name, ScanUp up,
               std::vector<ScannedTree>& scans) {
     const auto found = folders.open(table, "scan", name);
     if (!found)
         return false;
-    const Result<ScanFile> file = readScanFile(found->path);
+    const Result<ScanFile> file = readScanFile(found->path, up);
     if (!file) {
         table.problem("scan", file.problems().front().text());
         return false;
     }
     const std::vector<ScanCylinders>& trees = file.value().trees;
+    for (const std::string& note : file.value().notes)
+        table.note(found->path + ": " + note);
     if (scans.size() + trees.size() > maxShapes) {
         table.problem("scan", "expected at most 64 trees in all files, found more in " + found->path);
         return false;
@@ -52,6 +54,7 @@ bool addScans(TableReader& table, const InputFolders& folders, const std::string
                        " branches without a parent are joined to the nearest cylinder");
         ScanReport& report = scans.back().report;
         report.file = found->path;
+        report.up = up == ScanUp::Found ? "" : up == ScanUp::Y ? "y" : "z";
         report.tree = i;
         report.trees = trees.size();
         report.source = std::filesystem::path(found->path).filename().string();
@@ -125,6 +128,10 @@ void useLeavesOnScans(LeafParameters& leaves) {
 /// Reads the files of measured trees named by `scan`, which are the shapes.
 void readScans(TableReader& table, const InputFolders& folders, Species& species) {
     std::vector<std::string> names(1);
+    ScanUp up = ScanUp::Found;
+    table.readChoice<ScanUp>("up", up, {{"y", ScanUp::Y}, {"z", ScanUp::Z}});
+    if (table.has("up") && !table.has("scan"))
+        table.problem("up", "cannot be used without scan");
     if (!(table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front())))
         return;
     for (const char* key : {"tree", "growth", "habit", "palm", "shapes"})
@@ -132,7 +139,7 @@ void readScans(TableReader& table, const InputFolders& folders, Species& species
             return table.problem(key, "cannot be combined with scan, which defines the shapes");
     std::vector<ScannedTree> scans;
     for (const std::string& name : names)
-        if (!addScans(table, folders, name, scans))
+        if (!addScans(table, folders, name, up, scans))
             return;
     if (scans.empty())
         return table.problem("scan", "expected at least one file");

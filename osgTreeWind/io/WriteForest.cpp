@@ -101,6 +101,8 @@ void writeScans(std::ostream& output, const std::vector<ScannedTree>& scans) {
         if (scan.report.tree == 0)
             files.push_back(std::filesystem::absolute(scan.report.file).string());
     output << "scan = " << tomlText(files) << '\n';
+    if (const std::string& up = scans.front().report.up; !up.empty())
+        output << "up = " << tomlText(up) << '\n';
 }
 
 void writeSpecies(std::ostream& output, const Species& species) {

@@ -37,6 +37,7 @@ struct WoodDetail {
 struct ScanReport {
     std::string source;            ///< As described by the reader.
     std::string file;              ///< Absolute path; empty without a file.
+    std::string up;                ///< Key `up` of its species: "y" or "z"; empty: found.
     std::size_t tree = 0;          ///< Index of the tree in the file.
     std::size_t trees = 0;         ///< Number of trees in the file.
     std::size_t cylinders = 0;     ///< In the scan.

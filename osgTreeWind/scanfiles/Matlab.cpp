@@ -12,10 +12,10 @@ bool isMatlab(std::string_view head) {
            end == std::string_view("\0\2IM", 4) || end == std::string_view("\2\0MI", 4);
 }
 
-Result<ScanFile> readMatlab(const std::string& path) {
+Result<ScanFile> readMatlab(const std::string& path, ScanUp up) {
     Result<ScanFile> scan = readWithProgram<ScanFile>(
         {"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"}, {path, "trees"});
-    if (auto problem = scan ? joinAndCheckTrees(scan.value()) : std::nullopt) {
+    if (auto problem = scan ? joinAndCheckTrees(scan.value(), up) : std::nullopt) {
         const std::string tree = problem->key.empty() ? "tree 1" : problem->key;
         return Diagnostic{path, 0, 0,
                           problem->line > 0 ? tree + ", cylinder " + std::to_string(problem->line) : tree,

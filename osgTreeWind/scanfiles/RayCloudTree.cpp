@@ -84,7 +84,7 @@ Result<ScanFile> readRayCloudTree(std::string_view text, const std::string& file
             points.push_back(readSegment(rows, at, layout.others, static_cast<int>(points.size())));
         if (!rows.good())
             break;
-        Result<ScanCylinders> tree = makeCylinders(points, file);
+        Result<ScanCylinders> tree = makeCylinders(points, -1, file);
         if (!tree)
             return tree.problems();
         scan.trees.push_back(std::move(tree.value()));

@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace osgTreeWind {
 namespace {
@@ -41,19 +42,24 @@ bool isTreeQsmHeader(const std::vector<std::string_view>& names) {
 using Reader = Result<ScanFile> (*)(std::string_view, const std::string&);
 
 /// The reader for the format of the first line; null if it is unknown.
-Reader findReader(const ScanRows& rows) {
-    std::string line; // its words
-    for (const std::string_view word : rows.words())
+Reader findReader(ScanRows rows) {
+    const std::vector<std::string_view> words = rows.words();
+    if (parseNumber(words.front()))
+        return words.size() > 9 ? readTreeQsm : readSwc;
+    std::string line;
+    for (const std::string_view word : words)
         line += lower(std::string(word)) + ' ';
-    if (ScanColumns::matches(line) && !isTreeQsmHeader(rows.words()))
-        return readScanTable;
-    if (contains(line, "x y z radius "))
+    const std::size_t segment = line.find("x y z radius ");
+    const bool hasSeveralInALine =
+        segment != std::string::npos && (line.find("x y z radius ", segment + 1) != std::string::npos ||
+                                         !rows.next() || rows.words().size() > words.size());
+    if (hasSeveralInALine && contains(line, "parent_id "))
         return readRayCloudTree;
-    if (contains(line, "radius") && contains(line, "axis") && contains(line, "parent"))
+    const bool havePlaces = ScanColumns::havePlaces(line),
+               areTreeQsms = contains(line, "radius") && contains(line, "axis") && contains(line, "parent");
+    if (isTreeQsmHeader(words) || (areTreeQsms && !havePlaces))
         return readTreeQsm;
-    if (!parseNumber(rows.words().front()))
-        return nullptr;
-    return rows.words().size() > 9 ? readTreeQsm : readSwc;
+    return havePlaces || ScanColumns::haveRadii(line) ? readScanTable : nullptr;
 }
 
 double cylinderVolume(const ScanCylinder& cylinder) {
@@ -93,11 +99,17 @@ std::vector<int> findRoots(const ScanCylinders& cylinders) {
 
 /// Joins each branch without a parent to the cylinder nearest to its start, because programs leave a few
 /// twigs of a scan without a parent. The root is the cylinder without a parent that bears the most wood.
-/// @return the number of joined branches; an error if they have more than 5 % of the wood.
-Result<std::size_t> joinOrphans(ScanCylinders& cylinders) {
-    if (std::count_if(cylinders.begin(), cylinders.end(),
-                      [](const auto& each) { return each.parent == -1; }) < 2)
+/// If the file has no parents, a branch may join another one that is joined later.
+/// @param hasParents as ScanFile::hasParents. @return the number of joined branches; an error if they have
+/// more than 5 % of the wood, or if the file has no parents and one is farther from the wood than its length.
+Result<std::size_t> joinOrphans(ScanCylinders& cylinders, bool hasParents) {
+    constexpr double maxComparisons = 2e9; // a few seconds
+    const auto orphans =
+        std::count_if(cylinders.begin(), cylinders.end(), [](const auto& each) { return each.parent == -1; });
+    if (orphans < 2)
         return std::size_t(0);
+    if (static_cast<double>(orphans) * static_cast<double>(cylinders.size()) > maxComparisons)
+        return fileProblem({}, "expected fewer branches without a parent, found " + std::to_string(orphans));
     const std::vector<int> roots = findRoots(cylinders);
     std::vector<double> volumes(cylinders.size(), 0.0);
     double all = 0.0;
@@ -110,10 +122,18 @@ Result<std::size_t> joinOrphans(ScanCylinders& cylinders) {
     const auto root = static_cast<std::size_t>(trunk);
     constexpr double maxOrphanShare = 0.05;
     std::size_t joined = 0;
+    std::vector<std::size_t> owners(cylinders.size()); // the root that each root is joined to, or itself
+    std::iota(owners.begin(), owners.end(), std::size_t(0));
+    const auto ownerOf = [&](int rootOfBranch) {
+        auto at = static_cast<std::size_t>(rootOfBranch);
+        while (owners[at] != at)
+            at = owners[at] = owners[owners[at]];
+        return at;
+    };
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
         if (cylinders[i].parent != -1 || i == root)
             continue;
-        if (!(all - volumes[root] <= maxOrphanShare * all)) // also if a volume is NaN
+        if (hasParents && !(all - volumes[root] <= maxOrphanShare * all)) // also if a volume is NaN
             return fileProblem({},
                                "expected one root, found a second one besides line " +
                                    std::to_string(cylinders[root].line) +
@@ -123,22 +143,66 @@ Result<std::size_t> joinOrphans(ScanCylinders& cylinders) {
                                cylinders[i].line);
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < cylinders.size(); ++other)
-            if (roots[other] == static_cast<int>(trunk))
+            if (roots[other] >= 0 &&
+                (hasParents ? roots[other] == static_cast<int>(trunk) : ownerOf(roots[other]) != i))
                 if (const double distance = barkDistance(cylinders[other], cylinders[i].start);
                     distance < nearest) {
                     nearest = distance;
                     cylinders[i].parent = static_cast<int>(other);
                 }
+        if (!hasParents && !(nearest <= glm::distance(cylinders[i].start, cylinders[i].end)))
+            return fileProblem(
+                {},
+                "expected a cylinder that starts at the end of another or near it, found one " +
+                    numberText(std::round(1000.0 * nearest) / 1000.0) +
+                    " m from the nearest wood; a column of parents would join them",
+                cylinders[i].line);
+        if (!hasParents)
+            owners[i] = ownerOf(roots[static_cast<std::size_t>(cylinders[i].parent)]);
         ++joined;
     }
     return joined;
 }
 
+/// From the foot of a tree to the middle of its wood.
+glm::dvec3 lean(const ScanCylinders& cylinders) {
+    glm::dvec3 sum(0.0), foot(0.0);
+    double all = 0.0;
+    for (const ScanCylinder& cylinder : cylinders) {
+        if (cylinder.parent == -1)
+            foot = cylinder.start;
+        sum += cylinderVolume(cylinder) * 0.5 * (cylinder.start + cylinder.end);
+        all += cylinderVolume(cylinder);
+    }
+    return sum / all - foot;
+}
+
+/// Turns trees whose y axis points up.
+void turnUp(ScanFile& scan, ScanUp up) {
+    glm::dvec3 middle(0.0);
+    for (const ScanCylinders& tree : scan.trees)
+        middle += lean(tree);
+    const bool liesAlongY = middle.y > 2.0 * std::max(std::abs(middle.x), std::abs(middle.z));
+    if (up == ScanUp::Z || (up == ScanUp::Found && !liesAlongY))
+        return;
+    if (up == ScanUp::Found)
+        scan.notes.emplace_back(
+            "y is taken as up, because the trees lie along it; up = \"z\" would keep them so");
+    for (ScanCylinders& tree : scan.trees)
+        for (ScanCylinder& cylinder : tree)
+            for (glm::dvec3* place : {&cylinder.start, &cylinder.end})
+                *place = {place->x, -place->z, place->y};
+}
+
 } // namespace
 
-std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan) {
+std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan, ScanUp up) {
+    std::vector<Result<std::size_t>> counts;
+    for (ScanCylinders& tree : scan.trees)
+        counts.push_back(joinOrphans(tree, scan.hasParents));
+    turnUp(scan, up);
     for (ScanCylinders& tree : scan.trees) {
-        const Result<std::size_t> joined = joinOrphans(tree);
+        const Result<std::size_t>& joined = counts[static_cast<std::size_t>(&tree - scan.trees.data())];
         auto problem = joined ? problemOfScan(tree) : joined.problems().front();
         if (problem) {
             if (scan.trees.size() > 1)
@@ -150,26 +214,27 @@ std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan) {
     return std::nullopt;
 }
 
-Result<ScanFile> readScan(std::string_view text, const std::string& file) {
+Result<ScanFile> readScan(std::string_view text, const std::string& file, ScanUp up) {
     ScanRows rows(text, file);
     if (!rows.next())
         return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = findReader(rows);
     if (!reader)
         return fileProblem(
-            file, "expected a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
-                  "aRchi or rTwig, a tree file of RayCloudTools, or SWC");
+            file,
+            "expected a scanned tree: TreeQSM's cylinders as text or .mat, a table of cylinders or points "
+            "with named columns, a tree file of RayCloudTools, or SWC");
     Result<ScanFile> scan = reader(text, file);
     if (!scan)
         return scan;
-    if (auto problem = joinAndCheckTrees(scan.value())) {
+    if (auto problem = joinAndCheckTrees(scan.value(), up)) {
         problem->file = file;
         return std::move(*problem);
     }
     return scan;
 }
 
-Result<ScanFile> readScanFile(const std::string& path) {
+Result<ScanFile> readScanFile(const std::string& path, ScanUp up) {
     Result<std::ifstream> input = openInput(path);
     if (!input)
         return input.problems();
@@ -177,11 +242,11 @@ Result<ScanFile> readScanFile(const std::string& path) {
     if (std::filesystem::file_size(path, error) > maxScanBytes && !error)
         return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
     if (isMatlab(readHead(input.value(), 128)))
-        return readMatlab(path);
+        return readMatlab(path, up);
     const Result<std::string> text = readTextFile(path);
     if (!text)
         return text.problems();
-    return readScan(text.value(), path);
+    return readScan(text.value(), path, up);
 }
 
 } // namespace osgTreeWind

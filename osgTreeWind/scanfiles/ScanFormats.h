@@ -11,17 +11,18 @@
 namespace osgTreeWind {
 
 /// Reads text of any of the formats, and checks the trees.
-Result<ScanFile> readScan(std::string_view text, const std::string& file);
+Result<ScanFile> readScan(std::string_view text, const std::string& file, ScanUp up = ScanUp::Found);
 
-/// Joins and counts the orphans of all trees (joinOrphans()), and checks the trees. @return the first error,
-/// with the tree's number as key if there are several trees.
-std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan);
+/// Joins and counts the orphans of all trees (joinOrphans()), turns z up, and checks the trees. @return the
+/// first error, with the tree's number as key if there are several trees.
+std::optional<Diagnostic> joinAndCheckTrees(ScanFile& scan, ScanUp up);
 
 /// Columns: radius, length, start x y z, axis x y z, parent (one-based; 0 for the root), and 6 or 8 more,
 /// separated by blanks or commas, with or without a header.
 Result<ScanFile> readTreeQsm(std::string_view text, const std::string& file);
-/// A table of SimpleForest, aRchi or rTwig: columns by name (ScanColumns), separated by commas, semicolons,
-/// tabs or blanks. The root's parent is -1, NA, empty, or 0 if no cylinder has that id.
+/// A table of cylinders, as of SimpleForest, aRchi or rTwig, or of points: columns by name (ScanColumns),
+/// separated by commas, semicolons, tabs or blanks. The root's parent is -1, NA, empty, itself, or 0 if no
+/// cylinder has that id. Cylinders without a column of parents are joined end to start.
 Result<ScanFile> readScanTable(std::string_view text, const std::string& file);
 /// A header with x,y,z,radius,parent_id, then one line per tree with the values of all its segments. A
 /// segment is the cylinder from its parent's x, y, z to its own; the first segment is a point.
@@ -34,6 +35,6 @@ Result<ScanFile> readSwc(std::string_view text, const std::string& file);
 bool isMatlab(std::string_view head);
 /// Reads TreeQSM's structs from a .mat file, and checks the trees. The program osgtreewind-matlab reads the
 /// file in a separate process, which a damaged file may crash.
-Result<ScanFile> readMatlab(const std::string& path);
+Result<ScanFile> readMatlab(const std::string& path, ScanUp up);
 
 } // namespace osgTreeWind

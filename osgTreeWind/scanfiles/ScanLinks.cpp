@@ -3,11 +3,67 @@
 
 #include <osgTreeWind/base/Problem.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <unordered_map>
 #include <utility>
 
 namespace osgTreeWind {
+
+namespace {
+
+constexpr double joint = 0.001; // metres between a start and an end that are the same
+
+/// A key of a cell of two joints' size.
+std::uint64_t cellOf(const glm::dvec3& place) {
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        key = (key ^ static_cast<std::uint64_t>(
+                         static_cast<std::int64_t>(std::floor(place[axis] / (2.0 * joint))))) *
+              0x9e3779b97f4a7c15u;
+    return key;
+}
+
+/// The thickest cylinder that ends where each starts; -1 if there is none.
+std::vector<int> cylindersBefore(const ScanCylinders& cylinders, glm::dvec3 ScanCylinder::*start,
+                                 glm::dvec3 ScanCylinder::*end) {
+    const auto at = [&](int index) -> const ScanCylinder& {
+        return cylinders[static_cast<std::size_t>(index)];
+    };
+    std::unordered_map<std::uint64_t, int> thickest;
+    for (int i = 0; i < static_cast<int>(cylinders.size()); ++i)
+        if (int& there = thickest.emplace(cellOf(at(i).*end), i).first->second;
+            at(i).radius > at(there).radius)
+            there = i;
+    std::vector<int> before(cylinders.size(), -1);
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 side(corner & 1 ? joint : -joint, corner & 2 ? joint : -joint,
+                                  corner & 4 ? joint : -joint);
+            const auto found = thickest.find(cellOf(cylinders[i].*start + side));
+            if (found != thickest.end() && found->second != static_cast<int>(i) &&
+                glm::distance(at(found->second).*end, cylinders[i].*start) <= joint)
+                before[i] = found->second;
+        }
+    return before;
+}
+
+} // namespace
+
+void joinEnds(ScanCylinders& cylinders) {
+    std::vector<int> before = cylindersBefore(cylinders, &ScanCylinder::start, &ScanCylinder::end);
+    const std::vector<int> after = cylindersBefore(cylinders, &ScanCylinder::end, &ScanCylinder::start);
+    const bool isTurned =
+        std::count(after.begin(), after.end(), -1) < std::count(before.begin(), before.end(), -1);
+    for (std::size_t i = 0; i < cylinders.size(); ++i) {
+        cylinders[i].parent = (isTurned ? after : before)[i];
+        if (isTurned)
+            std::swap(cylinders[i].start, cylinders[i].end);
+    }
+}
 
 void makeOneBased(std::vector<ScanLink>& links) {
     const bool isFromZero =
@@ -45,11 +101,12 @@ std::optional<Diagnostic> setParents(ScanCylinders& cylinders, const std::vector
     return {};
 }
 
-Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, const std::string& file) {
+Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, int rootParent,
+                                    const std::string& file) {
     std::vector<ScanLink> links;
     for (const ScanPoint& point : points)
         links.push_back(point.link);
-    const Result<std::vector<int>> parents = resolveParents(links, -1, file);
+    const Result<std::vector<int>> parents = resolveParents(links, rootParent, file);
     if (!parents)
         return parents.problems();
     std::vector<int> cylinderOf(points.size(), -1); // the cylinder that ends at the point

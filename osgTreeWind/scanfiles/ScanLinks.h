@@ -33,12 +33,18 @@ std::optional<Diagnostic> setParents(ScanCylinders& cylinders, const std::vector
 struct ScanPoint {
     glm::dvec3 place{0.0};
     double radius = 0.0;
-    ScanLink link; ///< The root's parent is -1.
+    ScanLink link;
 };
 
 /// Makes a cylinder from each point's parent to the point, with the radius of the point. If several start at
 /// the root, the thickest becomes the trunk and the parent of the others. Branches from a second root have no
 /// parent. Fails like resolveParents(), and if there is no cylinder.
-Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, const std::string& file);
+/// @param rootParent the parent of roots.
+Result<ScanCylinders> makeCylinders(const std::vector<ScanPoint>& points, int rootParent,
+                                    const std::string& file);
+
+/// Sets the parents of cylinders without any: of each the cylinder that ends where it starts, within a
+/// millimetre. All are turned round if more of them would be joined then.
+void joinEnds(ScanCylinders& cylinders);
 
 } // namespace osgTreeWind

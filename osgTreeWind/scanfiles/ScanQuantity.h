@@ -17,6 +17,7 @@ struct ScanQuantity {
 
 constexpr ScanQuantity scanMetres{"metres within 1e9", within(-1e9, 1e9)};
 constexpr ScanQuantity scanRadius{"a radius above 0 and of at most 10 m", within(1e-9, 10.0)};
+constexpr ScanQuantity scanDiameter{"a diameter above 0 and of at most 20 m", within(2e-9, 20.0)};
 constexpr ScanQuantity scanLength{"a length above 0 and of at most 200 m", within(1e-9, 200.0)};
 constexpr ScanQuantity scanDirection{"a component of a unit vector", within(-1.01, 1.01)};
 

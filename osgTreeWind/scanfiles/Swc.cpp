@@ -29,7 +29,7 @@ Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
     }
     if (!rows.good())
         return rows.problem();
-    Result<ScanCylinders> tree = makeCylinders(points, file);
+    Result<ScanCylinders> tree = makeCylinders(points, -1, file);
     if (!tree)
         return tree.problems();
     return ScanFile{"SWC", {std::move(tree.value())}};

@@ -12,9 +12,9 @@ namespace {
 
 /// Requires that the result is an error with a message, or trees with valid parents whose skeletons are
 /// finite.
-template <Result<ScanFile> (*read)(std::string_view, const std::string&)>
+template <auto read, auto... up>
 void readTrees(const std::string& bytes) {
-    const Result<ScanFile> scan = read(bytes, "fuzz");
+    const Result<ScanFile> scan = read(bytes, "fuzz", up...);
     if (!isRead(scan))
         return;
     for (const ScanCylinders& cylinders : scan.value().trees) {
@@ -30,7 +30,7 @@ void readTrees(const std::string& bytes) {
     }
 }
 
-const FuzzReaders scanReaders = {{"Scan", readTrees<readScan>},
+const FuzzReaders scanReaders = {{"Scan", readTrees<readScan, ScanUp::Found>},
                                  {"ScanRayCloud", readTrees<readRayCloudTree>},
                                  {"ScanSwc", readTrees<readSwc>},
                                  {"ScanTable", readTrees<readScanTable>},

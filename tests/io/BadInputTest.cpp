@@ -201,6 +201,8 @@ const BadInput badInputs[] = {
     {"ScanAbsent", species("scan = @\"no.txt\"\n"), "species.scan", "no file \"no.txt\" in "},
     {"ScanOneOfManyAbsent", species("scan = @[\"a.txt\", \"no.txt\"]\n"), "species.scan",
      "no file \"no.txt\" in ", "a.txt", qsmRow},
+    {"UpWithoutScan", species("up = @\"y\"\n"), "species.up", "cannot be used without scan"},
+    {"ScanUpX", species("scan = \"a.txt\"\nup = @\"x\"\n"), "species.up", "\"y\" or \"z\"", "a.txt", qsmRow},
     {"ScanNone", species("scan = @[]\n"), "species.scan", "at least one"},
     {"ScanAsNumber", species("scan = @3\n"), "species.scan", "expected a text in quotes, found 3"},
     {"ScanWithTree", species("scan = \"a.txt\"\n@[species.tree]\nlevels = 3\n"), "species.tree",

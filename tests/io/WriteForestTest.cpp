@@ -187,7 +187,7 @@ TEST(WriteForest, PathsOfScansPicturesAndWindReadBack) {
     folder.write("a.treewind",
                  "version = 1\norigin = [5, 6, 7]\n[[species]]\nname = \"a\"\nscan = [\"" + data +
                      "/scan/treeqsm.txt\", \"" + data +
-                     "/scan/treeqsm.txt\"]\nappearance.leaf_image = \"leaf.png\"\n[[tree]]\n"
+                     "/scan/treeqsm.txt\"]\nup = \"z\"\nappearance.leaf_image = \"leaf.png\"\n[[tree]]\n"
                      "position = [0, 0]\n[wind]\nkind = \"file\"\nfile = \"wind.csv\"\nstart = 5\n");
     const auto forest = readForestFile(folder.path() + "/a.treewind");
     ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
@@ -195,6 +195,7 @@ TEST(WriteForest, PathsOfScansPicturesAndWindReadBack) {
     const ForestDescription back = read(document);
     ASSERT_EQ(back.species.size(), 1u) << document;
     EXPECT_EQ(back.species[0].tree.scans->size(), 2u);
+    EXPECT_EQ(back.species[0].tree.scans->back().report.up, "z");
     EXPECT_EQ(back.species[0].appearance.leafImage, folder.path() + "/leaf.png");
     EXPECT_EQ(asField(back.wind)->velocity({}, 1.0), asField(forest.value().wind)->velocity({}, 1.0));
     EXPECT_EQ(written(back), document);

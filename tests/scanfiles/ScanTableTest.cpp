@@ -126,19 +126,143 @@ TEST(ScanTable, RealTreeIsTheSameAsATable) {
     }
 }
 
+namespace {
+
+/// A trunk of two metres with two branches, as points with ids, parents, x, y, z and radius.
+const std::vector<std::string> points = {"1,-1,0,0,0,0.1", "2,1,0,0,1,0.1", "3,2,0,0,2,0.05",
+                                         "4,2,0.5,0,1.5,0.02", "5,4,1,0,1.5,0.01"};
+
+void expectPoints(const std::string& text) {
+    SCOPED_TRACE(text);
+    const Result<ScanFile> scan = readScan(text, "a");
+    ASSERT_TRUE(scan) << firstProblem(scan);
+    EXPECT_EQ(scan.value().format, "table of points");
+    EXPECT_EQ(parentsOf(scan.value()), (std::vector<int>{-1, 0, 0, 2}));
+    const ScanCylinders& tree = scan.value().trees.front();
+    EXPECT_EQ(tree[2].start, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(tree[2].end, glm::dvec3(0.5, 0, 1.5));
+    EXPECT_NEAR(tree[2].radius, 0.02, 1e-12);
+    EXPECT_EQ(tree[2].line, 5);
+}
+
+/// The cylinders of these points in an order that no parents need.
+const std::vector<std::string> ends = {"0.5,0,1.5,1,0,1.5,0.01", "0,0,0,0,0,1,0.1", "0,0,1,0,0,2,0.05",
+                                       "0,0,1,0.5,0,1.5,0.02"};
+
+std::vector<std::string> notesOf(const std::string& text) {
+    return read(text).notes;
+}
+
+} // namespace
+
+TEST(ScanTable, ReadsPointsOfSkeletons) {
+    for (const char* names : {"node_id,parent_id,x,y,z,radius", "NodeID,Parent,X,Y,Z,R",
+                              "\"id\",\"parent\",\"pos_x\",\"pos_y\",\"pos_z\",\"radius\"", "n,P,x,y,z,R",
+                              "index,pid,x (m),y (m),z (m),radius [m]"})
+        expectPoints(table(names, points));
+    for (const char delimiter : {';', '\t', ' '})
+        expectPoints(table("node_id,parent_id,x,y,z,radius", points, delimiter));
+    std::vector<std::string> others = points;
+    for (const char* root : {"1,0,0,0,0,0.1", "1,1,0,0,0,0.1", "1,,0,0,0,0", "1,NaN,0,0,0,"}) {
+        others[0] = root;
+        expectPoints(table("node_id,parent_id,x,y,z,radius", others));
+    }
+    EXPECT_NEAR(read(table("id,parent,x,y,z,diameter", points)).trees.front()[0].radius, 0.05, 1e-12);
+}
+
+TEST(ScanTable, ReadsSwcWithAHeaderLine) {
+    const std::string rows = "1 1 0 0 0 0.1 -1\n2 1 0 0 1 0.1 1\n3 1 0 0 2 0.05 2\n4 1 0.5 0 1.5 0.02 2\n"
+                             "5 1 1 0 1.5 0.01 4\n";
+    for (const char* header :
+         {"id type x y z radius parent\n", "n T x y z R P\n", "sample structure x y z r parent\n"})
+        expectPoints(header + rows);
+    EXPECT_EQ(read("# made by a program\n# n T x y z R P\n" + rows).format, "SWC");
+    EXPECT_EQ(read("# made by a program\nid type x y z radius parent\n" + rows).trees.front()[2].line, 6);
+}
+
+/// RayCloudTools uses the same names for many points in a line.
+TEST(ScanTable, RowsWithoutIdsAreNumbered) {
+    const std::string names = "x,y,z,radius,parent_id";
+    const std::vector<std::string> fromZero = {"0,0,0,0.1,-1", "0,0,1,0.1,0", "0,0,2,0.05,1"},
+                                   fromOne = {"0,0,0,0.1,0", "0,0,1,0.1,1", "0,0,2,0.05,2"},
+                                   withoutRoot = {"0,0,0,0.1,", "0,0,1,0.1,0", "0,0,2,0.05,1"};
+    for (const auto& [rows, first] : {std::pair(fromZero, "0"), {fromOne, "1"}, {withoutRoot, "0"}}) {
+        EXPECT_EQ(parentsOf(read(table(names, rows))), (std::vector<int>{-1, 0}));
+        EXPECT_EQ(notesOf(table(names, rows)),
+                  std::vector<std::string>{"its parents are taken as numbers of rows from " +
+                                           std::string(first) + " on, because there is no column of ids"});
+    }
+    EXPECT_EQ(parentsOf(read(table("startX,startY,startZ,endX,endY,endZ,parent,radius",
+                                   {"0,0,0,0,0,1,0,0.1", "0,0,1,0,0,2,1,0.1"}))),
+              (std::vector<int>{-1, 0}));
+}
+
+TEST(ScanTable, JoinsCylindersWithoutParents) {
+    for (const char* names :
+         {"startX,startY,startZ,endX,endY,endZ,radius", "x1,y1,z1,x2,y2,z2,r", "sx,sy,sz,ex,ey,ez,radius"}) {
+        const ScanFile scan = read(table(names, ends));
+        EXPECT_EQ(parentsOf(scan), (std::vector<int>{3, -1, 1, 1}));
+        EXPECT_EQ(scan.joined, std::vector<std::size_t>{0});
+    }
+    const ScanFile turned = read(table("endX,endY,endZ,startX,startY,startZ,radius", ends));
+    EXPECT_EQ(parentsOf(turned), (std::vector<int>{3, -1, 1, 1})) << "from the tips to the foot";
+    EXPECT_EQ(turned.trees.front()[3].end, glm::dvec3(0.5, 0, 1.5));
+    std::vector<std::string> some = ends;
+    some.emplace_back("0.05,0,1.6,0.5,0,2.5,0.06"); // on the bark, and more than 5 % of the wood
+    EXPECT_EQ(parentsOf(read(table("x1,y1,z1,x2,y2,z2,r", some))), (std::vector<int>{3, -1, 1, 1, 2}));
+    EXPECT_EQ(read(table("x1,y1,z1,x2,y2,z2,r", some)).joined, std::vector<std::size_t>{1});
+    some.insert(some.begin(), "0.3,0,2.1,0.3,0.5,2.1,0.01"); // on the bark of the last one
+    EXPECT_EQ(parentsOf(read(table("x1,y1,z1,x2,y2,z2,r", some))), (std::vector<int>{5, 4, -1, 2, 2, 3}));
+    some.back() = "5,5,0,5,5,1,0.06";
+    some.erase(some.begin());
+    EXPECT_EQ(problemOfScanText(table("x1,y1,z1,x2,y2,z2,r", some)),
+              "a:6: expected a cylinder that starts at the end of another or near it, found one 6.566 m from "
+              "the nearest "
+              "wood; a column of parents would join them");
+}
+
+TEST(ScanTable, YMayPointUp) {
+    const std::vector<std::string> rows = {"1,-1,7,0,0,0.1", "2,1,7,1,0,0.1", "3,2,7,2,-0.5,0.05"};
+    const std::string text = table("node_id,parent_id,x,y,z,radius", rows);
+    const std::vector<std::string> found = {
+        "y is taken as up, because the trees lie along it; up = \"z\" would keep "
+        "them so"};
+    for (const ScanUp up : {ScanUp::Found, ScanUp::Y}) {
+        const Result<ScanFile> scan = readScan(text, "a", up);
+        ASSERT_TRUE(scan) << firstProblem(scan);
+        EXPECT_EQ(scan.value().trees.front()[1].end, glm::dvec3(7, 0.5, 2));
+        EXPECT_EQ(scan.value().notes, up == ScanUp::Found ? found : std::vector<std::string>());
+    }
+    EXPECT_EQ(firstProblem(readScan(text, "a", ScanUp::Z)),
+              "a:3: expected a tree of 0.1 to 150 m above its foot, in metres, found 0");
+    const Result<ScanFile> leaning =
+        readScan(table("node_id,parent_id,x,y,z,radius", {"1,-1,0,0,0,0.1", "2,1,0,1.9,1,0.1"}), "a");
+    ASSERT_TRUE(leaning) << firstProblem(leaning);
+    EXPECT_EQ(leaning.value().trees.front()[0].end, glm::dvec3(0, 1.9, 1));
+    EXPECT_TRUE(leaning.value().notes.empty());
+}
+
 TEST(BrokenScanTable, ErrorListsTheNamesOfAMissingColumn) {
     const auto without = [](std::string names, const std::string& name) {
         return problemOfScanText(table(names.replace(names.find(name), name.size(), "other"), {}));
     };
-    EXPECT_EQ(without(archi, "radius_cyl"), "a:1: radius_cyl: expected a column of this name");
-    EXPECT_EQ(without(archi, "endY"), "a:1: endY: expected a column of this name");
-    EXPECT_EQ(without(rtwig, "parent"), "a:1: parentID: expected a column of this name or parent");
-    EXPECT_EQ(without(rtwig, "axis_y"), "a:1: axis_y: expected a column of this name");
-    EXPECT_EQ(without(rtwig, "length"), "a:1: length: expected a column of this name");
-    EXPECT_EQ(without(archi, "cyl_ID"), "a:1: cyl_ID: expected a column of this name");
-    EXPECT_EQ(without(treeQsm, "extension"), "a:1: id: expected a column of this name or extension");
-    EXPECT_EQ(problemOfScanText("cyl_ID,parent,startX,startY,startZ,endX,endY,endZ\n"),
-              "a:1: radius: expected a column of this name or radius_cyl");
+    const std::string expected = "a:1: expected a column with one of the names ";
+    EXPECT_EQ(without(archi, "radius_cyl"),
+              expected +
+                  "radius, radius_cyl, node_radius, rad, r; found startX, startY, startZ, endX, endY, endZ, "
+                  "cyl_ID, parent_ID, other");
+    EXPECT_EQ(without(archi, "endY").find(expected + "endY, Y_end, eY, Y2, topY, tipY, toY; found startX"),
+              0u);
+    EXPECT_EQ(without(rtwig, "axis_y").find(expected + "axisY, aY, directionY, dirY; found"), 0u);
+    EXPECT_EQ(without(rtwig, "length").find(expected + "length, len, l; found"), 0u);
+    EXPECT_EQ(
+        problemOfScanText("node_id,x,y,z,radius\n1,0,0,0,0.1\n"),
+        expected +
+            "parent_ID, parent, parent_node, parent_node_ID, parent_index, PID, p; found node_id, x, y, z, "
+            "radius");
+    EXPECT_EQ(problemOfScanText("node_id,parent_id,x,y,radius\n1,-1,0,0,0.1\n"),
+              expected + "Z, posZ, positionZ, nodeZ, coordZ; found node_id, parent_id, x, y, radius");
+    EXPECT_EQ(without(archi, "parent_ID"), "a: expected at least one cylinder") << "parents are found";
 }
 
 TEST(BrokenScanTable, GivesOneErrorWithItsPlace) {
@@ -149,9 +273,8 @@ TEST(BrokenScanTable, GivesOneErrorWithItsPlace) {
               "a:3: radius_cyl: expected a radius above 0 and of at most 10 m, found '0'");
     EXPECT_EQ(archiWith("0,0,1,NA,0,2,2,1,0.1"), "a:3: endX: expected metres within 1e9, found 'NA'");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,NA,1,0.1"), "a:3: cyl_ID: expected a whole number, found 'NA'");
-    EXPECT_EQ(
-        archiWith("0,0,1,0,0,2,2,1.5,0.1"),
-        "a:3: parent_ID: expected the id of the parent cylinder, or 0, -1 or NA for the root, found '1.5'");
+    EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1.5,0.1"),
+              "a:3: parent_ID: expected the id of the parent, or 0, -1 or NA for the root, found '1.5'");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,3,0.1"), "a:3: expected a parent of the same tree, found 3");
     EXPECT_EQ(
         archiWith("0,0,1,0,0,2,2,NA,0.1"),
