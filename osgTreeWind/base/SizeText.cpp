@@ -264,6 +264,17 @@ private:
     bool _isEstimate = false;
 };
 
+/// "5-10 m" of "B (5-10 m)", a class with its letter; otherwise the text.
+std::string_view withoutLetter(std::string_view text) {
+    text = trimmed(text);
+    const std::size_t bracket = text.find('(');
+    if (bracket == text.npos || text.back() != ')' || text.find_first_of(digits) < bracket)
+        return text;
+    const std::string letter = lower(std::string(trimmed(text.substr(0, bracket))));
+    const bool isLetter = letter.size() == 1 && letter[0] >= 'a' && letter[0] <= 'z';
+    return isLetter ? text.substr(bracket) : text;
+}
+
 } // namespace
 
 std::optional<SizeText> parseSize(std::string_view text, SizeKind kind, bool commaSeparates) {
@@ -272,7 +283,8 @@ std::optional<SizeText> parseSize(std::string_view text, SizeKind kind, bool com
     constexpr std::size_t maxLength = 60;
     if (text.size() > maxLength)
         return std::nullopt;
-    return SizeReader(SizeTokens(text, commaSeparates && kind == SizeKind::Trunk).read(), kind).read();
+    return SizeReader(SizeTokens(withoutLetter(text), commaSeparates && kind == SizeKind::Trunk).read(), kind)
+        .read();
 }
 
 std::optional<bool> commaSeparatesNumbers(std::string_view text) {

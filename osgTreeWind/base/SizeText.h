@@ -21,8 +21,9 @@ struct SizeText {
 };
 
 /// Reads a size in words: "18.5", "18,5 m", "45 cm", "60'", "45'6\"", "~20", "ca. 20", a class such as "9-12"
-/// (its middle), ">18", "18+" or "under 6" (its bound), and those of SizeKind. Words are English, German,
-/// French or Dutch. @param commaSeparates whether "20,15" are two stems; "20, 15" and "12,14,9" always are.
+/// or "B (9-12 m)" (its middle), ">18", "18+" or "under 6" (its bound), and those of SizeKind. Words are
+/// English, German, French or Dutch. @param commaSeparates whether "20,15" are two stems; "20, 15" and
+/// "12,14,9" always are.
 /// @return empty for anything else, such as two stems in a height.
 std::optional<SizeText> parseSize(std::string_view text, SizeKind kind, bool commaSeparates = false);
 

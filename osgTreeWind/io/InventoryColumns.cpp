@@ -2,7 +2,6 @@
 #include <osgTreeWind/io/InventoryColumns.h>
 
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/TableReader.h>
 #include <osgTreeWind/places/UnitSize.h>
@@ -54,18 +53,13 @@ std::optional<std::size_t> findPointColumn(const TreeRows& rows) {
 
 } // namespace
 
-std::optional<double> parseMetres(const std::string& text) {
-    const std::size_t end = text.find_last_of("0123456789.") + 1;
-    const std::string unit(trimmed(std::string_view(text).substr(end)));
-    const std::optional<double> number = parseNumber(std::string_view(text).substr(0, end)),
-                                size = unit.empty() ? 1.0 : knownUnit(Dimension::Length, unit);
-    return number && size ? std::optional(*number * *size) : std::nullopt;
-}
-
 InventoryColumns::InventoryColumns()
     : height{"height", above(0, maxHeight)}, trunkDiameter{"trunk_diameter", above(0, maxTrunkDiameter)},
       circumference{"circumference", above(0, glm::pi<double>() * maxTrunkDiameter)},
-      crownWidth{"crown_width", above(0, maxCrownWidth)} {}
+      crownWidth{"crown_width", above(0, maxCrownWidth)} {
+    trunkDiameter.kind = circumference.kind = SizeKind::Trunk;
+    crownWidth.kind = SizeKind::Width;
+}
 
 void InventoryColumns::read(TableReader& table, TreeRows* rows) {
     table.table("columns", [&](TableReader& columns) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Range.h>
+#include <osgTreeWind/base/SizeText.h>
 #include <osgTreeWind/io/TreeRows.h>
 
 #include <array>
@@ -15,10 +16,9 @@ struct MeasureColumn {
     Range range;                         ///< Metres.
     std::optional<std::size_t> column{}; ///< Empty if there is no such column.
     double unit = 1.0;                   ///< Metres per unit.
+    SizeKind kind = SizeKind::Height;    ///< Of sizes.
 };
 
-/// Parses a number followed by an optional unit (default: metres). @return metres.
-std::optional<double> parseMetres(const std::string& text);
 
 /// Maps columns of an inventory to properties of trees, by its [inventory] table or its known format.
 class InventoryColumns {

@@ -62,6 +62,9 @@ public:
         _isOpenGrownGiven = _table.read("open_grown", _openGrown);
         _isSkipGiven = _table.read("skip", _skip);
         _table.read("missing", _sizes.missing);
+        for (const char* const mark : {".", ","})
+            if (_table.hasText("decimal", mark))
+                _sizes.decimalComma = *mark == ',';
         _leaves = defaults.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
         _table.readChoice<Z>(
@@ -158,13 +161,17 @@ private:
         _unknownHeights += std::isnan(place.position.z);
         tree.species = rowSpecies();
         const Species& species = _species.all()[tree.species];
-        tree.size.height = _sizes.read(*_rows, _columns.height, species.height.largest);
-        if (tree.size.height == 0.0f && place.hasHeight)
-            tree.size.height = heightByZ(place.position, species);
-        tree.size.trunkDiameter = _sizes.read(*_rows, _columns.trunkDiameter);
-        if (tree.size.trunkDiameter == 0.0f)
-            tree.size.trunkDiameter = _sizes.read(*_rows, _columns.circumference) / glm::pi<float>();
-        tree.size.crownWidth = _sizes.read(*_rows, _columns.crownWidth, species.crown.largest);
+        const InventorySize height = _sizes.read(*_rows, _columns.height, species.height.largest);
+        InventorySize diameter = _sizes.read(*_rows, _columns.trunkDiameter);
+        if (diameter.metres == 0.0f) {
+            diameter = _sizes.read(*_rows, _columns.circumference);
+            diameter.metres /= glm::pi<float>();
+        }
+        const InventorySize crown = _sizes.read(*_rows, _columns.crownWidth, species.crown.largest);
+        tree.size.height =
+            height.metres == 0.0f && place.hasHeight ? heightByZ(place.position, species) : height.metres;
+        tree.size.trunkDiameter = diameter.metres;
+        tree.size.crownWidth = crown.metres;
         if (tree.size.crownWidth == 0.0f && place.width)
             tree.size.crownWidth =
                 _sizes.readGeometry(*_rows, _columns.crownWidth, "the outline of a crown with a width",
@@ -175,6 +182,9 @@ private:
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string id = _columns.id ? _rows->text(*_columns.id) : std::string();
         estimate(tree, id.empty() ? std::to_string(_row) : id);
+        tree.estimated.height |= height.isEstimate;
+        tree.estimated.trunkDiameter |= diameter.isEstimate;
+        tree.estimated.crownWidth |= crown.isEstimate;
         const bool isBelowTop = _z == Z::Top && place.hasHeight && !_ground;
         if (isBelowTop)
             tree.position.z = place.position.z - static_cast<double>(tree.size.height);

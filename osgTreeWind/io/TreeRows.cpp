@@ -3,9 +3,10 @@
 
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Range.h>
+#include <osgTreeWind/base/SizeText.h>
 #include <osgTreeWind/io/InputFolders.h>
-#include <osgTreeWind/io/InventoryColumns.h>
+#include <osgTreeWind/io/TableReader.h>
 
 #include <algorithm>
 #include <cstring>
@@ -212,7 +213,9 @@ private:
 /// The features of a layer.
 class FeatureRows final : public TreeRows {
 public:
-    explicit FeatureRows(VectorFile file) : _file(std::move(file)), _format(_file.format()) {
+    FeatureRows(VectorFile file, const TableOptions& options)
+        : _file(std::move(file)), _format(_file.format()),
+          _numbers(',', options.decimalComma.value_or(false)) {
         if (_format == "OSM" || column("@id") || column("osm_id"))
             _natural = column("natural");
         if (_natural)
@@ -245,7 +248,11 @@ private:
         return number && Range().contains(*number) ? number : std::nullopt;
     }
     std::optional<double> numberIn(const std::string& text) const override {
-        return _natural ? parseMetres(text) : parseNumber(text);
+        const auto number = _numbers.numberOf(text);
+        if (number || !_natural)
+            return number;
+        const auto size = parseSize(text, SizeKind::Height);
+        return size && size->isInMetres && !size->isEstimate ? std::optional(size->value) : std::nullopt;
     }
     void restart(const CrsTransform& transform, std::vector<std::size_t> columns) override {
         if (_natural && !columns.empty())
@@ -262,6 +269,7 @@ private:
 
     VectorFile _file;
     std::string _format;
+    const CsvFormat _numbers;            ///< Numbers in texts.
     std::optional<std::size_t> _natural; ///< OpenStreetMap's column `natural`, which is "tree" for trees.
 };
 
@@ -284,8 +292,8 @@ std::unique_ptr<TreeRows> openCsv(TableReader& table, const std::string& path, c
     return rows;
 }
 
-std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& path,
-                                       const std::string& layer) {
+std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& path, const std::string& layer,
+                                       const TableOptions& options) {
     auto file = VectorFile::open(path);
     Diagnostics problems = file.problems();
     if (problems.empty())
@@ -294,7 +302,7 @@ std::unique_ptr<TreeRows> openFeatures(TableReader& table, const std::string& pa
         table.report(problem);
     if (!problems.empty())
         return {};
-    return std::make_unique<FeatureRows>(std::move(file.value()));
+    return std::make_unique<FeatureRows>(std::move(file.value()), options);
 }
 
 } // namespace
@@ -331,7 +339,7 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, const InputFolders& f
     if (!isValid)
         return {};
     std::unique_ptr<TreeRows> rows =
-        hasFeatures ? openFeatures(table, file->path, layer) : openCsv(table, file->path, options);
+        hasFeatures ? openFeatures(table, file->path, layer, options) : openCsv(table, file->path, options);
     if (!rows || filter.empty())
         return rows;
     auto condition =

@@ -95,6 +95,11 @@ TEST(SizeText, TakesTheMiddleOfAClass) {
     expectSizes(SizeKind::Trunk, true, {{"100-150 cm", 1.25, true}});
 }
 
+TEST(SizeText, SkipsTheLetterOfAClass) {
+    expectSizes(SizeKind::Height, true, {{"B (5-10 m)", 7.5, true}, {"a(0-5m)", 2.5, true}});
+    expectNone(SizeKind::Height, {"B (m)", "B 5-10", "B2 (5-10)", "12 (5-10)", "B (5-10"});
+}
+
 TEST(SizeText, TakesTheBoundOfAnOpenClass) {
     expectSizes(SizeKind::Height, false,
                 {{">18", 18, true},          {"<6", 6, true},           {"≥18", 18, true},

@@ -185,7 +185,10 @@ TEST(InventorySizes, ImpossibleSizesCountAsNotGiven) {
     const std::string notes = notesOf(forest);
     EXPECT_TRUE(hasPart(
         notes, "0 and markers such as -99 count as not measured: height of 2, trunk diameter of 4 rows"));
-    EXPECT_TRUE(hasPart(notes, "impossible sizes count as not measured: height of 2 rows, the first: "));
+    EXPECT_TRUE(
+        hasPart(notes, "sizes that cannot be read count as not measured: height of 1 rows, the first: "));
+    EXPECT_TRUE(hasPart(notes, "a.csv:6: h: expected a size, such as 18, 18 m, 9-12 or >18, found 'tall'"));
+    EXPECT_TRUE(hasPart(notes, "impossible sizes count as not measured: height of 1 rows, the first: "));
     EXPECT_TRUE(hasPart(notes, "a.csv:3: h: expected in (0, 116] metres, found \"327\""));
 }
 
@@ -199,6 +202,97 @@ TEST(InventorySizes, MostlyImpossibleSizesAreAProblem) {
     EXPECT_TRUE(hasPart(problem, "a.csv:2: h: "));
     EXPECT_TRUE(
         hasPart(problem, "the same applies to 3 of 4 rows: set their unit with inventory.units.height"));
+}
+
+namespace {
+
+const std::string wordColumns =
+    "columns = { height = \"h\", trunk_diameter = \"d\" }\nunits = { trunk_diameter = \"cm\" }\n";
+
+/// GeoJSON with a tree for each height and diameter, as texts.
+std::string treesAsTexts(const std::vector<std::pair<std::string, std::string>>& sizes) {
+    std::string features;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        features += (i == 0 ? "" : ",") +
+                    (R"({"type": "Feature", "properties": {"h": ")" + sizes[i].first + R"(", "d": ")" +
+                     sizes[i].second + R"("}, "geometry": {"type": "Point", "coordinates": [9.)") +
+                    std::to_string(9800 + i) + R"(, 53.55]}})";
+    return R"({"type": "FeatureCollection", "features": [)" + features + "]}";
+}
+
+} // namespace
+
+TEST(InventorySizes, ReadsWords) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x;y;h;d;w\n1;1;9-12;12+14+9;8 x 6\n2;2;>18 m;\"20; 15\";7\n3;3;60 ft;3x10;\n"
+                          "4;4;16;45 cm;9 m\n5;5;~17;0,3 m;\n6;6;0 m;12,5;\n");
+    const ForestFile forest =
+        inventoryOf(folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", "
+                                   "trunk_diameter = \"d\", crown_width = \"w\" }\n"
+                                   "units = { trunk_diameter = \"cm\" }\n");
+    ASSERT_EQ(forest.trees.size(), 6u);
+    const double heights[] = {10.5, 18.0, 60 * 0.3048, 16.0, 17.0}, // by hand
+        diameters[] = {std::sqrt(421.0) / 100, 0.25, std::sqrt(300.0) / 100, 0.45, 0.3, 0.125};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const TreePlacement& tree = forest.trees[i];
+        if (i < 5) {
+            EXPECT_NEAR(tree.size.height, heights[i], 1e-5) << i;
+        }
+        EXPECT_NEAR(tree.size.trunkDiameter, diameters[i], 1e-6) << i;
+        EXPECT_EQ(tree.estimated.height, i == 0 || i == 1 || i == 4 || i == 5) << i;
+        EXPECT_FALSE(tree.estimated.trunkDiameter) << i;
+    }
+    EXPECT_EQ(forest.trees[0].size.crownWidth, 7.0f);
+    const std::string notes = notesOf(forest);
+    for (const char* const note :
+         {"0 and markers such as -99 count as not measured: height of 1 rows",
+          "sizes in words are read: crown width of 2, height of 4, trunk diameter of 5 rows, the first: ",
+          "a.csv:2: w: \"8 x 6\" as 7 m",
+          "classes, bounds and approximate sizes count as estimates: height of 3 rows",
+          "units in cells count rather than inventory.units: trunk diameter of 2 rows"})
+        EXPECT_TRUE(hasPart(notes, note)) << notes;
+}
+
+/// "20,15" is a decimal number or two stems.
+TEST(InventorySizes, SaysHowItReadsCommas) {
+    const TemporaryFolder folder;
+    const std::string lines = "file = \"a.geojson\"\n" + wordColumns, dot = "decimal = \".\"\n";
+    folder.write("a.geojson", treesAsTexts({{"18,5", "20,15"}, {"16,5", "30"}}));
+    const ForestFile forest = inventoryOf(folder.path(), lines);
+    EXPECT_EQ(forest.trees.at(0).size.height, 18.5f);
+    EXPECT_FALSE(forest.trees.at(0).estimated.height);
+    EXPECT_FLOAT_EQ(forest.trees.at(0).size.trunkDiameter, 0.2015f);
+    EXPECT_TRUE(hasPart(notesOf(forest),
+                        "commas are read as decimal (decimal = \".\" reads several stems): trunk "
+                        "diameter of 1 rows"));
+    EXPECT_FLOAT_EQ(inventoryOf(folder.path(), dot + lines).trees.at(0).size.trunkDiameter, 0.25f);
+    const ForestFile stated = inventoryOf(folder.path(), "decimal = \",\"\n" + lines);
+    EXPECT_FLOAT_EQ(stated.trees.at(0).size.trunkDiameter, 0.2015f);
+    EXPECT_FALSE(hasPart(notesOf(stated), "commas"));
+    folder.write("a.geojson", treesAsTexts({{"18", "20,15"}, {"16", "12, 14, 9"}}));
+    EXPECT_TRUE(hasPart(readInventoryOf(folder.path(), lines).problems().at(0).text(),
+                        "d: feature 0: expected either a decimal comma or two stems, found '20,15': set "
+                        "inventory.decimal"));
+    EXPECT_FLOAT_EQ(inventoryOf(folder.path(), dot + lines).trees.at(1).size.trunkDiameter,
+                    static_cast<float>(std::sqrt(421.0) / 100));
+    folder.write("a.geojson", treesAsTexts({{"18", "20,15"}, {"16", "12, 14, 9"}, {"15", "20,05"}}));
+    EXPECT_TRUE(readInventoryOf(folder.path(), lines));
+}
+
+TEST(InventorySizes, AdvisesExpressionsForCodes) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h\n1,1,low\n2,2,tall\n3,3,tall\n4,4,20\n");
+    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"";
+    EXPECT_EQ(readInventoryOf(folder.path(), lines + "h\" }\n").problems().at(0).text(),
+              folder.path() +
+                  "/a.csv:2: h: expected a size, such as 18, 18 m, 9-12 or >18, found 'low'; the same "
+                  "applies to 3 of 4 rows: set inventory.columns.height to an expression that gives "
+                  "numbers, such as CASE \"h\" WHEN 'low' THEN 5 ELSE 12 END, or leave it out");
+    EXPECT_EQ(inventoryOf(folder.path(),
+                          lines + "CASE h WHEN 'low' THEN 5 WHEN 'tall' THEN '9-12' ELSE h END\" }\n")
+                  .trees.at(1)
+                  .size.height,
+              10.5f);
 }
 
 TEST(InventorySkip, SkipsAndCountsRowsWithoutAPlace) {
