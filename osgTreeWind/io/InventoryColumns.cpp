@@ -90,7 +90,9 @@ void InventoryColumns::read(TableReader& table, TreeRows* rows) {
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
                                                   TreeRows* rows) {
     std::string name;
-    const bool isNamed = columns.read(key, name) && rows;
+    if (std::vector<std::string> several; columns.hasArray(key) && columns.read(key, several))
+        columns.problem(key, "expected one column, or an expression such as \"genus || ' ' || epithet\"");
+    const bool isNamed = !columns.hasArray(key) && columns.read(key, name) && rows;
     std::optional<std::size_t> column;
     if (isNamed) {
         if (const Result<std::size_t> found = rows->columnOrExpression(name))

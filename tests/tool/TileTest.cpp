@@ -40,7 +40,7 @@ TEST(Tile, MakesAWorldThatTheOtherCommandsRead) {
 
     const std::string start = world + "/world.treewind";
     const Outcome valid = runTool({"validate", start});
-    EXPECT_EQ(valid.out, start + ": good, 400 trees\n") << valid.err;
+    EXPECT_EQ(valid.out.rfind(start + ": good, 400 trees on ", 0), 0u) << valid.out << valid.err;
     const std::string whole = folder.path() + "/whole.csv", part = folder.path() + "/part.csv";
     ASSERT_EQ(runTool({"simulate", start, "--tiles", "1,2", "--duration", "0.1", "--fps", "10", "-o", part})
                   .exitCode,

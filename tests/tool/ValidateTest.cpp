@@ -48,8 +48,28 @@ TEST(Validate, AnIncompleteFileHasALine) {
 TEST(Validate, AGoodFileIsCalledGood) {
     const Outcome outcome = runTool({"validate", example("forest.treewind")});
     EXPECT_EQ(outcome.exitCode, 0);
-    EXPECT_EQ(outcome.out, example("forest.treewind") + ": good, 40 trees\n");
+    EXPECT_EQ(outcome.out, example("forest.treewind") +
+                               ": good, 40 trees on 62 m by 64 m, 8.1 to 15 m high, trunks of 22 to "
+                               "53 cm, wind of 2.5 to 9.6 m/s at 10 m\n");
     EXPECT_EQ(outcome.err, "");
+}
+
+/// Trees of Hamburg in a record from the west; the place by `gdaltransform`.
+TEST(Validate, SaysWhatStandsWhere) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h,dbh_cm\n564995,5933904,12,20\n565021,5933915,30,45\n");
+    folder.write("w.csv", "time,speed,direction\n0,2,270\n3600,8,270\n");
+    folder.write("a.treewind",
+                 "version = 1\ncrs = \"EPSG:25832\"\n[inventory]\nfile = \"a.csv\"\ncolumns = { x = "
+                 "\"x\", y = \"y\", height = \"h\", trunk_diameter = \"dbh_cm\" }\n[wind]\nkind = "
+                 "\"series\"\nfile = \"w.csv\"\ncolumns = { time = \"time\", speed = \"speed\", "
+                 "direction_from = \"direction\" }\n");
+    const Outcome outcome = runTool({"validate", "a.treewind"}, folder.path());
+    EXPECT_NE(outcome.out.find(
+                  "\na.treewind: good, 2 trees on 26 m by 11 m at 53.5500 N, 9.9812 E, 12 to 30 m high, "
+                  "trunks of 20 to 45 cm, wind of 2 to 8 m/s at 10 m\n"),
+              std::string::npos)
+        << outcome.out << outcome.err;
 }
 
 TEST(Validate, ChecksACatalogueOfSpecies) {
@@ -81,5 +101,5 @@ TEST(Validate, CampusIsGood) {
     REQUIRE_REAL_DATA(inventory, "utah_campus/utah_campus_trees.csv");
     const Outcome outcome = runTool({"validate", example("campus.treewind")});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find(": good, 1233 trees\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(": good, 1233 trees on 712 m by 572 m, "), std::string::npos) << outcome.out;
 }

@@ -3,8 +3,14 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TiledForest.h>
+#include <osgTreeWind/places/CrsTransform.h>
+#include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
@@ -15,12 +21,99 @@ void validateCatalogue(const std::string& file) {
     std::cout << file << ": good, " << catalogue.species().size() << " species with the built-in ones\n";
 }
 
+/// The least and the greatest of several numbers.
+class Extent {
+public:
+    void add(double number) {
+        _low = std::min(_low, number);
+        _high = std::max(_high, number);
+    }
+    bool isEmpty() const { return _low > _high; }
+    double size() const { return _high - _low; }
+    double middle() const { return 0.5 * (_low + _high); }
+    std::string text() const {
+        const std::string low = rounded(_low), high = rounded(_high);
+        return low == high ? low : low + " to " + high;
+    }
+    static std::string rounded(double number) {
+        std::ostringstream text;
+        text.precision(std::abs(number) < 100.0 ? 2 : 12);
+        text << (std::abs(number) < 100.0 ? number : std::round(number));
+        return text.str();
+    }
+
+private:
+    double _low = HUGE_VAL, _high = -HUGE_VAL;
+};
+
+/// Times of the data of a field, at most about a hundred.
+std::vector<double> timesOf(const WindField* field) {
+    std::vector<double> all, some;
+    if (const auto* series = dynamic_cast<const TimeSeriesWind*>(field))
+        all = series->series().times;
+    else if (const auto* grid = dynamic_cast<const GridWind*>(field))
+        all = grid->grid().times;
+    for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 100)
+        some.push_back(all[i]);
+    return some.empty() ? std::vector<double>{0.0} : some;
+}
+
+/// Speeds 10 m above the feet of about a hundred trees, without gusts.
+Extent windOf(const ForestFile& forest) {
+    Extent speeds;
+    Wind steady = forest.wind;
+    steady.gusts = {};
+    const WindFieldPtr field = asField(steady);
+    for (std::size_t i = 0; field && i < forest.trees.size(); i += 1 + forest.trees.size() / 100)
+        for (const double time : timesOf(steady.field.get())) {
+            const glm::vec3 foot(forest.trees[i].position - forest.origin);
+            const double sceneTime = (time - steady.clock.start) / steady.clock.scale;
+            speeds.add(glm::length(field->velocity({foot + glm::vec3(0, 0, 10), foot.z},
+                                                   std::isfinite(sceneTime) ? sceneTime : 0.0)));
+        }
+    return speeds;
+}
+
+/// What stands where, so that a wrong place or unit meets the eye.
+std::string summaryOf(const ForestFile& forest) {
+    Extent east, north, heights, trunks;
+    for (const TreePlacement& tree : forest.trees) {
+        east.add(tree.position.x);
+        north.add(tree.position.y);
+        if (tree.size.height > 0.0f)
+            heights.add(static_cast<double>(tree.size.height));
+        if (tree.size.trunkDiameter > 0.0f)
+            trunks.add(100.0 * static_cast<double>(tree.size.trunkDiameter));
+    }
+    std::string text;
+    if (forest.trees.size() > 1)
+        text = " on " + Extent::rounded(east.size()) + " m by " + Extent::rounded(north.size()) + " m";
+    if (const Result<Crs> map = Crs::parseMap(forest.crs); !forest.crs.empty() && map && !east.isEmpty()) {
+        glm::dvec2 place(east.middle(), north.middle());
+        const Result<CrsTransform> way = CrsTransform::between(map.value(), Crs::wgs84());
+        if (way && way.value().apply(place)) {
+            std::ostringstream degrees;
+            degrees.precision(4);
+            degrees << std::fixed << std::abs(place.y) << (place.y < 0.0 ? " S, " : " N, ")
+                    << std::abs(place.x) << (place.x < 0.0 ? " W" : " E");
+            text += " at " + degrees.str();
+        }
+    }
+    if (!heights.isEmpty())
+        text += ", " + heights.text() + " m high";
+    if (!trunks.isEmpty())
+        text += ", trunks of " + trunks.text() + " cm";
+    const Extent wind = windOf(forest);
+    return text + (wind.isEmpty() ? ", no wind" : ", wind of " + wind.text() + " m/s at 10 m");
+}
+
 void validateForest(const std::string& file) {
     ForestFile forest = valueOrThrow(readForestFile(file));
     valueOrThrow(loadTiles(forest));
     for (const std::string& note : forest.notes)
         std::cout << file << ": note: " << note << '\n';
-    std::cout << file << ": good, " << forest.trees.size() << " trees\n";
+    std::cout << file << ": good, " << forest.trees.size() << (forest.trees.size() == 1 ? " tree" : " trees")
+              << summaryOf(forest) << '\n';
 }
 
 } // namespace
