@@ -105,9 +105,9 @@ bool beginsAsComment(const CsvTable::Row& row) {
 
 bool isMissing(std::string_view cell) {
     static const std::set<std::string> markers = {
-        "",   "m",   "na",   "n/a",   "nan",     "null",      "none",   "nil", "nodata",
-        "-",  "--",  "---",  "/",     "//",      "///",       "?",      "*",   ".",
-        "..", "...", "k.a.", "k. a.", "unknown", "unbekannt", "inconnu"};
+        "",       "m",  "mm",  "na",   "n/a",   "nan",     "null",      "none",   "nil",
+        "nodata", "-",  "--",  "---",  "/",     "//",      "///",       "?",      "*",
+        ".",      "..", "...", "k.a.", "k. a.", "unknown", "unbekannt", "inconnu"};
     if (cell.size() > 20)
         return false;
     return markers.count(lower(std::string(trimmed(cell)))) > 0;
@@ -158,7 +158,7 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, Csv
     std::optional<Diagnostic> problem;
     if (!table.format.columns.empty())
         problem = readHeader(table.format.columns, table.format.headerLine, table);
-    std::size_t raggedCount = 0;
+    std::size_t raggedCount = 0, minCells = 0;
     CsvReader rows(plain.value(), file, table.format);
     Result<bool> found = rows.next();
     for (; found && found.value() && (!problem || raggedCount > 0); found = rows.next()) {
@@ -167,8 +167,13 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, Csv
             problem = readHeader(std::move(row.cells), row.line, table);
             continue;
         }
+        if (minCells == 0)
+            for (minCells = table.columns.size(); minCells > 1 && table.columns[minCells - 1].empty();)
+                --minCells;
         while (row.cells.size() > table.columns.size() && row.cells.back().empty())
             row.cells.pop_back();
+        if (row.cells.size() < table.columns.size() && row.cells.size() >= minCells)
+            row.cells.resize(table.columns.size());
         if (row.cells.size() == table.columns.size()) {
             if (!problem)
                 onRow(table, row);
@@ -184,7 +189,7 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, Csv
     if (!found)
         return found.problems();
     if (table.columns.empty())
-        return fileProblem(file, "expected a header row, found only blank lines", 1);
+        return fileProblem(file, "expected a header row, found only blank lines", table.format.firstLine);
     if (raggedCount > 1)
         problem->message += ", as in " + std::to_string(raggedCount - 1) + " more rows";
     if (raggedCount > 0 && !table.format.hint.empty())

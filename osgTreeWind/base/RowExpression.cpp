@@ -209,6 +209,12 @@ Diagnostic syntaxProblem(const SqlText& sql, const Statement& statement, int cod
 
 std::string problemOfColumn(const std::string& name, const std::vector<std::string>& columns,
                             const std::string& file) {
+    std::vector<std::string> numbered; // by readCsvRows()
+    for (const std::string& column : columns)
+        if (column.compare(0, name.size() + 2, name + " [") == 0)
+            numbered.push_back(inQuotes(column));
+    if (numbered.size() > 1)
+        return inQuotes(name) + " in " + file + " may be " + joined(numbered);
     const std::string similar = nearestName(name, columns);
     return "no column " + inQuotes(name) + " in " + file +
            (similar.empty() ? "" : "; did you mean " + inQuotes(similar) + '?');

@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/TableLayout.h>
 
 #include <osgTreeWind/base/CsvReader.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
@@ -23,15 +24,28 @@ std::string_view firstLines(std::string_view text) {
     return text.substr(0, std::min(text.find_last_of("\r\n", maxSize), text.size()));
 }
 
-/// The rows of a text, comments included, up to an error.
+/// The rows of a text, comments included. Skips lines with misplaced quotation marks, which titles may have.
 std::vector<Row> rowsOf(std::string_view text, char delimiter, int firstLine) {
-    CsvFormat format(delimiter);
-    format.firstLine = firstLine;
+    constexpr int maxRestarts = 100;
     std::vector<Row> rows;
-    CsvReader reader(text, {}, format);
-    for (Result<bool> found = reader.next(); found && found.value(); found = reader.next())
-        rows.push_back(std::move(reader.row()));
+    for (int restarts = 0; restarts < maxRestarts; ++restarts) {
+        CsvFormat format(delimiter);
+        format.firstLine = firstLine;
+        CsvReader reader(text, {}, format);
+        Result<bool> found = reader.next();
+        for (; found && found.value(); found = reader.next())
+            rows.push_back(std::move(reader.row()));
+        if (found)
+            break;
+        firstLine = found.problems().front().line + 1;
+    }
     return rows;
+}
+
+bool hasDigit(const Row& row) {
+    return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) {
+        return cell.find_first_of("0123456789") != std::string::npos;
+    });
 }
 
 bool isLastLineQuoted(std::string_view text) {
@@ -53,10 +67,11 @@ std::string withoutMark(const std::string& cell) {
 /// Finds the header among rows.
 class HeaderSearch {
 public:
-    /// @param areQuoted whether the last row begins with a quotation mark.
-    HeaderSearch(const std::vector<Row>& rows, bool areQuoted, const TableOptions& options,
+    /// @param rows of the text.
+    HeaderSearch(const std::vector<Row>& rows, std::string_view text, const TableOptions& options,
                  const CsvFormat& format)
-        : _rows(rows), _options(options), _format(format), _areQuoted(areQuoted) {
+        : _rows(rows), _options(options), _format(format), _areQuoted(isLastLineQuoted(text)),
+          _begin(positionInText(text, text.find_first_not_of(" \t\r\n")).line) {
         std::map<std::size_t, std::size_t> counts;
         for (const Row& row : rows)
             if (!isComment(row))
@@ -179,7 +194,8 @@ private:
         const Row& row = _rows[header];
         layout.names = row.cells;
         layout.headerLine = layout.format.headerLine = layout.format.firstLine = row.line;
-        if (header > (beginsWithSeparator(_rows.front()) ? 1 : 0))
+        const bool isFirst = row.line <= _begin || (header == 1 && beginsWithSeparator(_rows.front()));
+        if (!isFirst && !_options.headerLine)
             layout.notes.push_back("line " + std::to_string(row.line) +
                                    " is taken for the header (header_line sets another)");
         std::vector<std::string>& columns = layout.format.columns;
@@ -195,15 +211,18 @@ private:
             columns.insert(columns.end(), row.cells.begin(), row.cells.end());
             layout.notes.push_back("its rows are numbered in a first column without a name");
         }
+        std::size_t first = header + 1;
+        for (; first < _rows.size() && (isComment(_rows[first]) || !hasDigit(_rows[first])); ++first)
+            if (!isComment(_rows[first])) {
+                layout.notes.push_back("line " + std::to_string(_rows[first].line) + ", " +
+                                       inQuotes(joined(_rows[first].cells)) +
+                                       ", has no digits and is left out");
+                columns = columns.empty() ? row.cells : columns;
+            }
         if (columns.empty())
             return;
         layout.names = columns;
-        for (std::size_t i = header + 1; i < _rows.size(); ++i)
-            if (!isComment(_rows[i])) {
-                layout.format.firstLine = _rows[i].line;
-                return;
-            }
-        layout.format.firstLine = row.line + 1;
+        layout.format.firstLine = first < _rows.size() ? _rows[first].line : _rows.back().line + 1;
     }
 
     bool isAsked(const std::string& name) const {
@@ -213,7 +232,8 @@ private:
     const std::vector<Row>& _rows;
     const TableOptions& _options;
     const CsvFormat& _format;
-    const bool _areQuoted;
+    const bool _areQuoted; ///< Whether the last row begins with a quotation mark.
+    const int _begin;      ///< Line of the first text.
     std::size_t _width = 0;
 };
 
@@ -256,7 +276,7 @@ TableLayout findTable(std::string_view text, const TableOptions& options) {
         const std::string tabbed = areBlanks ? blanksToTabs(lines) : std::string();
         const std::vector<Row> rows =
             areBlanks ? rowsOf(tabbed, '\t', format.firstLine) : rowsOf(lines, delimiter, format.firstLine);
-        HeaderSearch search(rows, isLastLineQuoted(lines), options, format);
+        HeaderSearch search(rows, lines, options, format);
         TableLayout layout = search.find();
         const std::tuple rank(layout.foundCount, layout.isCertain, -layout.headerLine, search.width());
         if (bestRank &&

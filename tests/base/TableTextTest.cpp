@@ -2,6 +2,7 @@
 #include <tests/base/FirstProblem.h>
 #include <tests/base/IsProblem.h>
 
+#include <osgTreeWind/base/RowExpression.h>
 #include <osgTreeWind/base/TableText.h>
 #include <osgTreeWind/base/Text.h>
 
@@ -47,16 +48,28 @@ const std::string table = "id|x|y\n1|2.5|3\n2|4|5\n";
 
 /// The same table, as programs write it around, between or beside its cells.
 TEST(TableText, FindsATableInItsSurroundings) {
-    for (const char* const text :
-         {"id,x,y\n1,2.5,3\n2,4,5\n", "City trees\nExported: 2024, March\n\nid,x,y\n1,2.5,3\n2,4,5\n",
-          "City trees,,\n,,\nid,x,y\n1,2.5,3\n2,4,5\n",
-          "# city, trees\n# 2024\nid,x,y\n1,2.5,3\n# felled\n2,4,5\n", "% a\nid,x,y\n1,2.5,3\n2,4,5\n",
-          "sep=;\nid;x;y\n1;2,5;3\n2;4;5\n", "\"sep=;\"\nid;x;y\n1;2.5;3\n2;4;5\n",
-          "id,x,y\n1,2.5,3,\n2,4,5,\n", "id,x,y\n1,2.5,3,,\n2,4,5\n", "City\nid,x,y\n1,2.5,3,\n2,4,5,\n",
-          "id x y\n1 2.5 3\n2 4 5\n", "  id    x  y \n   1  2.5  3\n\n  2  4    5  \n",
-          "id\tx\ty\n1\t2.5\t3\n2\t4\t5\n", "id|x|y\n1|2.5|3\n2|4|5\n", "#id x y\n#- m m\n1 2.5 3\n2 4 5\n",
-          "# id,x,y\n1,2.5,3\n2,4,5\n", "#Software: S\n#Fields: id x y\n1 2.5 3\n2 4 5\n",
-          "name,place,zone,height,owner\nA,B,0,8,C\n\nid,x,y\n1,2.5,3\n2,4,5\n"})
+    for (const char* const text : {"id,x,y\n1,2.5,3\n2,4,5\n",
+                                   "City trees\nExported: 2024, March\n\nid,x,y\n1,2.5,3\n2,4,5\n",
+                                   "City trees,,\n,,\nid,x,y\n1,2.5,3\n2,4,5\n",
+                                   "# city, trees\n# 2024\nid,x,y\n1,2.5,3\n# felled\n2,4,5\n",
+                                   "% a\nid,x,y\n1,2.5,3\n2,4,5\n",
+                                   "sep=;\nid;x;y\n1;2,5;3\n2;4;5\n",
+                                   "\"sep=;\"\nid;x;y\n1;2.5;3\n2;4;5\n",
+                                   "id,x,y\n1,2.5,3,\n2,4,5,\n",
+                                   "id,x,y\n1,2.5,3,,\n2,4,5\n",
+                                   "City\nid,x,y\n1,2.5,3,\n2,4,5,\n",
+                                   "id x y\n1 2.5 3\n2 4 5\n",
+                                   "  id    x  y \n   1  2.5  3\n\n  2  4    5  \n",
+                                   "id\tx\ty\n1\t2.5\t3\n2\t4\t5\n",
+                                   "id|x|y\n1|2.5|3\n2|4|5\n",
+                                   "#id x y\n#- m m\n1 2.5 3\n2 4 5\n",
+                                   "# id,x,y\n1,2.5,3\n2,4,5\n",
+                                   "#Software: S\n#Fields: id x y\n1 2.5 3\n2 4 5\n",
+                                   "\"City\" trees, 2024\nid,x,y\n1,2.5,3\n2,4,5\n",
+                                   "City,\"trees\nid,x,y\n1,2.5,3\n2,4,5\n",
+                                   "id,x,y\n,m,m\n1,2.5,3\n2,4,5\n",
+                                   "id,x,y\n--,---,-\n1,2.5,3\n2,4,5\n",
+                                   "name,place,zone,height,owner\nA,B,0,8,C\n\nid,x,y\n1,2.5,3\n2,4,5\n"})
         for (const auto& columns : {std::vector<std::string>(), {"id", "x"}, {"y"}, {"2 * y"}}) {
             if (columns.empty() && std::string(text).substr(0, 5) == "name,")
                 continue; // two tables of two lines each
@@ -64,6 +77,11 @@ TEST(TableText, FindsATableInItsSurroundings) {
             std::replace(rows.begin(), rows.end(), ',', '.');
             EXPECT_EQ(rows, table) << text;
         }
+}
+
+TEST(TableText, KeepsRowsWithoutNamesForAllCells) {
+    EXPECT_EQ(rowsIn("x,y,\n1,2\n3,4,a\n", {}), "x|y|\n1|2|\n3|4|a\n");
+    EXPECT_EQ(rowsIn("x,y\n", asking({"x"})), "x|y\n");
 }
 
 TEST(TableText, PrefersTheLineWithMostOfTheColumns) {
@@ -80,6 +98,10 @@ TEST(TableText, SaysWhatItAssumes) {
     EXPECT_EQ(notes("x,y\n1,2\n"), Notes());
     EXPECT_EQ(notes("sep=;\nx;y\n1;2\n"), Notes());
     EXPECT_EQ(notes("City\nx,y\n1,2\n"), Notes{"line 2 is taken for the header (header_line sets another)"});
+    EXPECT_EQ(notes("\n\"a\"b\nx,y\n1,2\n"),
+              Notes{"line 3 is taken for the header (header_line sets another)"});
+    EXPECT_EQ(notes("\nx,y\n1,2\n"), Notes());
+    EXPECT_EQ(notes("x,y\nm,m/s\n1,2\n"), Notes{"line 2, \"m, m/s\", has no digits and is left out"});
     EXPECT_EQ(notes("x  y\n1 2\n"),
               Notes{"its cells are separated by blanks, and its numbers may have decimal commas"});
     EXPECT_EQ(notes("x,y\n1,2,\n2,3,\n"), Notes());
@@ -155,5 +177,7 @@ TEST(TableText, ExplainsWhatItCannotFind) {
             keys);
     EXPECT_EQ(rowsIn("id,x,y,z\n1,2,3\n2,3,4\n", {}),
               "t.csv:2: expected 4 cells as in the header, found 3, as in 1 more rows");
+    EXPECT_EQ(problemOfColumn("id", {"id [1]", "x", "id [3]"}, "t.csv"),
+              "\"id\" in t.csv may be \"id [1]\", \"id [3]\"");
     EXPECT_TRUE(hasPart(rowsIn("x,y\n\"1\"2,3\n", asking({"x"})), "misplaced quotation mark"));
 }
