@@ -128,6 +128,12 @@ std::string CsvTable::commentNote() const {
                      "are left out as comments";
 }
 
+std::string CsvTable::unitOf(Dimension dimension, std::size_t column) const {
+    const std::string cell = column < format.units.size() ? " " + format.units[column] : std::string();
+    const std::string unit = unitInName(dimension, "x" + cell);
+    return knownUnit(dimension, unit) ? unit : unitInName(dimension, columns[column]);
+}
+
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {
     const auto found = std::find(columns.begin(), columns.end(), name);
     if (found == columns.end())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/base/UnitsOfMeasure.h>
 
 #include <functional>
 #include <istream>
@@ -32,7 +33,8 @@ struct CsvFormat {
     /// Names of the columns, if the first row does not have them, and their line; 0: the table has none.
     std::vector<std::string> columns;
     int headerLine = 0;
-    std::string hint; ///< How to correct the form, at the end of messages; may be empty.
+    std::vector<std::string> units; ///< Cells of a row of units below the header; may be empty.
+    std::string hint;               ///< How to correct the form, at the end of messages; may be empty.
 };
 
 /// Whether a cell marks a missing value: empty, "NA", "null", "M", "-" and similar.
@@ -58,6 +60,8 @@ struct CsvTable {
 
     /// "3 lines begin as comments and are left out", or empty.
     std::string commentNote() const;
+    /// The unit that a row of units or the name of the column gives, as by unitInName().
+    std::string unitOf(Dimension dimension, std::size_t column) const;
     /// Index of the column called `name` (exact match), or empty.
     std::optional<std::size_t> column(const std::string& name) const;
 

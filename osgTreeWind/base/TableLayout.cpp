@@ -212,13 +212,16 @@ private:
             layout.notes.push_back("its rows are numbered in a first column without a name");
         }
         std::size_t first = header + 1;
-        for (; first < _rows.size() && (isComment(_rows[first]) || !hasDigit(_rows[first])); ++first)
+        for (; first < _rows.size() && (isComment(_rows[first]) || !hasDigit(_rows[first])); ++first) {
+            if (!hasDigit(_rows[first]) && _rows[first].cells.size() == row.cells.size())
+                layout.format.units = _rows[first].cells;
             if (!isComment(_rows[first])) {
                 layout.notes.push_back("line " + std::to_string(_rows[first].line) + ", " +
                                        inQuotes(joined(_rows[first].cells)) +
-                                       ", has no digits and is left out");
+                                       ", has no digits and can only give units");
                 columns = columns.empty() ? row.cells : columns;
             }
+        }
         if (columns.empty())
             return;
         layout.names = columns;

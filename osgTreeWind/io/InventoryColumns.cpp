@@ -124,7 +124,7 @@ void InventoryColumns::useKnownColumns(const TreeRows& rows) {
     }
 }
 
-/// Reads the units that keys or the names of columns give. A CRS gives those of x and y.
+/// Reads the units that keys or columns give. A CRS gives those of x and y.
 void InventoryColumns::readUnits(TableReader& table, const TreeRows* rows) {
     std::map<const MeasureColumn*, double> asked;
     table.table("units", [&](TableReader& units) {
@@ -139,7 +139,7 @@ void InventoryColumns::readUnits(TableReader& table, const TreeRows* rows) {
         if (!rows || !measure->column || *measure->column >= rows->columns().size() || hasCrs)
             continue;
         const std::string& name = rows->nameOf(*measure->column);
-        const std::string unit = unitInName(Dimension::Length, name);
+        const std::string unit = rows->unitOf(Dimension::Length, *measure->column);
         if (unit.empty())
             continue;
         const Result<double> size = sizeOfUnit(Dimension::Length, unit);
@@ -156,8 +156,8 @@ void InventoryColumns::readUnits(TableReader& table, const TreeRows* rows) {
         if (!names.empty())
             table.note(rows->file() + ": " + text + joined(names));
     };
-    note("the names of columns give their units, unless inventory.units does: ", used);
-    note("inventory.units replaces the units in the names of columns: ", replaced);
+    note("columns give their units, unless inventory.units does: ", used);
+    note("inventory.units replaces the units of columns: ", replaced);
     note("the names of columns end in no known unit, and metres are assumed, unless inventory.units sets "
          "another: ",
          unknown);

@@ -141,6 +141,9 @@ public:
     const std::string& file() const override { return header().file; }
     const std::string& format() const override { return _format; }
     const std::vector<std::string>& columns() const override { return header().columns; }
+    std::string unitOf(Dimension dimension, std::size_t column) const override {
+        return header().unitOf(dimension, column);
+    }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
     Result<VectorPlace> place() const override { return VectorPlace(); }

@@ -30,6 +30,10 @@ public:
     Result<std::size_t> columnOrExpression(const std::string& text);
     /// The name of a column, or the text of an expression.
     const std::string& nameOf(std::size_t column) const;
+    /// The unit that a column of the file gives, as by unitInName().
+    virtual std::string unitOf(Dimension dimension, std::size_t column) const {
+        return unitInName(dimension, columns()[column]);
+    }
     /// The CRS, if the file states it.
     virtual const std::optional<Crs>& crs() const = 0;
     /// Whether rows have a geometry.

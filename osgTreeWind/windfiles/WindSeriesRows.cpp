@@ -37,8 +37,8 @@ WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& co
     _areColumnsValid = _problems.empty();
 }
 
-std::string WindSeriesRows::unitInName(Dimension dimension, std::size_t column) const {
-    return column < _columnCount ? osgTreeWind::unitInName(dimension, _table.columns[column]) : std::string();
+std::string WindSeriesRows::unitOf(Dimension dimension, std::size_t column) const {
+    return column < _columnCount ? _table.unitOf(dimension, column) : std::string();
 }
 
 void WindSeriesRows::chooseSpeedUnit() {
@@ -50,7 +50,7 @@ void WindSeriesRows::chooseSpeedUnit() {
     std::optional<double> size;
     for (const std::size_t column : columns) {
         const std::string& name = _table.columns[column];
-        const std::string unit = unitInName(Dimension::Speed, column);
+        const std::string unit = unitOf(Dimension::Speed, column);
         if (unit.empty())
             continue;
         const Result<double> named = sizeOfUnit(Dimension::Speed, unit);
@@ -70,25 +70,23 @@ void WindSeriesRows::chooseSpeedUnit() {
         else
             report(0, "speed unit", asked.problems().front().message);
     } else if (_speedPerUnit != 1.0)
-        _notes.push_back("the name of the column " + inQuotes(_table.columns[_first]) +
-                         " gives the unit of speed");
+        _notes.push_back("the column " + inQuotes(_table.columns[_first]) + " gives the unit of speed, " +
+                         _unit);
 }
 
 void WindSeriesRows::chooseDirectionUnit() {
     const std::string& asked = _columns.directionUnit;
     const std::optional<double> named =
-        knownUnit(Dimension::Direction, unitInName(Dimension::Direction, _second));
+        knownUnit(Dimension::Direction, unitOf(Dimension::Direction, _second));
     const std::optional<double> unit =
         asked.empty() ? named.value_or(1.0) : knownUnit(Dimension::Direction, asked);
     if (!unit)
         return report(0, "direction unit", expectedFound(expectedUnit(Dimension::Direction), asked));
     _degreesPerUnit = *unit;
     if (named && asked.empty() && *named != 1.0)
-        _notes.push_back("the name of the column " + inQuotes(_columns.direction) +
-                         " gives the unit of directions");
+        _notes.push_back("the column " + inQuotes(_columns.direction) + " gives the unit of directions");
     else if (named && *named != *unit)
-        _notes.push_back("direction_unit replaces the unit in the name of the column " +
-                         inQuotes(_columns.direction));
+        _notes.push_back("direction_unit replaces the unit of the column " + inQuotes(_columns.direction));
 }
 
 void WindSeriesRows::report(int line, const std::string& key, std::string message) {
@@ -258,6 +256,10 @@ void WindSeriesRows::joinRecords() {
     const auto timeOf = [&](const Record& record) {
         return isDayFirst.value() ? record.dayFirst : record.monthFirst;
     };
+    if (_times.areDates() && timeOf(_records.back()) < timeOf(_records.front())) {
+        std::reverse(_records.begin(), _records.end());
+        _notes.push_back("its records run backward in time and are reversed");
+    }
     constexpr double summerTime = 3600.0;
     double latest = -HUGE_VAL;
     std::size_t lateCount = 0;

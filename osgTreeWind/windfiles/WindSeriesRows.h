@@ -45,7 +45,7 @@ private:
     double speed(const Row& row, std::size_t column, double low);
     double degrees(const Row& row);
     glm::vec3 velocity(const Row& row);
-    std::string unitInName(Dimension dimension, std::size_t column) const;
+    std::string unitOf(Dimension dimension, std::size_t column) const;
     void chooseSpeedUnit();
     void chooseDirectionUnit();
     void joinRecords();

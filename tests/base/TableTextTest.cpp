@@ -101,7 +101,7 @@ TEST(TableText, SaysWhatItAssumes) {
     EXPECT_EQ(notes("\n\"a\"b\nx,y\n1,2\n"),
               Notes{"line 3 is taken for the header (header_line sets another)"});
     EXPECT_EQ(notes("\nx,y\n1,2\n"), Notes());
-    EXPECT_EQ(notes("x,y\nm,m/s\n1,2\n"), Notes{"line 2, \"m, m/s\", has no digits and is left out"});
+    EXPECT_EQ(notes("x,y\nm,m/s\n1,2\n"), Notes{"line 2, \"m, m/s\", has no digits and can only give units"});
     EXPECT_EQ(notes("x  y\n1 2\n"),
               Notes{"its cells are separated by blanks, and its numbers may have decimal commas"});
     EXPECT_EQ(notes("x,y\n1,2,\n2,3,\n"), Notes());

@@ -354,7 +354,7 @@ TEST(InventorySizes, HaveTheUnitsInTheNamesOfTheirColumns) {
     EXPECT_FLOAT_EQ(named.trees[0].size.height, 18.288f);
     EXPECT_FLOAT_EQ(named.trees[0].size.trunkDiameter, 0.3048f);
     EXPECT_FLOAT_EQ(named.trees[0].size.crownWidth, 9.144f);
-    EXPECT_TRUE(hasPart(notesOf(named), "the names of columns give their units, unless inventory.units does: "
+    EXPECT_TRUE(hasPart(notesOf(named), "columns give their units, unless inventory.units does: "
                                         "\"Height (ft)\", \"DBH_in\", \"Crown [yd]\""))
         << notesOf(named);
     const ForestFile asked =
@@ -362,10 +362,20 @@ TEST(InventorySizes, HaveTheUnitsInTheNamesOfTheirColumns) {
                                              "\"in\", crown_width = \"ft\" }\n");
     EXPECT_FLOAT_EQ(asked.trees[0].size.height, 60.0f * 1200.0f / 3937.0f);
     EXPECT_FLOAT_EQ(asked.trees[0].size.crownWidth, 3.048f);
-    EXPECT_TRUE(hasPart(notesOf(asked),
-                        "inventory.units replaces the units in the names of columns: \"Height (ft)\", "
-                        "\"Crown [yd]\""))
+    EXPECT_TRUE(hasPart(notesOf(asked), "inventory.units replaces the units of columns: \"Height (ft)\", "
+                                        "\"Crown [yd]\""))
         << notesOf(asked);
+}
+
+TEST(InventorySizes, HaveTheUnitsInARowBelowTheHeader) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "X,Y,Height,DBH\n(m),(m),(ft),in\n1,2,60,12\n5,6,40,8\n");
+    const ForestFile forest =
+        inventoryOf(folder.path(), "file = \"a.csv\"\ncolumns = { x = \"X\", y = \"Y\", height = \"Height\", "
+                                   "trunk_diameter = \"DBH\" }\n");
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_FLOAT_EQ(forest.trees[0].size.height, 18.288f);
+    EXPECT_FLOAT_EQ(forest.trees[0].size.trunkDiameter, 0.3048f);
 }
 
 TEST(InventorySizes, AreInMetresIfTheNameEndsInNoUnit) {

@@ -151,6 +151,17 @@ TEST(WindCsv, AveragesRecordsOfOneTime) {
     EXPECT_EQ(read("t,ws,wd\n5,1,270\n5,2,270\n6,1,0\n", polar()).value().times.size(), 2u);
 }
 
+TEST(WindCsv, ReversesRecordsOfWhichTheNewestIsFirst) {
+    const auto content =
+        readWindCsv("t,ws,wd\n2019-10-27 12:00,2,270\n2019-10-27 08:00,3,270\n2019-10-27 05:00,4,270\n",
+                    "w.csv", polar());
+    ASSERT_TRUE(content) << firstProblem(content);
+    const WindSeries series = recordOf(content).value();
+    EXPECT_EQ(series.times, (std::vector<double>{0, 10800, 25200}));
+    expectNear(series.velocities[0], {4, 0, 0});
+    EXPECT_EQ(content.value().assumptions.back(), "its records run backward in time and are reversed");
+}
+
 TEST(WindCsv, ReadsUnitsOfDirections) {
     const auto first = [](const std::string& name, const char* unit, const char* cell) {
         WindSeriesColumns columns = polar();
@@ -284,7 +295,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv:1: expected at least one record with wind, found none in 1"},
         BadRecord{"OutOfOrder", "t,ws,wd\n5,1,0\n4,1,0\n", polar(),
                   "w.csv:3: t: expected a time not before that of the row above, found '4'"},
-        BadRecord{"DateOutOfOrder", "t,ws,wd\n2020-01-01 05:00,1,0\n2020-01-01 03:59,1,0\n", polar(),
+        BadRecord{"DateOutOfOrder",
+                  "t,ws,wd\n2020-01-01 05:00,1,0\n2020-01-01 03:59,1,0\n2020-01-01 06:00,1,0\n", polar(),
                   "w.csv:3: t: expected a time at most an hour before those above, found "
                   "'2020-01-01T03:59:00Z'"},
         BadRecord{

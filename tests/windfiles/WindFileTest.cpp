@@ -104,6 +104,18 @@ TEST(WindFile, ReadsTheUnitInTheNameOfAColumn) {
     EXPECT_TRUE(hasNote(file.summary, "speed_unit, kn, replaces the unit of the file, km/h"));
 }
 
+TEST(WindFile, ReadsTheUnitInARowBelowTheHeader) {
+    const TemporaryFolder folder;
+    WindFileOptions options;
+    options.columns.time = {"time"};
+    options.columns.speed = "ws";
+    options.columns.direction = "wd";
+    const auto file = readWindFile(folder.write("a.csv", "time,ws,wd\ns,km/h,rad\n0,36,0\n"), options);
+    ASSERT_TRUE(file) << firstProblem(file);
+    expectNear(asField(file.value().wind)->velocity({}, 0), {0, -10, 0}, 1e-4f);
+    EXPECT_TRUE(hasNote(file.value().summary, "the column \"ws\" gives the unit of speed, km/h"));
+}
+
 TEST(WindFile, RefusesColumnsOfTwoUnits) {
     const TemporaryFolder folder;
     WindFileOptions options;
