@@ -19,7 +19,6 @@ struct MeasureColumn {
     SizeKind kind = SizeKind::Height;    ///< Of sizes.
 };
 
-
 /// Maps columns of an inventory to properties of trees, by its [inventory] table or its known format.
 class InventoryColumns {
 public:
