@@ -129,9 +129,11 @@ std::string CsvTable::commentNote() const {
 }
 
 std::string CsvTable::unitOf(Dimension dimension, std::size_t column) const {
-    const std::string cell = column < format.units.size() ? " " + format.units[column] : std::string();
-    const std::string unit = unitInName(dimension, "x" + cell);
-    return knownUnit(dimension, unit) ? unit : unitInName(dimension, columns[column]);
+    const std::string cell = column < format.units.size() ? format.units[column] : std::string();
+    const std::string named = unitInName(dimension, columns[column]),
+                      unit = unitInName(dimension, "x " + cell);
+    const bool isText = cell.find_first_not_of("-. ") != std::string::npos;
+    return knownUnit(dimension, unit) ? unit : named.empty() && isText ? cell : named;
 }
 
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {

@@ -215,7 +215,7 @@ private:
         for (; first < _rows.size() && (isComment(_rows[first]) || !hasDigit(_rows[first])); ++first) {
             if (!hasDigit(_rows[first]) && _rows[first].cells.size() == row.cells.size())
                 layout.format.units = _rows[first].cells;
-            if (!isComment(_rows[first])) {
+            if (!isComment(_rows[first]) && !joined(_rows[first].cells).empty()) {
                 layout.notes.push_back("line " + std::to_string(_rows[first].line) + ", " +
                                        inQuotes(joined(_rows[first].cells)) +
                                        ", has no digits and can only give units");

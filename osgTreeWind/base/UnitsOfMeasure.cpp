@@ -39,7 +39,7 @@ const std::vector<Unit>& units() {
          {"m/s", "m s-1", "m s^-1", "m s**-1", "m s⁻¹", "m·s⁻¹", "ms-1", "meters/second", "metres/second",
           "meters/sec", "mps", "meters per second", "meter/sec", "metre per second", "m/sec"}},
         {Dimension::Speed, 1.0 / 3.6, {"km/h", "km h-1", "kph", "kmh", "kmph", "km/hr"}},
-        {Dimension::Speed, 1852.0 / 3600.0, {"kn", "knots", "knot", "kt", "kts"}},
+        {Dimension::Speed, 1852.0 / 3600.0, {"kn", "knots", "knot", "kt", "kts", "knoten"}},
         {Dimension::Speed, 0.44704, {"mph", "miles/hour"}},
         {Dimension::Speed, 0.3048, {"ft/s", "ft s-1"}},
         {Dimension::Time, 1.0, {"s", "sec", "secs", "second", "seconds"}},
@@ -100,13 +100,29 @@ std::string expectedUnit(Dimension dimension) {
 
 std::string unitInName(Dimension dimension, const std::string& column) {
     const std::string name(trimmed(column));
-    for (const char* const brackets : {"()", "[]"})
-        if (const std::size_t open = name.rfind(brackets[0]);
-            open != std::string::npos && open > 0 && name.back() == brackets[1])
-            return std::string(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
-    for (std::size_t at = 1; at < name.size(); ++at)
-        if (beginsWord(name, at) && find(dimension, name.substr(at)))
+    std::string last;
+    for (std::size_t open = 0; (open = name.find_first_of("([", open + 1)) < name.size();) {
+        const std::size_t close = std::min(name.find_first_of(")]", open), name.size());
+        const std::string unit(trimmed(std::string_view(name).substr(open + 1, close - open - 1)));
+        if (find(dimension, unit))
+            return unit;
+        if (close + 1 == name.size() && unit.find_first_not_of("0123456789") != std::string::npos)
+            last = unit;
+    }
+    if (!last.empty())
+        return last;
+    constexpr std::size_t minSize = 3; // of words that are hardly anything else
+    for (std::size_t at = 1; at < name.size(); ++at) {
+        const bool isWord = beginsWord(name, at);
+        if ((isWord || (dimension == Dimension::Speed && at + minSize <= name.size())) &&
+            find(dimension, name.substr(at)))
             return name.substr(at);
+        std::size_t end = at;
+        while (end < name.size() && isAlphanumeric(name[end]))
+            ++end;
+        if (isWord && end - at >= minSize && find(dimension, name.substr(at, end - at)))
+            return name.substr(at, end - at);
+    }
     return {};
 }
 

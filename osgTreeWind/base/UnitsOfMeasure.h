@@ -20,8 +20,9 @@ std::string canonicalUnit(Dimension dimension, const std::string& name);
 /// For messages: "a unit of speed (m/s, km/h, kn, mph, ft/s)".
 std::string expectedUnit(Dimension dimension);
 
-/// The unit at the end of a column's name: in brackets, even an unknown one, or else a known one after a
-/// separator or in CamelCase: "ft" of "Height (ft)", "in" of "DBH_in". Empty without one.
+/// The unit in a column's name: "ft" of "Height (ft)" and "DBH_ft", "km/h" of "Speed [km/h] mean". It stands
+/// in brackets, even an unknown one at the end, or else, known, after a separator or in CamelCase at the end,
+/// or as a word of three letters elsewhere. Empty without one.
 std::string unitInName(Dimension dimension, const std::string& column);
 
 } // namespace osgTreeWind

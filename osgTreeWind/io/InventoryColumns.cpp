@@ -158,7 +158,7 @@ void InventoryColumns::readUnits(TableReader& table, const TreeRows* rows) {
     };
     note("columns give their units, unless inventory.units does: ", used);
     note("inventory.units replaces the units of columns: ", replaced);
-    note("the names of columns end in no known unit, and metres are assumed, unless inventory.units sets "
+    note("columns give no known unit, and metres are assumed, unless inventory.units sets "
          "another: ",
          unknown);
 }

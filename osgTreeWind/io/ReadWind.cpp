@@ -299,13 +299,21 @@ bool readSeriesValues(TableReader& table, WindSeries& series) {
     return complete;
 }
 
-Wind readSeries(TableReader& table, const InputFolders& folders) {
+/// @param date gets that of the time 0, if the file states it.
+Wind readSeries(TableReader& table, const InputFolders& folders, std::optional<double>& date) {
     WindSeries series;
     bool complete =
         table.has("file") ? readSeriesFile(table, folders, series) : readSeriesValues(table, series);
     table.read("repeat", series.repeat);
     complete &= readProfile(table, series.profile);
-    return complete ? checked(TimeSeriesWind::create(std::move(series)), table) : nullptr;
+    date = series.date;
+    Wind wind = complete ? checked(TimeSeriesWind::create(std::move(series)), table) : nullptr;
+    if (wind.field && date) {
+        WindFiles known;
+        known.date = date;
+        setKnown(wind, std::move(known));
+    }
+    return wind;
 }
 
 /// Finds the paths of `file`, or of all `files` with their `times`. @return false after a problem.
@@ -469,7 +477,7 @@ void setStartDate(const std::string& text, TableReader& table, const std::option
     else if (!date)
         table.problem("date", expectedFound("a date and time, as 2017-10-26T15:00:00Z", text));
     else if (!windDate)
-        table.problem("date", "expected a wind from files that contain dates");
+        table.problem("date", "expected a wind from files whose times are dates");
     else
         clock.start = *date - *windDate;
 }
@@ -546,7 +554,7 @@ Wind readWind(TableReader& table, const InputFolders& folders, const ForestDescr
          {"gusts", [&] { return readGusts(table); }},
          {"grid", [&] { return readGrid(table, folders, map, origin); }},
          {"forest_wind", [&] { return readForestWind(table, folders, map, origin); }},
-         {"series", [&] { return readSeries(table, folders); }},
+         {"series", [&] { return readSeries(table, folders, windDate); }},
          {"file", readData}});
     const bool isOtherKind = table.has("kind") || table.has("columns") || table.has("points");
     if (!isOtherKind && (table.has("file") || table.has("files")))

@@ -20,6 +20,7 @@ struct WindSeries {
     std::vector<glm::vec3> velocities; ///< m/s toward, one for each time.
     bool repeat = false;               ///< Repeat with the period last - first instead of holding the ends.
     std::optional<LogProfile> profile; ///< Above the ground of each place; empty: the same at all heights.
+    std::optional<double> date{};      ///< Of time 0, seconds since 1970-01-01T00:00Z; empty: unknown.
 };
 
 /// Mean velocity of a record, m/s, each weighted by the time in which it is the nearest; 0 if empty.

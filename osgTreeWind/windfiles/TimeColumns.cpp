@@ -94,6 +94,10 @@ Result<DateReadings> TimeColumns::read(const std::string& cell, int line, const 
     return DateReadings{seconds, seconds, true};
 }
 
+bool TimeColumns::isDotted() const {
+    return !_open.empty() && _open.find('.') < _open.find_first_of("-/ ");
+}
+
 Result<bool> TimeColumns::isDayFirst() const {
     if (!_columns.timeOrder.empty())
         return _columns.timeOrder == "dmy";
@@ -102,7 +106,7 @@ Result<bool> TimeColumns::isDayFirst() const {
                            "expected one order of day and month, found " + inQuotes(_dayFirst) + " and " +
                                inQuotes(_monthFirst),
                            _orderLine);
-    if (_dayFirst.empty() && _monthFirst.empty() && !_open.empty())
+    if (_dayFirst.empty() && _monthFirst.empty() && !_open.empty() && !isDotted())
         return fileProblem({},
                            expectedFound("a day above 12 that tells the order of day and month, or "
                                          "time_order = \"dmy\" or \"mdy\"",
@@ -115,6 +119,9 @@ std::vector<std::string> TimeColumns::notes() const {
     std::vector<std::string> notes;
     if (!_unitNote.empty())
         notes.push_back(_unitNote);
+    if (_columns.timeOrder.empty() && _dayFirst.empty() && _monthFirst.empty() && isDotted())
+        notes.push_back("dates such as " + _open +
+                        " are taken with the day first; time_order sets another order");
     if (_lacksZone)
         notes.push_back("its times name no zone and are taken as UTC");
     return notes;

@@ -25,6 +25,8 @@ public:
 
 private:
     void chooseUnit(const std::string& cell, const CsvFormat& format);
+    /// Whether a cell that does not tell the order has dots, which stand after the day.
+    bool isDotted() const;
     Result<DateReadings> readDateCell(const std::string& cell, int line);
 
     const WindSeriesColumns _columns;

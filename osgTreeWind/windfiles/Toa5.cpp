@@ -50,11 +50,8 @@ public:
             _records.emplace(table, _columns);
         Result<WindContent> content = _records->content(
             "Campbell TOA5", "components of the instrument, taken as toward east, north and up");
-        if (content) {
-            if (!_unit.empty())
-                content.value().summary.unit = _unit;
-            content.value().summary.start = _records->start();
-        }
+        if (content && !_unit.empty())
+            content.value().summary.unit = _unit;
         return content;
     }
 

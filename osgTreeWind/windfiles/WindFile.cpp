@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Unicode.h>
 
@@ -338,6 +339,7 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     if (Diagnostics problems = convertVelocities(content, columns.speedUnit, path); !problems.empty())
         return problems;
     noteMissing(content, content.assumptions);
+    series->date = parseDate(content.summary.start);
     if (notes)
         *notes = std::move(content.assumptions);
     return std::move(*series);

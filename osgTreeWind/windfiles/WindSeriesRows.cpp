@@ -55,7 +55,8 @@ void WindSeriesRows::chooseSpeedUnit() {
             continue;
         const Result<double> named = sizeOfUnit(Dimension::Speed, unit);
         if (!named)
-            _notes.push_back("the name of the column " + inQuotes(name) + " ends in no known unit of speed");
+            _notes.push_back("the column " + inQuotes(name) + " gives " + inQuotes(unit) +
+                             ", which is no known unit of speed");
         else if (size && *size != named.value() && _columns.speedUnit.empty())
             report(_table.headerLine, name, expectedFound("the unit of the other columns, " + _unit, unit));
         else {
@@ -133,7 +134,9 @@ bool WindSeriesRows::isMissing(const Row& row, std::size_t column) const {
     if (osgTreeWind::isMissing(row.cells[column]))
         return true;
     const std::optional<double> number = _table.format.numberOf(row.cells[column]);
+    constexpr double buoyCode = 99.0; // NDBC's, in m/s, where it is no wind
     return number && (osgTreeWind::isMissing(*number) ||
+                      (_polar && column == _first && _speedPerUnit == 1.0 && *number == buoyCode) ||
                       std::count(_columns.missing.begin(), _columns.missing.end(), *number) > 0);
 }
 
@@ -168,10 +171,11 @@ double WindSeriesRows::degrees(const Row& row) {
     _maxDegrees = std::max(_maxDegrees, std::abs(degrees));
     if (std::abs(degrees) <= maxDirection * (1.0 + 1e-6)) // for rounded radians
         return degrees;
-    report(
-        row.line, _columns.direction,
-        expectedFound("a direction of -360 to 360 degrees (other units: direction_unit) or a compass point",
-                      row.cells[_second]));
+    report(row.line, _columns.direction,
+           expectedFound(
+               "a direction of -360 to 360 degrees (other units: direction_unit) or an English compass "
+               "point (others: an expression such as replace(column, 'O', 'E'))",
+               row.cells[_second]));
     return 0.0;
 }
 
@@ -308,6 +312,7 @@ Result<WindContent> WindSeriesRows::content(const char* format, const char* comp
     WindContent content;
     content.summary.format = format;
     content.summary.unit = _unit;
+    content.summary.start = _start;
     content.summary.direction = _columns.speed.empty() ? components
                                 : _columns.sense == DirectionSense::From
                                     ? "from, degrees clockwise from north"

@@ -27,8 +27,6 @@ public:
     /// @param components their meaning, if the columns have no directions.
     Result<WindContent> content(const char* format, const char* components,
                                 std::vector<std::string> assumptions = {});
-    /// The first time of content(), as by isoTimeText() but with milliseconds, if the times are dates.
-    const std::string& start() const { return _start; }
 
 private:
     using Row = CsvTable::Row;
@@ -70,7 +68,9 @@ private:
     Diagnostics _problems;
     std::vector<std::string> _notes;
     bool _areColumnsValid = false;
-    std::string _start, _unit; ///< Unit of speed that the names of columns give.
+    std::string
+        _start;        ///< The first time, as by isoTimeText() but with milliseconds, if the times are dates.
+    std::string _unit; ///< Unit of speed that columns give.
     std::size_t _rowCount = 0, _skippedCount = 0, _variableCount = 0; ///< All rows; those left out.
 };
 

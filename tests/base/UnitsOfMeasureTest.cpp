@@ -43,7 +43,7 @@ TEST(UnitsOfMeasure, KnowsTheSpellingsOfSpeeds) {
           {"m/s", "m s-1", "m s^-1", "m s**-1", "m s⁻¹", "m·s⁻¹", "ms-1", "meters/second", "metres/second",
            "meters/sec", "mps", "meters per second", "meter/sec", "metre per second", "m/sec", "M/S"}},
          {1000.0 / 3600.0, {"km/h", "km h-1", "kph", "kmh", "kmph", "km/hr", "Km/h"}},
-         {1852.0 / 3600.0, {"kn", "knots", "knot", "kt", "kts", "KT"}},
+         {1852.0 / 3600.0, {"kn", "knots", "knot", "kt", "kts", "KT", "Knoten"}},
          {1609.344 / 3600.0, {"mph", "miles/hour", "MPH"}},
          {0.3048, {"ft/s", "ft s-1"}}});
 }
@@ -90,8 +90,13 @@ TEST(UnitsOfMeasure, FindsUnitsInNamesOfColumns) {
     EXPECT_EQ(speed("wind_mph"), "mph");
     EXPECT_EQ(speed("windspeedKmph"), "Kmph");
     EXPECT_EQ(speed("Wind m/s"), "m/s") << "and not s";
+    EXPECT_EQ(speed("windspeedkmh"), "kmh");
+    EXPECT_EQ(speed("wind_kmh_avg"), "kmh");
+    EXPECT_EQ(speed("Wind Speed (km/h) Avg (10 min)"), "km/h");
+    EXPECT_EQ(speed("Speed [8]"), "") << "the number of a column";
     EXPECT_EQ(unitInName(Dimension::Direction, "Wind Dir (10s deg)"), "10s deg");
     EXPECT_EQ(unitInName(Dimension::Direction, "WD (°)"), "°");
-    for (const char* name : {"height", "in", "m", "margin", "(m)", "diam", "stem", "Baum", "h_min", ""})
+    for (const char* name :
+         {"height", "in", "m", "margin", "(m)", "diam", "stem", "perimeters", "x_m_max", "Baum", "h_min", ""})
         EXPECT_EQ(length(name), "") << name;
 }

@@ -385,7 +385,7 @@ TEST(InventorySizes, AreInMetresIfTheNameEndsInNoUnit) {
         folder.path(), "file = \"a.csv\"\ncolumns = { x = \"X\", y = \"Y\", height = \"Height (est.)\" }\n");
     EXPECT_FLOAT_EQ(forest.trees[0].size.height, 18.0f);
     EXPECT_TRUE(hasPart(notesOf(forest),
-                        "end in no known unit, and metres are assumed, unless inventory.units sets "
+                        "columns give no known unit, and metres are assumed, unless inventory.units sets "
                         "another: \"Height (est.)\""))
         << notesOf(forest);
 }

@@ -151,6 +151,25 @@ TEST(WindCsv, AveragesRecordsOfOneTime) {
     EXPECT_EQ(read("t,ws,wd\n5,1,270\n5,2,270\n6,1,0\n", polar()).value().times.size(), 2u);
 }
 
+TEST(WindCsv, DatesWithDotsHaveTheDayFirst) {
+    const auto content =
+        readWindCsv("t,ws,wd\n03.02.2024 12:00,2,270\n04.02.2024 12:00,3,270\n", "w.csv", polar());
+    ASSERT_TRUE(content) << firstProblem(content);
+    EXPECT_EQ(content.value().summary.start, "2024-02-03T12:00:00Z");
+    EXPECT_EQ(content.value().assumptions.front(),
+              "dates such as 04.02.2024 12:00 are taken with the day first; time_order sets another order");
+    EXPECT_EQ(read("t,ws,wd\n02.28.2024,2,270\n03.01.2024,3,270\n", polar()).value().times.back(),
+              2 * 86400.0);
+}
+
+/// As in files of NDBC, whose directions may be valid then. In km/h it is a wind.
+TEST(WindCsv, A99InMetresPerSecondIsMissing) {
+    EXPECT_EQ(read("t,ws,wd\n0,5,270\n1,99.0,270\n2,7,0\n", polar()).value().times.size(), 2u);
+    WindSeriesColumns columns = polar();
+    columns.speedUnit = "km/h";
+    EXPECT_EQ(read("t,ws,wd\n0,5,270\n1,99.0,270\n2,7,0\n", columns).value().times.size(), 3u);
+}
+
 TEST(WindCsv, ReversesRecordsOfWhichTheNewestIsFirst) {
     const auto content =
         readWindCsv("t,ws,wd\n2019-10-27 12:00,2,270\n2019-10-27 08:00,3,270\n2019-10-27 05:00,4,270\n",

@@ -96,7 +96,8 @@ TEST(WindFile, ReadsTheUnitInTheNameOfAColumn) {
         expectNear(asField(file.wind)->velocity({}, 0), {speed, 0, 0}, 1e-4f);
         EXPECT_EQ(hasNote(file.summary, "gives the unit of speed"), speed != 36.0) << column;
     }
-    EXPECT_TRUE(hasNote(readNamed("speed (avg)").summary, "\"speed (avg)\" ends in no known unit of speed"));
+    EXPECT_TRUE(hasNote(readNamed("speed (avg)").summary,
+                        "\"speed (avg)\" gives \"avg\", which is no known unit of speed"));
     WindFileOptions options;
     options.speedUnit = "kn";
     const WindFile file = readNamed("wind (km/h)", options);
