@@ -111,7 +111,7 @@ float InventorySizes::readGeometry(const TreeRows& row, const MeasureColumn& mea
                                    double metres, float record) {
     Result<double> checkedMetres = metres;
     if (!measure.range.contains(metres))
-        checkedMetres = row.problem("", std::string("expected ") + what + " of " + measure.range.text() +
+        checkedMetres = row.problem("", std::string("expected ") + what + ' ' + measure.range.text() +
                                             " metres, found " + numberText(metres));
     else if (!isPossible(metres, record))
         checkedMetres = row.problem("", recordText(measure, record) + ", found " + what + " of " +

@@ -7,6 +7,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/io/TreeRows.h>
+#include <osgTreeWind/places/LongitudeWrap.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -377,6 +378,18 @@ std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, const For
     return {outside, all};
 }
 
+/// Whether a place is inside a wind's grid, also far from the trees, where WindFile::covers() is inexact.
+bool isInGrid(const WindFile& file, const ForestDescription& forest, glm::dvec2 place) {
+    const auto from = Crs::parse(forest.crs), to = Crs::parse(file.summary.crs);
+    const auto transform = from && to ? CrsTransform::between(from.value(), to.value()) : Diagnostics();
+    const WindExtent& extent = file.summary.extent;
+    if (!transform || !transform.value().apply(place))
+        return false;
+    if (to.value().isDegrees() && !extent.isUnbounded(0))
+        place.x += longitudeWrap(place.x, 0.5 * (extent.low.x + extent.high.x));
+    return extent.contains(place);
+}
+
 /// Adds a note if some trees are outside of a file's grid, and a problem if all are, unless `allowsOutside`.
 void checkCoverage(const WindFile& file, const std::string& path, const glm::dvec3& offset,
                    bool allowsOutside, TableReader& table, const ForestDescription& forest,
@@ -396,8 +409,10 @@ void checkCoverage(const WindFile& file, const std::string& path, const glm::dve
                 extentText({glm::dvec2(bounds.low), glm::dvec2(bounds.high)}, glm::dvec2(0.0)) +
                 (onOwnMap ? " of " + forest.crs : "") +
                 "; expected a wind at their place, or beyond = \"hold\" to use that of the edge" +
-                trees.adviceToExchange(
-                    [&](const glm::dvec2& place) { return file.covers(place - glm::dvec2(forest.origin)); }));
+                trees.adviceToExchange([&](const glm::dvec2& place) {
+                    return onOwnMap ? isInGrid(file, forest, place)
+                                    : file.covers(place - glm::dvec2(forest.origin));
+                }));
     }
     table.note((forest.tiles ? "parts of the world lie"
                              : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +

@@ -228,6 +228,34 @@ TEST(InventoryFeatures, OpenStreetMapNamesSpeciesInSeveralWays) {
     EXPECT_EQ(other.species[other.trees[0].species].name, "beech") << "the file says so";
 }
 
+TEST(InventoryFeatures, OpenStreetMapHasSizesInWords) {
+    const TemporaryFolder folder;
+    struct Tag {
+        std::string text;
+        float metres;
+        bool isEstimate;
+    };
+    // 1 ft = .3048 m and 1 in = .0254 m by definition
+    const std::vector<Tag> heights = {{"60'", 18.288f, false},   {R"(45'6\")", 13.8684f, false},
+                                      {"12,5", 12.5f, false},    {"~20", 20.0f, true},
+                                      {"10-15", 12.5f, true},    {"15 m", 15.0f, false},
+                                      {"40 ft", 12.192f, false}, {">18", 18.0f, true}};
+    std::string features;
+    for (const Tag& height : heights)
+        features += (features.empty() ? "" : ",") +
+                    point("9.0, 0.0", R"("@id": "node/1", "natural": "tree", "genus": "Tilia", "height": ")" +
+                                          height.text + R"(", "circumference": "1.2;0.9")");
+    folder.write("a.geojson", geoJson(features));
+    const ForestFile forest = inventoryOf(folder.path(), "file = \"a.geojson\"\n");
+    ASSERT_EQ(forest.trees.size(), heights.size());
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        SCOPED_TRACE(heights[i].text);
+        EXPECT_NEAR(forest.trees[i].size.height, heights[i].metres, 1e-4f);
+        EXPECT_EQ(forest.trees[i].estimated.height, heights[i].isEstimate);
+        EXPECT_NEAR(forest.trees[i].size.trunkDiameter, 1.5f / glm::pi<float>(), 1e-6f) << "of two stems";
+    }
+}
+
 TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
     const TemporaryFolder folder;
     folder.write("city.json", R"({"type": "CityJSON", "version": "1.1",

@@ -105,7 +105,7 @@ TEST_F(InventoryHeights, ZMayBeTheHeightOfTheTree) {
     EXPECT_TRUE(some.value().trees[2].estimated.height);
     write({"20", "200", "300"});
     EXPECT_TRUE(hasPart(notesOf(read("z = \"height\"\n" + onGround).value()),
-                        "expected a z of (0, 116] metres, found 200"));
+                        "expected a z in (0, 116] metres, found 200"));
 }
 
 TEST_F(InventoryHeights, ZMayBeThatOfTheTop) {

@@ -157,4 +157,22 @@ TEST(PointColumn, GeometriesOfMapFilesHaveAnOrder) {
                       "if their latitude stands first, set inventory.axis_order = \"yx\"");
 }
 
+/// The tree is at (500000, 11.05) in the zone, and with its coordinates exchanged 1,400 km away.
+TEST(PointColumn, AWindElsewhereTellsThatTheLatitudeStandsFirst) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson", geoJson(point("0.0001, 9")));
+    for (const std::string kind : {"vel", "ang"})
+        folder.write(
+            "w_" + kind + ".asc",
+            "ncols 3\nnrows 3\nxllcorner 499850\nyllcorner -150\ncellsize 100\n5 5 5\n5 5 5\n5 5 5\n");
+    const std::string lines = "file = \"a.geojson\"\n",
+                      wind = "[wind]\nfile = \"w_vel.asc\"\nheight = 10\nroughness = 0.5\n",
+                      head = "crs = \"EPSG:32632\"\nstretched = true";
+    expectProblem(
+        readInventoryOf(folder.path(), lines + wind, head),
+        "to use that of the edge; if their latitude stands first, set inventory.axis_order = \"yx\"");
+    const auto forest = readInventoryOf(folder.path(), lines + "axis_order = \"yx\"\n" + wind, head);
+    EXPECT_TRUE(forest) << forest.problems().front().text();
+}
+
 } // namespace osgTreeWind
