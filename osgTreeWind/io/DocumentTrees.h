@@ -23,6 +23,7 @@ struct ExchangedPlace {
 struct InventoryHeights {
     std::string file;
     std::size_t begin = 0, end = 0; ///< Among all trees.
+    bool isAssumed = false;         ///< Whether no key says that the z of places is the height of feet.
 };
 
 /// The trees that are read from a document.

@@ -57,6 +57,8 @@ std::optional<ForestTiles> readTiles(TableReader& table, const InputFolders& fol
                                      const DocumentSpecies& species);
 /// The keys of [ground]. Empty after a problem, or without files.
 std::optional<RasterGround::Source> readGroundSource(TableReader& table, const InputFolders& folders);
+/// Notes that the z of the places of inventories is taken as the height of feet, if there is no ground.
+void noteFeetWithoutGround(TableReader& table, DocumentTrees& trees);
 /// [ground], and puts the trees on it.
 void readGround(TableReader& table, const InputFolders& folders, ForestDescription& forest, SceneMap& map,
                 DocumentTrees& trees);

@@ -80,11 +80,16 @@ void InventoryColumns::read(TableReader& table, TreeRows* rows) {
                  !rows->hasPlaces())
             _complete = columns.reportMissing("x");
     });
-    if (!table.has("columns") && rows && !rows->hasPlaces())
-        _complete = table.reportMissing("columns");
+    if (!table.has("columns") && rows && !rows->hasPlaces()) {
+        table.problem("columns", "missing; the file has " + joined(rows->columns()));
+        _complete = false;
+    }
     readUnits(table, rows);
     if (rows)
         useKnownColumns(*rows);
+    if (rows && !table.has("columns") && !id && species.empty() && !rows->columns().empty())
+        table.note(rows->file() + ": only places are read without inventory.columns; the file has " +
+                   joined(rows->columns()));
 }
 
 std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,

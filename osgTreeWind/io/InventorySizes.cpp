@@ -142,6 +142,10 @@ Diagnostics InventorySizes::problems() const {
                                    " to an expression that gives numbers, such as CASE " +
                                    inQuotes(column.unread.first.key) +
                                    " WHEN 'low' THEN 5 ELSE 12 END, or leave it out");
+        else if (column.impossible.first.key.empty() && key == "height")
+            add(column.impossible, share +
+                                       "set inventory.z to \"height\" if z is the height of the tree, or to "
+                                       "\"top\" if it is that of its top above the zero of the ground");
         else
             add(column.impossible, share + "set their unit with inventory.units." + name +
                                        ", or the numbers that mean \"not measured\" with inventory.missing");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/GroundPlacer.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 namespace osgTreeWind {
 
@@ -67,17 +69,25 @@ private:
     std::size_t _isOff = 0;
 };
 
+/// Visits the trees of an inventory that have heights of feet.
+void visitFeet(const InventoryHeights& heights, DocumentTrees& trees,
+               const std::function<void(const TreePlacement& tree)>& visitor) {
+    std::size_t first = 0;
+    trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (first + i >= heights.begin && first + i < heights.end &&
+                !std::binary_search(onGround.begin(), onGround.end(), i))
+                visitor(some[i]);
+        first += some.size();
+    });
+}
+
 void checkHeights(TableReader& table, const Ground& ground, DocumentTrees& trees) {
     for (const InventoryHeights& heights : trees.inventoryHeights) {
         HeightCheck check(heights);
-        std::size_t first = 0;
-        trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
-            for (std::size_t i = 0; i < some.size(); ++i)
-                if (first + i >= heights.begin && first + i < heights.end &&
-                    !std::binary_search(onGround.begin(), onGround.end(), i))
-                    if (const auto height = heightOf(ground, glm::dvec2(some[i].position)))
-                        check.add(some[i], *height);
-            first += some.size();
+        visitFeet(heights, trees, [&](const TreePlacement& tree) {
+            if (const auto height = heightOf(ground, glm::dvec2(tree.position)))
+                check.add(tree, *height);
         });
         check.report(table);
     }
@@ -103,6 +113,21 @@ void putTreesOnGround(TableReader& table, const ForestDescription& read, Documen
 }
 
 } // namespace
+
+void noteFeetWithoutGround(TableReader& table, DocumentTrees& trees) {
+    for (const InventoryHeights& heights : trees.inventoryHeights) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        if (heights.isAssumed)
+            visitFeet(heights, trees, [&](const TreePlacement& tree) {
+                low = std::min(low, tree.position.z);
+                high = std::max(high, tree.position.z);
+            });
+        if (low < high)
+            table.note(heights.file + ": the z of places is taken as the height of feet, " +
+                       rangeText(low, high) +
+                       " m, without a ground to compare; inventory.z sets another meaning");
+    }
+}
 
 std::optional<RasterGround::Source> readGroundSource(TableReader& table, const InputFolders& folders) {
     bool none = false;

@@ -10,8 +10,10 @@
 #include <osgTreeWind/io/InventoryPlaces.h>
 #include <osgTreeWind/io/InventorySizes.h>
 #include <osgTreeWind/io/PlaceSpread.h>
+#include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -84,8 +86,10 @@ public:
             return _table.problem("z", "\"top\" needs a ground or columns.height");
         const std::size_t begin = _trees.size();
         readRows(seed);
+        checkPlaces(map.crs());
         if (_hasFeet)
-            _trees.inventoryHeights.push_back({_rows->file(), begin, _trees.size()});
+            _trees.inventoryHeights.push_back(
+                {_rows->file(), begin, _trees.size(), !_columns.z.column && !_table.has("z")});
         for (const std::string& warning : _rows->warnings())
             addNote(warning);
         reportSkippedRows();
@@ -112,9 +116,10 @@ private:
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_species.isSingle())
+        } else if (_species.isSingle()) {
             _default = 0;
-        _isDefaultGiven = _default.has_value();
+            _isDefaultOnlySpecies = true;
+        }
     }
     /// The species for trees of unknown species.
     std::size_t defaultSpecies() {
@@ -195,6 +200,25 @@ private:
         _trees.add(tree, !hasFoot, {!_isOpenGrownGiven});
     }
 
+    /// Reports places that their CRS cannot have, such as eastings with the number of a zone before them, and
+    /// notes a map without a CRS.
+    void checkPlaces(const std::optional<Crs>& crs) {
+        constexpr double minMap = 1e5, minDoubt = 1e7; // metres
+        const glm::dvec2 place(_trees.bounds().low);
+        const double largest = glm::max(std::abs(place.x), std::abs(place.y));
+        if (_trees.size() == 0 || !(largest > minMap) || (crs && largest <= minDoubt))
+            return;
+        if (!crs)
+            return addNote("no crs is known, and places are taken as metres; inventory.crs sets a system");
+        const auto there = CrsTransform::between(*crs, Crs::wgs84()),
+                   back = CrsTransform::between(Crs::wgs84(), *crs);
+        glm::dvec2 found = place;
+        if (!there || !back || !there.value().apply(found) || !back.value().apply(found) ||
+            !(glm::distance(found, place) < 1.0))
+            _table.problem("crs", "the place " + numberText(std::round(place.x)) + ", " +
+                                      numberText(std::round(place.y)) + " is not in " + crs->name());
+    }
+
     /// The height of a tree that its z gives; 0 if it gives none.
     float heightByZ(const glm::dvec3& place, const Species& species) {
         if (_z == Z::Height && place.z != 0.0)
@@ -242,7 +266,7 @@ private:
         UnknownName& unknown = entry->second;
         if (isNew) {
             unknown.related = _species.addBuiltIn(_species.builtIn().findRelated(name));
-            if (!unknown.related && !_isDefaultGiven)
+            if (!unknown.related && !_isDefaultOnlySpecies)
                 unknown.related = findByLeafType(leafType);
         }
         ++unknown.rows;
@@ -404,7 +428,7 @@ private:
     InventoryPlaces _places;
     bool _complete = true;
     bool _openGrown = false, _isOpenGrownGiven = false, _skip = true, _isSkipGiven = false;
-    bool _isSpeciesGiven = true, _isDefaultGiven = false, _hasFeet = false;
+    bool _isSpeciesGiven = true, _isDefaultOnlySpecies = false, _hasFeet = false;
     Z _z = Z::Foot;
     float _leaves = 1.0f;
     std::string _defaultName;

@@ -189,6 +189,8 @@ void readRoot(TableReader& root, ForestReading& reading) {
             root.problem("species", problem);
     }
     root.table("ground", [&](TableReader& table) { readGround(table, folders, forest, map, trees); });
+    if (!forest.ground)
+        noteFeetWithoutGround(root, trees);
     if (root.isDocumentValid())
         if (const std::string problem = problemOfMemory(forest, *families, largest); !problem.empty())
             root.problem("", problem);

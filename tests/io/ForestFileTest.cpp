@@ -136,8 +136,10 @@ TEST(ForestFile, CampusExampleHasMeasuredSizes) {
                                                line.find("Pinus ponderosa") != std::string::npos);
         EXPECT_LT(glm::distance(placed.position, forest.origin), 2000.0);
     }
-    ASSERT_EQ(forest.notes.size(), 1u); // otherwise a species is not built in
-    EXPECT_TRUE(hasPart(forest.notes[0], "wind.canopy = \"none\"")) << forest.notes[0];
+    ASSERT_EQ(forest.notes.size(), 2u); // otherwise a species is not built in
+    EXPECT_TRUE(hasPart(forest.notes[0], "no crs is known, and places are taken as metres"))
+        << forest.notes[0];
+    EXPECT_TRUE(hasPart(forest.notes[1], "wind.canopy = \"none\"")) << forest.notes[1];
 }
 
 TEST(ForestFile, CampusWindIsTheRecord) {

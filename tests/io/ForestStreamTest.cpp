@@ -28,7 +28,7 @@ std::string variedFile(const TemporaryFolder& folder) {
     slope.transform = {690000, 10, 0, 5335000, 0, -10};
     slope.value = [](int column, int) { return 500.0 + 2.0 * column; };
     slope.write(folder.path() + "/slope.tif");
-    folder.write("trees.csv", "id,x,y,z,h,art\na,690100,5334100,7,12,oak\nb,690200,5334200,,,birch\n"
+    folder.write("trees.csv", "id,x,y,z,h,art\na,690100,5334100,519,12,oak\nb,690200,5334200,,,birch\n"
                               "a,690300,5334300,,9,\"a tree,\nunheard of\"\n,690400,5334400,,11,oak\n");
     std::string species;
     for (const std::string name : {"oak", "birch", "beech", "lime", "Norway spruce"})

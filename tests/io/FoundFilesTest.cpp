@@ -78,9 +78,10 @@ TEST(FoundFiles, ReadsATypicalSpreadsheet) {
           "(4)",
           "4 trees of unknown species are read as \"broadleaf\": Quitte (4)",
           "0 and markers such as -99 count as not measured: circumference of 15, height of 9 rows",
+          "no crs is known, and places are taken as metres; inventory.crs sets a system",
           "estimated by the laws of the species"})
         EXPECT_TRUE(hasPart(notes, note)) << note << "\nin\n" << notes;
-    EXPECT_EQ(forest.notes.size(), 7u) << notes;
+    EXPECT_EQ(forest.notes.size(), 8u) << notes;
 }
 
 /// Thousands separators count where all cells of the column are such numbers.

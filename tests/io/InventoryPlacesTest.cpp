@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
+#include <tests/base/IsProblem.h>
 #include <tests/io/InventoryReading.h>
 #include <tests/places/GeoJson.h>
 
@@ -156,6 +158,34 @@ TEST(InventoryCrs, StatedCrsOverridesTheFile) {
     const ForestFile forest = inventoryOf(folder.path(), "file = \"a.geojson\"\ncrs = \"EPSG:25832\"\n");
     EXPECT_EQ(forest.crs, "EPSG:25832");
     expectAt(forest.trees[0], 565000.0, 5934000.0);
+}
+
+TEST(InventoryPlaces, ThatTheirCrsCannotHaveAreAProblem) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n33391200,5820000\n33391210,5820000\n"); // with the number of the zone
+    const auto forest = readInventoryOf(
+        folder.path(), "file = \"a.csv\"\ncrs = \"EPSG:25833\"\ncolumns = { x = \"x\", y = \"y\" }\n");
+    EXPECT_TRUE(hasPart(firstProblem(forest),
+                        "inventory.crs: the place 33391200, 5820000 is not in ETRS89 / UTM zone "
+                        "33N"))
+        << firstProblem(forest);
+}
+
+TEST(InventoryPlaces, WithoutACrsAreInMetresWithANote) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n6016267,2111000\n");
+    const std::string keys = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    EXPECT_TRUE(hasPart(notesOf(inventoryOf(folder.path(), keys)),
+                        "no crs is known, and places are taken as metres"));
+    folder.write("a.csv", "x,y\n67,20\n");
+    EXPECT_FALSE(hasPart(notesOf(inventoryOf(folder.path(), keys)), "no crs"));
+}
+
+TEST(InventoryPlaces, AFileWithoutColumnsSaysWhichItHas) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "treeID,Z\n1,20\n");
+    EXPECT_TRUE(hasPart(firstProblem(readInventoryOf(folder.path(), "file = \"a.csv\"\n")),
+                        "inventory.columns: missing; the file has treeID, Z"));
 }
 
 } // namespace osgTreeWind

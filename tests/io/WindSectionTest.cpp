@@ -63,9 +63,9 @@ TEST(WindSection, ReprojectsWindOfAnotherMap) {
 TEST(WindSection, DateNeedsFilesWithDates) {
     for (const auto& [wind, part] :
          {std::pair("kind = \"uniform\"\nvelocity = [1, 0, 0]\ndate = 2017-10-26T15:00:00Z\n",
-                    "wind.date: expected a wind from files that contain dates"),
+                    "wind.date: expected a wind from files whose times are dates"),
           {"kind = \"calm\"\ndate = \"2017-10-26T15:00Z\"\n",
-           "wind.date: expected a wind from files that contain dates"},
+           "wind.date: expected a wind from files whose times are dates"},
           {"kind = \"calm\"\ndate = 2017-10-26T15:00:00Z\nstart = 5\n",
            "wind.date: give either this or start"},
           {"kind = \"calm\"\ndate = \"noon\"\n",
@@ -162,6 +162,17 @@ TEST(WindSection, RejectsAFileUnlikeTheFirst) {
     const auto forest =
         readWith("kind = \"file\"\nfiles = [\"vectors.vtk\", \"pair_vel.asc\"]\ntimes = [0, 1]\n");
     EXPECT_TRUE(hasPart(firstProblem(forest), "pair_vel.asc: expected the points"));
+}
+
+TEST(WindSection, DateChoosesTheMomentOfARecordInATable) {
+    const TemporaryFolder folder;
+    folder.write("w.csv", "t,u,v\n2024-02-03 12:00,2,0\n2024-02-03 13:00,8,0\n");
+    const auto forest = readForestFile(
+        folder.write("a.treewind",
+                     "version = 1\n[[tree]]\nposition = [0, 0]\n[wind]\nkind = \"series\"\nfile = \"w.csv\"\n"
+                     "date = 2024-02-03T12:30:00Z\ncolumns = { time = \"t\", u = \"u\", v = \"v\" }\n"));
+    ASSERT_TRUE(forest) << firstProblem(forest);
+    EXPECT_NEAR(asField(forest.value().wind)->velocity({}, 0.0).x, 5.0, 1e-5);
 }
 
 TEST(WindSection, NotesOfAFileAreNotesOfTheForest) {

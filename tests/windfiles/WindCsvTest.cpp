@@ -304,12 +304,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv:1: expected at least one record with wind, found none in 1"},
         BadRecord{
             "Direction", "t,ws,wd\n0,1,400\n", polar(),
-            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or a "
-            "compass point, found '400'"},
+            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or an "
+            "English compass point (others: an expression such as replace(column, 'O', 'E')), found '400'"},
         BadRecord{
             "Ost", "t,ws,wd\n0,1,O\n", polar(),
-            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or a "
-            "compass point, found 'O'"},
+            "w.csv:2: wd: expected a direction of -360 to 360 degrees (other units: direction_unit) or an "
+            "English compass point (others: an expression such as replace(column, 'O', 'E')), found 'O'"},
         BadRecord{"MissingComponentCode", "t,u,v\n0,1,-999\n", cartesian(),
                   "w.csv:1: expected at least one record with wind, found none in 1"},
         BadRecord{"OutOfOrder", "t,ws,wd\n5,1,0\n4,1,0\n", polar(),

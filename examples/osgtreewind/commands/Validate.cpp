@@ -58,8 +58,8 @@ std::vector<double> timesOf(const WindField* field) {
     return some.empty() ? std::vector<double>{0.0} : some;
 }
 
-/// Speeds 10 m above the feet of about a hundred trees, without gusts.
-Extent windOf(const ForestFile& forest) {
+/// Speeds at a height above the feet of about a hundred trees, without gusts.
+Extent windOf(const ForestFile& forest, float height) {
     Extent speeds;
     Wind steady = forest.wind;
     steady.gusts = {};
@@ -68,7 +68,7 @@ Extent windOf(const ForestFile& forest) {
         for (const double time : timesOf(steady.field.get())) {
             const glm::vec3 foot(forest.trees[i].position - forest.origin);
             const double sceneTime = (time - steady.clock.start) / steady.clock.scale;
-            speeds.add(glm::length(field->velocity({foot + glm::vec3(0, 0, 10), foot.z},
+            speeds.add(glm::length(field->velocity({foot + glm::vec3(0, 0, height), foot.z},
                                                    std::isfinite(sceneTime) ? sceneTime : 0.0)));
         }
     return speeds;
@@ -103,8 +103,10 @@ std::string summaryOf(const ForestFile& forest) {
         text += ", " + heights.text() + " m high";
     if (!trunks.isEmpty())
         text += ", trunks of " + trunks.text() + " cm";
-    const Extent wind = windOf(forest);
-    return text + (wind.isEmpty() ? ", no wind" : ", wind of " + wind.text() + " m/s at 10 m");
+    const double height = forest.canopy.source == CanopySource::None ? 10.0 : forest.canopy.reference;
+    const Extent wind = windOf(forest, static_cast<float>(height));
+    return text + (wind.isEmpty() ? ", no wind"
+                                  : ", wind of " + wind.text() + " m/s at " + Extent::rounded(height) + " m");
 }
 
 void validateForest(const std::string& file) {
