@@ -94,14 +94,16 @@ std::string spreadTime(std::string_view digits) {
     return text;
 }
 
-/// Whether a time has seconds: the library converts an uninitialised value where they are missing.
-bool hasSeconds(std::string_view time) {
+/// Whether a time has seconds after this separator: the library converts an uninitialised value where they
+/// are missing.
+bool hasSeconds(std::string_view time, char separator) {
     std::size_t at = countDigits(time);
     for (int i = 0; i < 2; ++i) {
-        if (at + 1 >= time.size() || (time[at] != ':' && time[at] != ' ') ||
-            countDigits(time.substr(at + 1)) == 0)
+        const std::size_t digits =
+            at + 1 < time.size() && time[at] == separator ? countDigits(time.substr(at + 1)) : 0;
+        if (digits < 1 || digits > 2)
             return false;
-        at += 1 + countDigits(time.substr(at + 1));
+        at += 1 + digits;
     }
     return true;
 }
@@ -120,10 +122,9 @@ std::optional<double> readTimeOfDay(std::string_view text, bool& hasZone) {
     else if (digits < 1 || digits > 2)
         return std::nullopt;
     std::replace(time.begin(), time.end(), ',', '.');
-    const bool withSeconds = hasSeconds(time);
     for (const std::string_view format :
          {"%H:%M:%S", "%H:%M", "%I:%M:%S %p", "%I:%M %p", "%I %p", "%H %M %S", "%H %M", "%Hh%M", "%H"}) {
-        if (!withSeconds && format.find("%S") != std::string_view::npos)
+        if (format.find("%S") != std::string_view::npos && !hasSeconds(time, format[2]))
             continue;
         const std::optional<ParsedDate> parsed = parseStart(time, format.data());
         const std::optional<double> seconds = parsed ? secondsOf(parsed->fields) : std::nullopt;

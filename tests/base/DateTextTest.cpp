@@ -100,6 +100,7 @@ TEST(DateText, WritesWholeSeconds) {
 }
 
 TEST(DateText, RejectsWhatItWouldHaveToGuess) {
+    EXPECT_FALSE(readDate("2019-10-27 15 00:30").isRead());
     for (const char* text :
          {"", "2015", "12:00", "29.06.2015 12.50", "2015-06-29 15.5", "2015-06-29 100", "15-06-29 12:00",
           "2015-06-29T12:00 CET", "29 juin 2015", "0015-06-29T12:00", "1435579200"})
