@@ -58,6 +58,16 @@ struct Token {
     double value = 0.0;
 };
 
+double footSize() {
+    static const double metres = *knownUnit(Dimension::Length, "ft");
+    return metres;
+}
+
+double inchSize() {
+    static const double metres = *knownUnit(Dimension::Length, "in");
+    return metres;
+}
+
 /// The number, or the numbers between commas, at the beginning of a text.
 std::string_view figuresOf(std::string_view text) {
     text = text.substr(0, text.find_first_not_of("0123456789.,"));
@@ -129,7 +139,7 @@ private:
     bool readSign() {
         const char sign = _text[_at++];
         if (sign == '\'' || sign == '"')
-            _tokens.push_back({'u', *knownUnit(Dimension::Length, sign == '"' ? "in" : "ft")});
+            _tokens.push_back({'u', sign == '"' ? inchSize() : footSize()});
         else
             _tokens.push_back({sign});
         return std::string_view("'\"~<>-+,/&").find(sign) != std::string_view::npos;
@@ -211,9 +221,8 @@ private:
         Length length{_tokens[_at++].value, {}};
         if (kindAt(_at) == 'u')
             length.unit = _tokens[_at++].value;
-        const double foot = *knownUnit(Dimension::Length, "ft"), inch = *knownUnit(Dimension::Length, "in");
-        if (length.unit == foot && kindAt(_at) == '0' && kindAt(_at + 1) != 'x') {
-            const bool isInch = kindAt(_at + 1) != 'u' || _tokens[_at + 1].value == inch;
+        if (length.unit == footSize() && kindAt(_at) == '0' && kindAt(_at + 1) != 'x') {
+            const bool isInch = kindAt(_at + 1) != 'u' || _tokens[_at + 1].value == inchSize();
             if (isInch) {
                 length.value += _tokens[_at++].value / 12.0;
                 _at += kindAt(_at) == 'u';

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/DocumentTrees.h>
 
+#include <algorithm>
+
 namespace osgTreeWind {
 
 bool DocumentTrees::canAdd(std::uint64_t count, TableReader& table, const std::string& key) const {
@@ -23,6 +25,18 @@ void DocumentTrees::modify(
     _spool.modify([&](TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround) {
         modifier(trees, onGround);
         _bounds.add(trees);
+    });
+}
+
+void DocumentTrees::visitFeet(const InventoryHeights& heights,
+                              const std::function<void(const TreePlacement& tree)>& visitor) {
+    std::size_t first = 0;
+    _spool.visit([&](const TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (first + i >= heights.begin && first + i < heights.end &&
+                !std::binary_search(onGround.begin(), onGround.end(), i))
+                visitor(some[i]);
+        first += some.size();
     });
 }
 

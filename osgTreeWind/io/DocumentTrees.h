@@ -47,7 +47,12 @@ public:
     void add(const TreePlacement& tree, bool onGround, DerivedTreeValues derived);
 
     /// As TreeSpool::visit() and modify().
-    void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) { _spool.visit(visitor); }
+    void visit(const std::function<void(const TreeSpool::Trees& trees)>& visitor) {
+        _spool.visit([&](const TreeSpool::Trees& trees, const std::vector<std::size_t>&) { visitor(trees); });
+    }
+    /// Visits the trees of an inventory whose feet have heights.
+    void visitFeet(const InventoryHeights& heights,
+                   const std::function<void(const TreePlacement& tree)>& visitor);
     void modify(const std::function<void(TreeSpool::Trees& trees, const std::vector<std::size_t>& onGround)>&
                     modifier);
     std::vector<InventoryHeights> inventoryHeights;

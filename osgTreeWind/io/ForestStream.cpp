@@ -41,9 +41,8 @@ std::size_t ForestStream::treeCount() const {
 }
 
 bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& visitor) const {
-    TreeSpool& trees = _reading->trees.spool();
-    trees.visit(visitor);
-    return !trees.hasFailed();
+    _reading->trees.visit(visitor);
+    return !_reading->trees.spool().hasFailed();
 }
 
 } // namespace osgTreeWind

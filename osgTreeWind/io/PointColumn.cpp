@@ -154,12 +154,12 @@ void PointColumn::transform(TreeRows& rows, const CrsTransform& transform) {
 }
 
 Result<VectorPlace> PointColumn::placeOf(const TreeRows& rows, std::size_t index) const {
-    const auto problem = _problems.find(index);
-    const std::string cell = rows.text(_column), &name = rows.nameOf(_column);
-    if (problem != _problems.end())
+    const std::string& name = rows.nameOf(_column);
+    if (const auto problem = _problems.find(index); problem != _problems.end())
         return rows.problem(name, problem->second);
     if (index < _places.size() && std::isfinite(_places[index].position.x))
         return _places[index];
+    const std::string cell = rows.text(_column);
     if (parsePlace(cell).kind != PlaceText::Kind::None)
         return rows.problem(name, "the place " + inQuotes(cell) +
                                       " cannot be transformed to the crs of the forest");

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 namespace osgTreeWind {
 
@@ -69,23 +68,10 @@ private:
     std::size_t _isOff = 0;
 };
 
-/// Visits the trees of an inventory that have heights of feet.
-void visitFeet(const InventoryHeights& heights, DocumentTrees& trees,
-               const std::function<void(const TreePlacement& tree)>& visitor) {
-    std::size_t first = 0;
-    trees.modify([&](TreeSpool::Trees& some, const std::vector<std::size_t>& onGround) {
-        for (std::size_t i = 0; i < some.size(); ++i)
-            if (first + i >= heights.begin && first + i < heights.end &&
-                !std::binary_search(onGround.begin(), onGround.end(), i))
-                visitor(some[i]);
-        first += some.size();
-    });
-}
-
 void checkHeights(TableReader& table, const Ground& ground, DocumentTrees& trees) {
     for (const InventoryHeights& heights : trees.inventoryHeights) {
         HeightCheck check(heights);
-        visitFeet(heights, trees, [&](const TreePlacement& tree) {
+        trees.visitFeet(heights, [&](const TreePlacement& tree) {
             if (const auto height = heightOf(ground, glm::dvec2(tree.position)))
                 check.add(tree, *height);
         });
@@ -118,7 +104,7 @@ void noteFeetWithoutGround(TableReader& table, DocumentTrees& trees) {
     for (const InventoryHeights& heights : trees.inventoryHeights) {
         double low = HUGE_VAL, high = -HUGE_VAL;
         if (heights.isAssumed)
-            visitFeet(heights, trees, [&](const TreePlacement& tree) {
+            trees.visitFeet(heights, [&](const TreePlacement& tree) {
                 low = std::min(low, tree.position.z);
                 high = std::max(high, tree.position.z);
             });

@@ -210,11 +210,10 @@ private:
             return;
         if (!crs)
             return addNote("no crs is known, and places are taken as metres; inventory.crs sets a system");
-        const auto there = CrsTransform::between(*crs, Crs::wgs84()),
-                   back = CrsTransform::between(Crs::wgs84(), *crs);
-        glm::dvec2 found = place;
-        if (!there || !back || !there.value().apply(found) || !back.value().apply(found) ||
-            !(glm::distance(found, place) < 1.0))
+        const auto degrees = longitudeLatitudeOf(place, *crs);
+        const auto back = CrsTransform::between(Crs::wgs84(), *crs);
+        glm::dvec2 found = degrees.value_or(glm::dvec2(0.0));
+        if (!degrees || !back || !back.value().apply(found) || !(glm::distance(found, place) < 1.0))
             _table.problem("crs", "the place " + numberText(std::round(place.x)) + ", " +
                                       numberText(std::round(place.y)) + " is not in " + crs->name());
     }

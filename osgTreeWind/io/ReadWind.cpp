@@ -226,6 +226,11 @@ bool readNames(TableReader& table, const char* key, std::vector<std::string>& na
     return true;
 }
 
+/// Reads `speed_unit`. @return false after a problem.
+bool readSpeedUnit(TableReader& table, std::string& name) {
+    return table.readUnit("speed_unit", Dimension::Speed, &name) || !table.has("speed_unit");
+}
+
 /// Reads the columns of a CSV record.
 bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     const TableOptions options = readTableOptions(table);
@@ -241,8 +246,7 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     table.readChoice<std::string>("time_order", columns.timeOrder, {{"dmy", "dmy"}, {"mdy", "mdy"}});
     table.read("time_format", columns.timeFormat);
     table.readUnit("direction_unit", Dimension::Direction, &columns.directionUnit);
-    const bool isUnitKnown =
-        table.readUnit("speed_unit", Dimension::Speed, &columns.speedUnit) || !table.has("speed_unit");
+    const bool isUnitKnown = readSpeedUnit(table, columns.speedUnit);
     if (!table.has("columns"))
         return table.reportMissing("columns");
     table.table("columns", [&](TableReader& t) {
@@ -433,8 +437,7 @@ void chooseArea(const glm::dvec3& origin, DocumentTrees& trees, WindFileOptions&
 Wind readWindData(TableReader& table, const InputFolders& folders, const ForestDescription& forest,
                   DocumentTrees& trees, std::optional<double>& date) {
     WindFileOptions options;
-    const bool isUnitKnown =
-        table.readUnit("speed_unit", Dimension::Speed, &options.speedUnit) || !table.has("speed_unit");
+    const bool isUnitKnown = readSpeedUnit(table, options.speedUnit);
     if (options.speedUnit == "m/s") // which version 1.0 wrote for files of any unit
         options.speedUnit.clear();
     std::vector<double> numbers = {0, 0, 0};

@@ -113,8 +113,11 @@ bool TreeSpool::load(const Part& part, Trees& trees, std::vector<std::size_t>& o
     return true;
 }
 
-void TreeSpool::visit(const std::function<void(const Trees&)>& visitor) {
-    forEachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>&) { visitor(trees); });
+void TreeSpool::visit(
+    const std::function<void(const Trees& trees, const std::vector<std::size_t>& onGround)>& visitor) {
+    forEachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>& onGround) {
+        visitor(trees, onGround);
+    });
 }
 
 void TreeSpool::modify(

@@ -30,7 +30,8 @@ public:
     std::size_t size() const { return _stored + _memory.size(); }
 
     /// Visits all trees in order: in one batch if they are in memory, otherwise in several.
-    void visit(const std::function<void(const Trees& trees)>& visitor);
+    void
+    visit(const std::function<void(const Trees& trees, const std::vector<std::size_t>& onGround)>& visitor);
     /// Visits all trees and stores their changes. Must not change names.
     /// @param modifier gets the indices of trees on the ground.
     void modify(const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& modifier);

@@ -14,6 +14,11 @@ bool CrsTransform::apply(glm::dvec2& place) const {
     return isIdentity() || !std::isnan(place.x);
 }
 
+std::optional<glm::dvec2> longitudeLatitudeOf(glm::dvec2 place, const Crs& crs) {
+    const auto transform = CrsTransform::between(crs, Crs::wgs84());
+    return transform && transform.value().apply(place) ? std::optional(place) : std::nullopt;
+}
+
 Result<Crs> utmZoneOf(glm::dvec2 place, const Crs& crs, const std::string& key) {
     const auto transform = CrsTransform::between(crs, Crs::wgs84());
     if (!transform)

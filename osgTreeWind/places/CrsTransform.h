@@ -4,6 +4,7 @@
 #include <osgTreeWind/places/Crs.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -31,6 +32,9 @@ private:
     Crs _from, _to;
     std::shared_ptr<void> _handle; ///< Null for the identity.
 };
+
+/// Longitude and latitude of a place on WGS 84, degrees; empty if it cannot be transformed.
+std::optional<glm::dvec2> longitudeLatitudeOf(glm::dvec2 place, const Crs& crs);
 
 /// The UTM zone that contains a place. @param crs of the place. @param key in which a file states the system,
 /// for the error message if the place is not valid in `crs`.

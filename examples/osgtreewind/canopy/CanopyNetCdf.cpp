@@ -39,14 +39,6 @@ std::optional<Crs> mapOf(const CanopyHead& head) {
     return head.crs.empty() || !crs ? std::nullopt : std::optional(crs.value());
 }
 
-/// Longitude and latitude of a place; 0 without a map projection.
-glm::dvec2 degreesOf(glm::dvec2 place, const std::optional<Crs>& map) {
-    if (!map)
-        return glm::dvec2(0.0);
-    const Result<CrsTransform> way = CrsTransform::between(*map, Crs::wgs84());
-    return way && way.value().apply(place) ? place : glm::dvec2(0.0);
-}
-
 class NetCdfCanopy final : public CanopyFile {
 public:
     NetCdfCanopy(const std::string& path, const CanopyHead& head, bool isPalm)
@@ -130,7 +122,8 @@ private:
         _file.describeFile("Leaf area and drag area of a forest");
         if (!_isPalm)
             return;
-        const glm::dvec2 degrees = degreesOf(head.grid.low, map);
+        const glm::dvec2 low(head.grid.low), zero(0.0); // without a map projection
+        const glm::dvec2 degrees = map ? longitudeLatitudeOf(low, *map).value_or(zero) : zero;
         _file.setAttribute(file, "origin_x", std::vector{head.grid.low.x});
         _file.setAttribute(file, "origin_y", std::vector{head.grid.low.y});
         _file.setAttribute(file, "origin_z", std::vector{0.0});

@@ -46,16 +46,22 @@ private:
     double _low = HUGE_VAL, _high = -HUGE_VAL;
 };
 
-/// Times of the data of a field, at most about a hundred.
-std::vector<double> timesOf(const WindField* field) {
-    std::vector<double> all, some;
-    if (const auto* series = dynamic_cast<const TimeSeriesWind*>(field))
-        all = series->series().times;
-    else if (const auto* grid = dynamic_cast<const GridWind*>(field))
-        all = grid->grid().times;
-    for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 100)
-        some.push_back(all[i]);
-    return some.empty() ? std::vector<double>{0.0} : some;
+/// Scene times of the data of a wind, at most about a hundred.
+std::vector<double> timesOf(const Wind& wind) {
+    std::vector<double> some;
+    const auto addSome = [&](const std::vector<double>& all) {
+        for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 100) {
+            const double time = (all[i] - wind.clock.start) / wind.clock.scale;
+            some.push_back(std::isfinite(time) ? time : 0.0);
+        }
+    };
+    if (const auto* series = dynamic_cast<const TimeSeriesWind*>(wind.field.get()))
+        addSome(series->series().times);
+    else if (const auto* grid = dynamic_cast<const GridWind*>(wind.field.get()))
+        addSome(grid->grid().times);
+    if (some.empty())
+        addSome({0.0});
+    return some;
 }
 
 /// Speeds at a height above the feet of about a hundred trees, without gusts.
@@ -64,14 +70,26 @@ Extent windOf(const ForestFile& forest, float height) {
     Wind steady = forest.wind;
     steady.gusts = {};
     const WindFieldPtr field = asField(steady);
-    for (std::size_t i = 0; field && i < forest.trees.size(); i += 1 + forest.trees.size() / 100)
-        for (const double time : timesOf(steady.field.get())) {
-            const glm::vec3 foot(forest.trees[i].position - forest.origin);
-            const double sceneTime = (time - steady.clock.start) / steady.clock.scale;
-            speeds.add(glm::length(field->velocity({foot + glm::vec3(0, 0, height), foot.z},
-                                                   std::isfinite(sceneTime) ? sceneTime : 0.0)));
-        }
+    const std::vector<double> times = timesOf(steady);
+    for (std::size_t i = 0; field && i < forest.trees.size(); i += 1 + forest.trees.size() / 100) {
+        const glm::vec3 foot(forest.trees[i].position - forest.origin);
+        for (const double time : times)
+            speeds.add(glm::length(field->velocity({foot + glm::vec3(0, 0, height), foot.z}, time)));
+    }
     return speeds;
+}
+
+/// " at 53.5500 N, 9.9812 E"; empty if the place is not on the map.
+std::string placeText(const glm::dvec2& place, const std::string& crs) {
+    const Result<Crs> map = Crs::parseMap(crs);
+    const auto degrees = map ? longitudeLatitudeOf(place, map.value()) : std::nullopt;
+    if (!degrees)
+        return {};
+    std::ostringstream text;
+    text.precision(4);
+    text << std::fixed << " at " << std::abs(degrees->y) << (degrees->y < 0.0 ? " S, " : " N, ")
+         << std::abs(degrees->x) << (degrees->x < 0.0 ? " W" : " E");
+    return text.str();
 }
 
 /// What stands where, so that a wrong place or unit meets the eye.
@@ -88,17 +106,8 @@ std::string summaryOf(const ForestFile& forest) {
     std::string text;
     if (forest.trees.size() > 1)
         text = " on " + Extent::rounded(east.size()) + " m by " + Extent::rounded(north.size()) + " m";
-    if (const Result<Crs> map = Crs::parseMap(forest.crs); !forest.crs.empty() && map && !east.isEmpty()) {
-        glm::dvec2 place(east.middle(), north.middle());
-        const Result<CrsTransform> way = CrsTransform::between(map.value(), Crs::wgs84());
-        if (way && way.value().apply(place)) {
-            std::ostringstream degrees;
-            degrees.precision(4);
-            degrees << std::fixed << std::abs(place.y) << (place.y < 0.0 ? " S, " : " N, ")
-                    << std::abs(place.x) << (place.x < 0.0 ? " W" : " E");
-            text += " at " + degrees.str();
-        }
-    }
+    if (!forest.crs.empty() && !east.isEmpty())
+        text += placeText({east.middle(), north.middle()}, forest.crs);
     if (!heights.isEmpty())
         text += ", " + heights.text() + " m high";
     if (!trunks.isEmpty())
