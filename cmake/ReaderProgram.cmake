@@ -4,7 +4,8 @@
 function(add_reader_program name library)
     add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp
                    ${PROJECT_SOURCE_DIR}/osgTreeWind/base/MemoryLimit.cpp
-                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/Unicode.cpp)
+                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/Unicode.cpp
+                   ${osgTreeWind_system_sources})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name} PRIVATE ${library} glm::glm PkgConfig::utf8proc osgTreeWind_warnings)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY $<TARGET_FILE_DIR:osgTreeWind>/osgTreeWind)

@@ -9,6 +9,8 @@
 #include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
+#include <osgTreeWind/system/Console.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <algorithm>
 #include <cctype>
@@ -127,6 +129,7 @@ osgTreeWind::ForestFile loadForest(const std::string& file, const osgTreeWind::T
 int main(int argc, char** argv) {
     osgTreeWind::stopAtBadAccess();
     exitOnSignals();
+    osgTreeWind::useUtf8Console();
     CLI::App app{"Inspect, check, draw and simulate forests in a wind field (.treewind files)."};
     app.name("osgtreewind");
     app.formatter(std::make_shared<HelpFormatter>());
@@ -160,7 +163,10 @@ int main(int argc, char** argv) {
                "Exit status: 0 success, 1 failure, 2 wrong usage or bad input,\n"
                "130 ended by SIGINT, 143 ended by SIGTERM.");
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = osgTreeWind::programArguments(argc, argv);
+        arguments.erase(arguments.begin());
+        std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
+        app.parse(std::move(arguments));
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? Succeeded : BadInput;
     } catch (const CommandError& error) {

@@ -226,12 +226,11 @@ std::optional<double> parseDate(std::string_view text) {
 }
 
 std::string isoTimeText(double seconds) {
-    const auto whole = static_cast<std::time_t>(std::floor(seconds));
-    std::tm date{};
-    char text[80];
-    if (!gmtime_r(&whole, &date) || std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &date) == 0)
+    constexpr double mostSeconds = 9e11; // about 28,000 years
+    if (!(std::abs(seconds) < mostSeconds))
         return {};
-    return text;
+    const std::chrono::seconds whole(static_cast<std::int64_t>(std::floor(seconds)));
+    return date::format("%FT%TZ", date::sys_seconds(whole));
 }
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/AtomicFile.h>
 #include <osgTreeWind/base/TextHash.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <zlib.h>
 
@@ -56,7 +57,7 @@ bool isStale(const files::path& path) {
 }
 
 /// Content of a file; empty if it cannot be read or is larger than any entry.
-std::string readFile(const std::string& path) {
+std::string readFile(const files::path& path) {
     std::error_code problem;
     const std::uint64_t size = files::file_size(path, problem);
     if (problem || size > maxFileSize)
@@ -78,7 +79,8 @@ std::string DiskCache::filePath(const std::string& key) const {
 std::optional<std::string> DiskCache::find(const std::string& key) const {
     if (_path.empty())
         return std::nullopt;
-    const std::string path = filePath(key), content = readFile(path);
+    const files::path path = toPath(filePath(key));
+    const std::string content = readFile(path);
     FileHeader head;
     const FileHeader ours;
     if (content.size() < sizeof head + key.size())
@@ -98,7 +100,7 @@ void DiskCache::store(const std::string& key, const std::string& bytes) const {
     std::error_code problem;
     if (_path.empty() || bytes.size() > _maxBytes)
         return;
-    files::create_directories(_path, problem);
+    files::create_directories(toPath(_path), problem);
     if (!problem && writeFileAtomically(filePath(key), fileContent(key, bytes)).empty())
         evictOldest();
 }
@@ -112,7 +114,8 @@ void DiskCache::evictOldest() const {
     std::vector<File> all;
     std::uint64_t sum = 0;
     std::error_code problem, ignored; // another program may remove files meanwhile
-    for (files::directory_iterator i(_path, problem), end; !problem && i != end; i.increment(problem)) {
+    for (files::directory_iterator i(toPath(_path), problem), end; !problem && i != end;
+         i.increment(problem)) {
         const files::path& path = i->path();
         if (path.extension() == partExtension && isStale(path))
             files::remove(path, ignored);

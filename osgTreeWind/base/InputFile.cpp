@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,14 +18,14 @@ std::optional<Diagnostic> problemOfInput(const std::string& path) {
 
 Result<std::ifstream> openInput(const std::string& path) {
     std::error_code problem;
-    const std::filesystem::file_status status = std::filesystem::status(path, problem);
+    const std::filesystem::file_status status = std::filesystem::status(toPath(path), problem);
     if (status.type() == std::filesystem::file_type::not_found)
         return fileProblem(path, "no such file");
     if (problem)
         return fileProblem(path, "cannot be read");
     if (!std::filesystem::is_regular_file(status))
         return fileProblem(path, "not a regular file");
-    std::ifstream input(path, std::ios::binary);
+    std::ifstream input(toPath(path), std::ios::binary);
     if (!input)
         return fileProblem(path, "cannot be read");
     return input;

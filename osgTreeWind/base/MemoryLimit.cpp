@@ -2,16 +2,11 @@
 #include <osgTreeWind/base/MemoryLimit.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/system/Memory.h>
+#include <osgTreeWind/system/Program.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
 #include <optional>
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 namespace osgTreeWind {
 namespace {
@@ -28,8 +23,7 @@ std::string bytesText(std::uint64_t bytes) {
 }
 
 std::optional<std::uint64_t> environmentLimit() {
-    const char* value = std::getenv("OSGTREEWIND_MAX_MEMORY");
-    std::string text = value ? value : "";
+    std::string text = environmentVariable("OSGTREEWIND_MAX_MEMORY").value_or("");
     double unit = 1.0;
     const std::size_t suffix = std::string("kMGT").find(text.empty() ? ' ' : text.back());
     if (suffix != std::string::npos) {
@@ -45,22 +39,8 @@ std::optional<std::uint64_t> environmentLimit() {
 } // namespace
 
 std::uint64_t memoryLimit() {
-    if (const auto limit = environmentLimit())
-        return *limit;
-    std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
-    std::ifstream machine("/proc/meminfo");
-    for (std::string key; machine >> key; machine.ignore(256, '\n'))
-        if (std::uint64_t kilobytes = 0; key == "MemAvailable:" && machine >> kilobytes)
-            limit = 1024 * kilobytes;
-    rlimit space{};
-    if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) { // ulimit -v
-        std::uint64_t pages = 0;
-        std::ifstream("/proc/self/statm") >> pages;
-        const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-        limit =
-            std::min<std::uint64_t>(limit, space.rlim_cur - std::min<std::uint64_t>(used, space.rlim_cur));
-    }
-    return limit;
+    const std::optional<std::uint64_t> wanted = environmentLimit();
+    return wanted ? *wanted : availableMemory();
 }
 
 std::string problemOfMemory(const std::string& what, std::uint64_t bytes) {

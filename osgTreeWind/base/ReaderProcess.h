@@ -4,12 +4,11 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/system/ChildProcess.h>
 
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <sys/types.h>
 
 namespace osgTreeWind {
 
@@ -27,22 +26,16 @@ class ReaderProcess {
 public:
     /// Starts the program.
     ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& arguments);
-    ReaderProcess(const ReaderProcess&) = delete;
-    ReaderProcess& operator=(const ReaderProcess&) = delete;
-    ~ReaderProcess();
 
-    /// A socket to the program's standard input and output; -1 if it did not start or has ended.
-    int descriptor() const { return _descriptor; }
+    /// The connection to the program's standard input and output; -1 if it did not start or has ended.
+    int descriptor() const { return _program.descriptor(); }
     bool started() const { return _startProblem.empty(); }
     /// Why the program did not answer. Ends the process if it still runs.
     std::string problem();
 
 private:
-    void close();
-
-    std::string _startProblem, _exitReason;
-    pid_t _process = -1;
-    int _descriptor = -1;
+    ChildProcess _program;
+    std::string _startProblem, _endProblem;
 };
 
 /// Reads a file with a reader program. Thread-safe.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/TemporaryPath.h>
 
-#include <cstdio>
+#include <osgTreeWind/system/Path.h>
+
 #include <filesystem>
 #include <mutex>
 #include <set>
@@ -22,7 +23,7 @@ Registry& registry() {
 
 void remove(const std::string& path) {
     std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
+    std::filesystem::remove_all(toPath(path), ignored);
 }
 
 } // namespace
@@ -45,7 +46,9 @@ void TemporaryPath::keep() {
 
 bool TemporaryPath::moveTo(const std::string& path) {
     const std::lock_guard lock(registry().mutex);
-    if (std::rename(_path.c_str(), path.c_str()) != 0)
+    std::error_code problem;
+    std::filesystem::rename(toPath(_path), toPath(path), problem);
+    if (problem)
         return false;
     registry().paths.erase(_path);
     return true;

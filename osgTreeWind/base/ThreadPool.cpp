@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/ThreadPool.h>
 
 #include <osgTreeWind/base/Guarded.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <algorithm>
 #include <atomic>
@@ -18,14 +19,30 @@ namespace {
 constexpr long maxThreads = 256;
 
 unsigned defaultThreadCount() {
-    if (const char* wanted = std::getenv("OSGTREEWIND_THREADS")) {
-        const long number = std::strtol(wanted, nullptr, 10);
+    if (const auto wanted = environmentVariable("OSGTREEWIND_THREADS")) {
+        const long number = std::strtol(wanted->c_str(), nullptr, 10);
         if (number >= 1 && number <= maxThreads)
             return static_cast<unsigned>(number);
     }
     const unsigned processors = std::thread::hardware_concurrency();
     return processors > 0 ? processors : 1;
 }
+
+/// A pool until the end of the process.
+class ProcessPool {
+public:
+    ProcessPool() { keepLibraryLoaded(); }
+    ~ProcessPool() {
+        if (!endsThreadsFirst())
+            delete _pool;
+    }
+    ProcessPool(const ProcessPool&) = delete;
+    ProcessPool& operator=(const ProcessPool&) = delete;
+    ThreadPool& get() const { return *_pool; }
+
+private:
+    ThreadPool* _pool = new ThreadPool;
+};
 
 } // namespace
 
@@ -121,8 +138,8 @@ Executor ThreadPool::executor(unsigned threads) {
         return [pool = std::make_shared<ThreadPool>(threads)](std::size_t count, const Job& job) {
             pool->run(count, job);
         };
-    static ThreadPool processPool;
-    return [](std::size_t count, const Job& job) { processPool.run(count, job); };
+    static ProcessPool processPool;
+    return [](std::size_t count, const Job& job) { processPool.get().run(count, job); };
 }
 
 } // namespace osgTreeWind

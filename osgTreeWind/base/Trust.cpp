@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Trust.h>
 
+#include <osgTreeWind/base/Unicode.h>
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
+
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 namespace osgTreeWind {
@@ -10,26 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isInFolder(const fs::path& file, const std::string& folder) {
-    std::error_code problem;
-    const fs::path root = fs::canonical(folder.empty() ? "." : folder, problem);
-    return !problem && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-}
-
 bool isInAnyFolder(const std::vector<std::string>& folders, const fs::path& path) {
-    std::error_code problem;
-    const fs::path file = fs::canonical(path, problem);
-    return !problem && std::any_of(folders.begin(), folders.end(),
-                                   [&](const std::string& folder) { return isInFolder(file, folder); });
+    const fs::path file = resolved(path);
+    return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+        const fs::path root = resolved(folder.empty() ? "." : toPath(folder));
+        return !file.empty() && !root.empty() &&
+               std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+    });
 }
 
 /// Libraries also open siblings with the same base name: parts of a shapefile, the world file of a raster.
-bool hasSiblingLinkOutside(const fs::path& file, const std::vector<std::string>& folders) {
-    const std::string prefix = file.stem().string() + '.';
+bool hasSiblingOutside(const fs::path& file, const std::vector<std::string>& folders) {
+    const std::string stem = foldedName(toText(file.stem()));
     std::error_code problem;
     for (const fs::directory_entry& each :
          fs::directory_iterator(file.has_parent_path() ? file.parent_path() : fs::path("."), problem))
-        if (each.path().filename().string().rfind(prefix, 0) == 0 && each.is_symlink(problem) &&
+        if (foldedName(toText(each.path().filename())).rfind(stem + '.', 0) == 0 &&
             !isInAnyFolder(folders, each.path()))
             return true;
     return false;
@@ -38,14 +37,14 @@ bool hasSiblingLinkOutside(const fs::path& file, const std::vector<std::string>&
 } // namespace
 
 std::string problemOfTrust(const std::string& path, const std::vector<std::string>& folders) {
-    const char* const trust = std::getenv("OSGTREEWIND_TRUST");
-    if (!trust || !*trust)
+    const std::string trust = environmentVariable("OSGTREEWIND_TRUST").value_or("");
+    if (trust.empty())
         return {};
-    if (trust != std::string("folder"))
+    if (trust != "folder")
         return "is not opened: expected OSGTREEWIND_TRUST to be \"folder\" or empty";
-    if (!isInAnyFolder(folders, path))
+    if (leavesTheMachine(path) || !isInAnyFolder(folders, toPath(path)))
         return "is not opened: it lies outside the folders that OSGTREEWIND_TRUST=folder trusts";
-    return hasSiblingLinkOutside(path, folders)
+    return hasSiblingOutside(toPath(path), folders)
                ? "is not opened: a symbolic link next to it leads out of the folders that "
                  "OSGTREEWIND_TRUST=folder trusts"
                : "";

@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Wire.h>
 
-#include <cerrno>
-
-#include <sys/socket.h>
-#include <unistd.h>
+#include <osgTreeWind/system/Descriptor.h>
 
 namespace osgTreeWind {
-
-namespace {
-
-/// Writes without raising SIGPIPE, which would kill the host when its reader has ended.
-ssize_t writeBytes(int descriptor, const void* bytes, std::size_t size) {
-    const ssize_t sent = ::send(descriptor, bytes, size, MSG_NOSIGNAL);
-    return sent < 0 && errno == ENOTSOCK ? ::write(descriptor, bytes, size) : sent;
-}
-
-} // namespace
 
 bool Wire::transfer(std::string& text) {
     std::vector<char> characters(text.begin(), text.end());
@@ -39,9 +26,8 @@ bool Wire::transfer(Diagnostic& problem) {
 bool Wire::transferBytes(void* bytes, std::size_t size) {
     auto* at = static_cast<char*>(bytes);
     while (size > 0) {
-        const ssize_t count = _sends ? writeBytes(_descriptor, at, size) : ::read(_descriptor, at, size);
-        if (count < 0 && errno == EINTR)
-            continue;
+        const std::ptrdiff_t count =
+            _sends ? writeSome(_descriptor, at, size) : readSome(_descriptor, at, size);
         if (count <= 0)
             return false;
         at += count;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/controls/ForestControls.h>
 
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/controls/FormattedText.h>
 #include <osgTreeWind/forest/ForestKeys.h>
@@ -24,12 +25,12 @@ constexpr double stepTime = 1.0 / 30.0, minClockRate = 1.0 / 64.0; // seconds; s
 
 /// The date of a season (Season.h).
 std::string dateText(float season) {
-    const std::time_t seconds = 86400 * std::time_t{dayOfSeason(season)}; // in 1970
-    std::tm date{};
-    gmtime_r(&seconds, &date);
-    char month[32];
-    std::strftime(month, sizeof month, "%B", &date);
-    return std::to_string(date.tm_mday) + ' ' + month;
+    const std::string date = isoTimeText(86400.0 * dayOfSeason(season)); // in 1970
+    std::tm month{};
+    month.tm_mon = std::stoi(date.substr(5, 2)) - 1;
+    char name[32];
+    std::strftime(name, sizeof name, "%B", &month);
+    return std::to_string(std::stoi(date.substr(8, 2))) + ' ' + name;
 }
 
 /// Whether two winds have the same field, adjustment and gusts.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/controls/TextPanel.h>
 
+#include <osgTreeWind/system/Path.h>
+
 #include <osg/Depth>
 #include <osg/Fog>
 #include <osgText/Font>
@@ -19,7 +21,7 @@ osg::ref_ptr<osgText::Font> monospaceFont() {
     constexpr const char* file = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
     std::error_code error;
     osg::ref_ptr<osgText::Font> font =
-        std::filesystem::exists(file, error) ? osgText::readRefFontFile(file) : nullptr;
+        std::filesystem::exists(toPath(file), error) ? osgText::readRefFontFile(file) : nullptr;
     return font ? font : osgText::Font::getDefaultFont();
 }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TomlEdit.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -65,7 +66,7 @@ std::optional<std::string> editedText(const std::string& document, const ForestD
     WrittenSections old(*before), wanted(*after);
     const auto readsBack = [&](const std::string& text) {
         std::istringstream input(text);
-        const auto again = readForest(input, {path, std::filesystem::path(path).parent_path().string()});
+        const auto again = readForest(input, {path, folderOf(path)});
         return again && areTreesEqual(again.value(), now) && writtenText(again.value()) == after;
     };
     TomlEdit keys(document);

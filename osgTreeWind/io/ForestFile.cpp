@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/places/MapProgram.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,8 +20,8 @@ std::string absolute(const std::string& folder) {
     if (folder.find("://") != std::string::npos) // URL
         return folder;
     std::error_code ignored;
-    const std::filesystem::path path = folder.empty() ? "." : folder;
-    std::string result = std::filesystem::absolute(path, ignored).lexically_normal().string();
+    const std::filesystem::path path = folder.empty() ? "." : toPath(folder);
+    std::string result = toText(std::filesystem::absolute(path, ignored).lexically_normal());
     return result.empty() ? folder : result;
 }
 
@@ -59,8 +60,7 @@ void readDocumentFile(const std::string& path, std::size_t maxTrees, const std::
     Result<std::ifstream> input = openInput(path);
     if (!input)
         return reading.log.add(input.problems().front());
-    readDocument(input.value(),
-                 {path, std::filesystem::path(path).parent_path().string(), maxTrees, settings}, reading);
+    readDocument(input.value(), {path, folderOf(path), maxTrees, settings}, reading);
 }
 
 namespace {

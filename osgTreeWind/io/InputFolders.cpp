@@ -4,33 +4,27 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace osgTreeWind {
 
 std::vector<std::string> hostFolders() {
-#ifdef _WIN32
-    constexpr char separator = ';';
-#else
-    constexpr char separator = ':';
-#endif
-    const char* const text = std::getenv("OSG_FILE_PATH");
-    std::istringstream rest(text ? text : "");
-    std::vector<std::string> folders;
-    for (std::string folder; std::getline(rest, folder, separator);)
-        if (!folder.empty())
-            folders.push_back(folder);
-    return folders;
+    return environmentFolders("OSG_FILE_PATH");
+}
+
+std::string InputFolders::problemOfName(const std::string& name) const {
+    const std::string problem = osgTreeWind::problemOfName(name);
+    return problem.empty() && leavesTheMachine(name) ? problemOfTrust(name) : problem;
 }
 
 std::string InputFolders::problemOfTrust(const std::string& path) const {
     std::vector<std::string> trusted = hostFolders();
     trusted.push_back(ofDocument());
-    if (const char* data = std::getenv("OSGTREEWIND_DATA"))
-        trusted.emplace_back(data);
+    if (const auto data = environmentVariable("OSGTREEWIND_DATA"))
+        trusted.push_back(*data);
     return osgTreeWind::problemOfTrust(path, trusted);
 }
 
@@ -43,20 +37,24 @@ std::optional<InputFolders::File> InputFolders::open(TableReader& table, const s
 
 std::optional<InputFolders::File> InputFolders::open(TableReader& table, const std::string& key,
                                                      const std::string& name) const {
+    const auto refuse = [&](const std::string& file, const std::string& problem) -> std::optional<File> {
+        table.problem(key, inQuotes(file) + ' ' + problem);
+        return std::nullopt;
+    };
+    if (const std::string problem = problemOfName(name); !problem.empty())
+        return refuse(name, problem);
     std::error_code error;
     for (const std::string& folder : _folders) {
-        const std::filesystem::path path = std::filesystem::path(folder) / name; // `name` may be absolute
-        if (!std::filesystem::is_regular_file(path, error))
+        const std::filesystem::path file = toPath(folder) / toPath(name); // `name` may be absolute
+        if (!std::filesystem::is_regular_file(file, error))
             continue;
-        if (const std::string problem = problemOfTrust(path.string()); !problem.empty()) {
-            table.problem(key, inQuotes(name) + ' ' + problem);
-            return std::nullopt;
-        }
-        Result<std::ifstream> stream = openInput(path.string());
-        if (stream)
-            return File{path.string(), std::move(stream.value())};
-        table.problem(key, inQuotes(path.string()) + " " + stream.problems().front().message);
-        return std::nullopt;
+        const std::string path = toText(file);
+        if (const std::string problem = problemOfTrust(path); !problem.empty())
+            return refuse(name, problem);
+        Result<std::ifstream> stream = openInput(path);
+        if (!stream)
+            return refuse(path, stream.problems().front().message);
+        return File{path, std::move(stream.value())};
     }
     table.problem(key, "no file " + inQuotes(name) + " in " + joined(_folders));
     return std::nullopt;

@@ -22,6 +22,8 @@ public:
     /// The next folder to search.
     void add(std::string folder) { _folders.push_back(std::move(folder)); }
     const std::string& ofDocument() const { return _folders.front(); }
+    /// Why a document may not name a file or folder so, judged without opening anything; empty if it may.
+    std::string problemOfName(const std::string& name) const;
     /// Why OSGTREEWIND_TRUST=folder does not trust a path, which must be in the folders of the document, its
     /// host or OSG; otherwise empty.
     std::string problemOfTrust(const std::string& path) const;

@@ -4,6 +4,7 @@
 #include <osgTreeWind/io/CrownSummary.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadKeys.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFiles.h>
@@ -29,7 +30,7 @@ bool isOpenWind(const Wind& wind) {
 /// shareInClosedWood() of a world in tiles. Its summary tells the crowns in each cell, which are taken to
 /// stand at random. 0 if it cannot be read.
 double shareInClosedWood(const ForestTiles& tiles) {
-    std::ifstream file(fileOfCrowns(tiles));
+    std::ifstream file(toPath(fileOfCrowns(tiles)));
     const Result<CrownSummary> crowns = readCrownSummary(file, fileOfCrowns(tiles));
     if (!crowns)
         return 0.0;

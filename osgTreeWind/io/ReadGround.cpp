@@ -5,6 +5,7 @@
 #include <osgTreeWind/forest/GroundPlacer.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -167,7 +168,7 @@ std::string writeGround(std::ostream& output, const ForestDescription& forest) {
     for (const std::string& file : rasters->source().files) {
         if (std::string problem = problemOfFile(file); !problem.empty())
             return problem;
-        files.push_back(std::filesystem::absolute(file).string());
+        files.push_back(absolutePath(file));
     }
     output << "\n[ground]\nfile = " << tomlText(files) << '\n';
     if (const std::string& crs = rasters->source().crs; !crs.empty())

@@ -7,6 +7,8 @@
 #include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/places/HostMap.h>
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,9 +44,9 @@ void readSearch(TableReader& root, InputFolders& folders) {
     std::vector<std::string> search;
     root.read("search", search);
     for (const std::string& folder : search)
-        folders.add((std::filesystem::path(folders.ofDocument()) / folder).lexically_normal().string());
-    if (const char* data = std::getenv("OSGTREEWIND_DATA"))
-        folders.add(data);
+        folders.add(pathIn(folders.ofDocument(), folder));
+    if (const auto data = environmentVariable("OSGTREEWIND_DATA"))
+        folders.add(*data);
 }
 
 void readSeason(TableReader& root, float& season) {

@@ -8,6 +8,7 @@
 #include <osgTreeWind/scanfiles/ScanFile.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 #include <osgTreeWind/species/SpeciesKeys.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <filesystem>
 
@@ -57,7 +58,7 @@ bool addScans(TableReader& table, const InputFolders& folders, const std::string
         report.up = up == ScanUp::Found ? "" : up == ScanUp::Y ? "y" : "z";
         report.tree = i;
         report.trees = trees.size();
-        report.source = std::filesystem::path(found->path).filename().string();
+        report.source = toText(toPath(found->path).filename());
         if (trees.size() > 1)
             report.source += ", tree " + std::to_string(i + 1);
     }

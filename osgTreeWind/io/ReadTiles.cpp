@@ -3,6 +3,7 @@
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <filesystem>
 
@@ -60,7 +61,7 @@ std::string inFolder(const std::string& folder, const std::string& name) {
         return name;
     if (folder.find("://") != std::string::npos)
         return folder + '/' + name;
-    return (std::filesystem::path(folder) / name).lexically_normal().string();
+    return pathIn(folder, name);
 }
 
 template <typename Value>
@@ -83,9 +84,11 @@ std::optional<ForestTiles> readTiles(TableReader& table, const InputFolders& fol
     std::string folder = "tiles";
     table.read("folder", folder);
     tiles.folder = inFolder(folders.ofDocument(), folder);
-    if (std::error_code error; std::filesystem::exists(tiles.folder, error))
-        if (const std::string problem = folders.problemOfTrust(tiles.folder); !problem.empty())
-            table.problem("folder", inQuotes(folder) + ' ' + problem);
+    std::string problem = folders.problemOfName(folder);
+    if (std::error_code error; problem.empty() && std::filesystem::exists(toPath(tiles.folder), error))
+        problem = folders.problemOfTrust(tiles.folder);
+    if (!problem.empty())
+        table.problem("folder", inQuotes(folder) + ' ' + problem);
     table.require("size", tiles.size, tileSizes);
     table.require("range", tiles.range, tileSizes);
     std::vector<double> corner;

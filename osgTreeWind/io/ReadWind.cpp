@@ -8,6 +8,7 @@
 #include <osgTreeWind/io/ReadKeys.h>
 #include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/places/LongitudeWrap.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -270,7 +271,7 @@ bool readSeriesFile(TableReader& table, const InputFolders& folders, WindSeries&
     auto file = folders.open(table, "file");
     std::string name;
     table.read("file", name);
-    const std::string extension = lower(std::filesystem::path(name).extension().string());
+    const std::string extension = lower(extensionOf(name));
     WindSeriesColumns columns;
     const bool needsColumns = extension != ".xml" && (extension != ".epw" || table.has("columns"));
     if (needsColumns && !readSeriesColumns(table, columns))

@@ -7,6 +7,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,8 +24,7 @@ constexpr const char* fileName = "species.treewind";
 std::filesystem::path findHostFile() {
     std::error_code error;
     for (const std::string& folder : hostFolders())
-        if (auto path = std::filesystem::path(folder) / fileName;
-            std::filesystem::is_regular_file(path, error))
+        if (auto path = toPath(folder) / fileName; std::filesystem::is_regular_file(path, error))
             return path;
     return {};
 }
@@ -131,20 +131,20 @@ const SpeciesCatalogue& SpeciesCatalogue::builtIn() {
 }
 
 bool SpeciesCatalogue::isCatalogue(const std::string& path) {
-    return std::filesystem::path(path).filename() == fileName;
+    return toPath(path).filename() == fileName;
 }
 
 Result<SpeciesCatalogue> SpeciesCatalogue::read(const std::string& path) {
     const Result<std::string> text = readTextFile(path);
     if (!text.ok())
         return text.problems();
-    return builtIn().with(text.value(), path, std::filesystem::path(path).parent_path().string());
+    return builtIn().with(text.value(), path, folderOf(path));
 }
 
 const Result<SpeciesCatalogue>& SpeciesCatalogue::hostCatalogue() {
     static const Result<SpeciesCatalogue> catalogue = [] {
         const std::filesystem::path path = findHostFile();
-        return path.empty() ? builtIn() : read(path.string());
+        return path.empty() ? builtIn() : read(toText(path));
     }();
     return catalogue;
 }

@@ -8,6 +8,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/forest/TileFiles.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <array>
@@ -147,7 +148,7 @@ Diagnostics TileTrees::resolve(const std::vector<Species>& known, std::size_t co
             return {fileProblem(file, "the world has no species " + inQuotes(name))};
         indices.push_back(static_cast<std::size_t>(found - known.begin()));
     }
-    const std::string tile = std::filesystem::path(file).stem().string();
+    const std::string tile = stemOf(file);
     for (std::size_t i = 0; i < trees.size(); ++i) {
         trees[i].species = indices[trees[i].species];
         if (trees[i].name.empty())

@@ -15,12 +15,13 @@
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TreeBounds.h>
 #include <osgTreeWind/motion/MakeCanopyMap.h>
+#include <osgTreeWind/system/FolderLock.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -31,10 +32,6 @@
 #include <system_error>
 #include <utility>
 #include <vector>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace osgTreeWind {
 
@@ -70,7 +67,7 @@ ForestTiles makeTileGrid(const TreeBounds& all, double size) {
 }
 
 bool append(const std::string& path, const std::string& text) {
-    return bool((std::ofstream(path, std::ios::binary | std::ios::app) << text).flush());
+    return bool((std::ofstream(toPath(path), std::ios::binary | std::ios::app) << text).flush());
 }
 
 std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
@@ -179,41 +176,32 @@ CanopySettings computeTiledCanopy(const TileWriter& written, const Executor& exe
 /// The folder of a tiled forest while it is written. A lock excludes other processes.
 class WorldFolder {
 public:
-    explicit WorldFolder(const std::string& folder) : _folder(folder), _file(folder + "/world.treewind") {
-        std::error_code error;
-        fs::create_directories(folder, error);
-        _descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    }
-    ~WorldFolder() {
-        if (_descriptor >= 0)
-            close(_descriptor);
-    }
-    WorldFolder(const WorldFolder&) = delete;
-    WorldFolder& operator=(const WorldFolder&) = delete;
+    explicit WorldFolder(const std::string& folder)
+        : _folder(folder), _file(folder + "/world.treewind"), _lock(made(folder)) {}
 
     const std::string& file() const { return _file; }
 
-    /// Locks the folder and creates an empty folder for new tiles, beside existing ones.
+    /// Creates an empty folder for new tiles, beside existing ones.
     Diagnostics begin() {
-        if (_descriptor < 0)
-            return {fileProblem(_folder, "cannot be written: " + std::generic_category().message(errno))};
-        if (flock(_descriptor, LOCK_EX | LOCK_NB) != 0)
+        if (!_lock.problem().empty())
+            return {fileProblem(_folder, "cannot be written: " + _lock.problem())};
+        if (!_lock.isHeld())
             return {fileProblem(_folder, "another program is writing a world into it")};
         std::error_code error;
-        if (fs::exists(_file, error)) {
+        if (fs::exists(toPath(_file), error)) {
             const auto world = readForestFile(_file);
             if (!world || !world.value().tiles)
                 return {fileProblem(_file, "expected a world or nothing there, found something else; remove "
                                            "it, or choose another folder")};
-            _old = fs::path(world.value().tiles->folder).lexically_normal();
+            _old = toPath(world.value().tiles->folder).lexically_normal();
         }
-        const std::string first = (fs::path(_folder) / "tiles").string(), second = first + "-2";
-        _tiles = fs::equivalent(_old, first, error) ? second : first;
+        const std::string first = toText(toPath(_folder) / "tiles"), second = first + "-2";
+        _tiles = fs::equivalent(_old, toPath(first), error) ? second : first;
         for (const std::string& name : {first, second})
-            if (!fs::equivalent(_old, name, error))
+            if (!fs::equivalent(_old, toPath(name), error))
                 if (Diagnostics problems = remove(name); !problems.empty())
                     return problems;
-        if (!fs::create_directories(_tiles, error))
+        if (!fs::create_directories(toPath(_tiles), error))
             return {fileProblem(_tiles, "cannot be created: " + error.message())};
         _new.emplace(_tiles);
         return {};
@@ -224,24 +212,31 @@ public:
     void commit() {
         _new->keep();
         std::error_code error;
-        if (fs::equivalent(_old.parent_path(), _folder, error))
-            remove(_old.string());
+        if (fs::equivalent(_old.parent_path(), toPath(_folder), error))
+            remove(toText(_old));
     }
 
 private:
+    static const std::string& made(const std::string& folder) {
+        std::error_code ignored;
+        fs::create_directories(toPath(folder), ignored);
+        return folder;
+    }
+
     /// Removes a folder of tiles; fails if it contains other files.
-    static Diagnostics remove(const std::string& folder) {
+    static Diagnostics remove(const std::string& name) {
         std::error_code error, ignored;
+        const fs::path folder = toPath(name);
         if (!fs::is_directory(folder, error))
             return fs::exists(folder, error)
-                       ? Diagnostics{fileProblem(folder, "expected a folder of tiles or nothing")}
+                       ? Diagnostics{fileProblem(name, "expected a folder of tiles or nothing")}
                        : Diagnostics();
         for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-            const std::string extension = file->path().extension().string();
+            const fs::path extension = file->path().extension();
             if (extension != ".trees" && extension != ".crowns" && extension != ".ids" &&
                 extension != ".part")
-                return {fileProblem(folder, "expected nothing but tiles in it, found " +
-                                                file->path().filename().string())};
+                return {fileProblem(name, "expected nothing but tiles in it, found " +
+                                              toText(file->path().filename()))};
         }
         fs::remove_all(folder, ignored);
         return {};
@@ -249,8 +244,8 @@ private:
 
     std::string _folder, _file, _tiles;
     fs::path _old;
+    FolderLock _lock;
     std::optional<TemporaryPath> _new;
-    int _descriptor = -1;
 };
 
 /// @param forest without trees. @param visit visits all trees; false on an error.
@@ -280,7 +275,7 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
         return AtomicFile(fileOfCrowns(tiles)).problem();
     Diagnostics problems = writeFileAtomically(folder + "/fly.path", makeFlightPath(tiles, forest.origin));
     ForestTiles result = tiles;
-    tiles.folder = fs::path(tiles.folder).filename().string();
+    tiles.folder = toText(toPath(tiles.folder).filename());
     if (problems.empty())
         problems = writeForestFile(forest, world.file());
     if (!problems.empty())

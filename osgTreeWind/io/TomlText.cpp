@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlText.h>
 
+#include <osgTreeWind/system/Path.h>
+
 #include <glm/trigonometric.hpp>
 
 #include <charconv>
@@ -53,7 +55,7 @@ struct ValueText {
     std::string operator()(const std::string* value) const {
         if (value->empty() || key.unit != "file")
             return value->empty() ? "" : tomlText(*value);
-        return tomlText(std::filesystem::absolute(*value).string());
+        return tomlText(absolutePath(*value));
     }
     template <typename T>
     std::string operator()(const std::vector<T>* values) const {

@@ -55,10 +55,7 @@ std::string serialize(const TreeSpool::Trees& trees, const std::vector<std::size
 } // namespace
 
 bool TreeSpool::useFile(const std::string& folder, std::size_t maxInMemory) {
-    const std::string path = folder + "/trees.part";
-    _file.reset(std::fopen(path.c_str(), "w+b"));
-    if (_file)
-        std::remove(path.c_str());
+    _file = openVanishingFile(folder + "/trees.part");
     _maxInMemory = maxInMemory;
     return _file != nullptr;
 }
@@ -77,7 +74,7 @@ void TreeSpool::flush() {
     const std::string bytes = serialize(_memory, _onGround);
     Part part;
     if (!_parts.empty())
-        part.begin = _parts.back().begin + static_cast<long>(_parts.back().bytes);
+        part.begin = _parts.back().begin + static_cast<std::int64_t>(_parts.back().bytes);
     part.trees = _memory.size();
     part.bytes = bytes.size();
     write(part, bytes);
@@ -88,7 +85,7 @@ void TreeSpool::flush() {
 }
 
 void TreeSpool::write(const Part& part, const std::string& bytes) {
-    if (bytes.size() != part.bytes || std::fseek(_file.get(), part.begin, SEEK_SET) != 0 ||
+    if (bytes.size() != part.bytes || !seekFile(_file.get(), part.begin) ||
         std::fwrite(bytes.data(), 1, bytes.size(), _file.get()) != bytes.size() ||
         std::fflush(_file.get()) != 0)
         _failed = true;
@@ -96,7 +93,7 @@ void TreeSpool::write(const Part& part, const std::string& bytes) {
 
 bool TreeSpool::load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround) {
     std::string bytes(part.bytes, '\0');
-    if (_failed || std::fseek(_file.get(), part.begin, SEEK_SET) != 0 ||
+    if (_failed || !seekFile(_file.get(), part.begin) ||
         std::fread(bytes.data(), 1, bytes.size(), _file.get()) != bytes.size()) {
         _failed = true;
         return false;

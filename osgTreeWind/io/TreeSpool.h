@@ -2,10 +2,10 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/system/File.h>
 
-#include <cstdio>
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,11 +40,8 @@ public:
 
 private:
     struct Part {
-        long begin = 0;
+        std::int64_t begin = 0;
         std::size_t trees = 0, bytes = 0;
-    };
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
     };
     /// @param visitor gets a null part for trees in memory.
     void forEachPart(const std::function<void(const Part* part, Trees& trees,
@@ -54,7 +51,7 @@ private:
 
     Trees& _memory;
     std::vector<std::size_t> _onGround; ///< Indices into `_memory`.
-    std::unique_ptr<std::FILE, Close> _file;
+    FilePointer _file;
     std::vector<Part> _parts;
     std::size_t _maxInMemory = 0, _stored = 0;
     bool _failed = false;

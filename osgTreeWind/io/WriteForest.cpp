@@ -13,6 +13,7 @@
 #include <osgTreeWind/model/TreeKeys.h>
 #include <osgTreeWind/places/MapScale.h>
 #include <osgTreeWind/species/SpeciesKeys.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <filesystem>
 #include <set>
@@ -99,7 +100,7 @@ void writeScans(std::ostream& output, const std::vector<ScannedTree>& scans) {
     std::vector<std::string> files;
     for (const ScannedTree& scan : scans)
         if (scan.report.tree == 0)
-            files.push_back(std::filesystem::absolute(scan.report.file).string());
+            files.push_back(absolutePath(scan.report.file));
     output << "scan = " << tomlText(files) << '\n';
     if (const std::string& up = scans.front().report.up; !up.empty())
         output << "up = " << tomlText(up) << '\n';
@@ -160,10 +161,11 @@ bool isOnStretchedMap(const ForestDescription& forest) {
 /// Makes the path of the tiles relative if they are below the file's folder, so that both can be moved.
 ForestDescription withRelativeTileFolder(ForestDescription forest, const std::string& file) {
     namespace fs = std::filesystem;
-    const fs::path relative = fs::path(forest.tiles->folder)
-                                  .lexically_relative(fs::absolute(file).lexically_normal().parent_path());
+    const fs::path relative =
+        toPath(forest.tiles->folder)
+            .lexically_relative(toPath(absolutePath(file)).lexically_normal().parent_path());
     if (!relative.empty() && *relative.begin() != "..")
-        forest.tiles->folder = relative.string();
+        forest.tiles->folder = toText(relative);
     return forest;
 }
 
@@ -171,7 +173,9 @@ ForestDescription withRelativeTileFolder(ForestDescription forest, const std::st
 
 std::string problemOfFile(const std::string& file) {
     std::error_code error;
-    return isUtf8(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
+    return isUtf8(file) && std::filesystem::is_regular_file(toPath(file), error)
+               ? ""
+               : "no file " + inQuotes(file);
 }
 
 Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/ThesisWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -88,7 +89,7 @@ private:
         for (const std::string& file : source.files) {
             if (std::string problem = problemOfFile(file); !problem.empty())
                 return problem;
-            files.push_back(std::filesystem::absolute(file).string());
+            files.push_back(absolutePath(file));
         }
         if (source.series)
             key("files", tomlText(files));

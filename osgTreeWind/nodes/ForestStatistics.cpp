@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/ForestStatistics.h>
 
+#include <osgTreeWind/system/Memory.h>
+
 #include <osg/View>
 #include <osgUtil/CullVisitor>
 
-#include <cstdint>
-#include <fstream>
-#include <unistd.h>
-
 namespace osgTreeWind {
-
-double residentBytes() {
-    std::uint64_t all = 0, pages = 0;
-    std::ifstream("/proc/self/statm") >> all >> pages;
-    return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 osg::Stats* viewStatistics(osg::NodeVisitor& cullVisitor) {
     osgUtil::CullVisitor* visitor = cullVisitor.asCullVisitor();

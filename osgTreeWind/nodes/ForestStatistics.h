@@ -21,9 +21,6 @@ struct ForestStatistics {
     void report(osg::Stats& stats, unsigned frame) const;
 };
 
-/// Resident memory of the process.
-double residentBytes();
-
 /// The statistics of the view that a cull traversal belongs to; null if it does not collect "update".
 osg::Stats* viewStatistics(osg::NodeVisitor& cullVisitor);
 

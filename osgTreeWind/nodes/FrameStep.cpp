@@ -5,17 +5,17 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/ForestKeys.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <osg/Notify>
 
-#include <cstdlib>
 #include <mutex>
 
 namespace osgTreeWind {
 
 double frameStepOf(const ForestDescription& description) {
-    const char* text = std::getenv("OSGTREEWIND_STEP");
-    if (!text || !*text)
+    const std::string text = environmentVariable("OSGTREEWIND_STEP").value_or("");
+    if (text.empty())
         return description.step;
     const std::optional<double> step = parseNumber(text);
     if (step && frameSteps.contains(*step))

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/Unicode.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -67,7 +68,7 @@ const FeatureBatch::Column* VectorFile::column(std::size_t column) const {
 }
 
 bool VectorFile::isSupported(const std::string& path) {
-    if (lower(std::filesystem::path(path).extension().string()) == ".csv")
+    if (lower(extensionOf(path)) == ".csv")
         return false;
     const auto isSupported = MapProgram({path}).request<bool>({Task::DetectFeatures, {path}});
     return isSupported && isSupported.value();

@@ -9,6 +9,7 @@
 #include <osgTreeWind/scanfiles/ScanColumns.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -239,7 +240,7 @@ Result<ScanFile> readScanFile(const std::string& path, ScanUp up) {
     if (!input)
         return input.problems();
     std::error_code error;
-    if (std::filesystem::file_size(path, error) > maxScanBytes && !error)
+    if (std::filesystem::file_size(toPath(path), error) > maxScanBytes && !error)
         return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
     if (isMatlab(readHead(input.value(), 128)))
         return readMatlab(path, up);

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/windfiles/WindInput.h>
 
@@ -74,7 +75,7 @@ const Format& csv = windFormats[std::size(windFormats) - 1];
 
 /// Null if unknown.
 const Format* findFormat(const std::string& path, std::string_view head, const WindSeriesColumns& columns) {
-    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    const std::string extension = lower(extensionOf(path));
     for (const Format& format : windFormats)
         if (format.begins && format.begins(head))
             return &format;

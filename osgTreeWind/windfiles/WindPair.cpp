@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
@@ -29,9 +30,9 @@ Result<RasterBand> readAscii(const std::string& path) {
     if (!text)
         return text.problems();
     Result<RasterBand> cells = readEsriGrid(text.value(), path);
-    const std::string beside = fs::path(path).replace_extension(".prj").string();
+    const std::string beside = toText(toPath(path).replace_extension(".prj"));
     if (const Result<std::string> map = readBytes(beside);
-        cells && map && problemOfTrust(beside, {fs::path(path).parent_path().string()}).empty()) {
+        cells && map && problemOfTrust(beside, {folderOf(path)}).empty()) {
         const Result<Crs> crs = Crs::parse(map.value());
         if (!crs)
             return fileProblem(beside, crs.problems().front().message);
@@ -88,20 +89,18 @@ Result<WindContent> windFromBands(const RasterBand& speed, const RasterBand& dir
 /// Reads both files of a pair. @param path either of them.
 Result<WindContent> readPair(const std::string& path, const char* format,
                              Result<RasterBand> (*readCells)(const std::string&)) {
-    const fs::path given(path);
-    const std::string stem = given.stem().string(), extension = given.extension().string();
+    const std::string folder = folderOf(path), stem = stemOf(path), extension = extensionOf(path);
     const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
     if (end != "_vel" && end != "_ang")
         return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
                                      ", a pair of speed and direction");
-    const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
+    const std::string begin = (folder.empty() ? "" : folder + '/') + stem.substr(0, stem.size() - 4);
     RasterBand cells[2];
     const char* const ends[] = {"_vel", "_ang"};
     for (int i = 0; i < 2; ++i) {
         std::string each = begin;
         each += ends[i] + extension;
-        if (const std::string problem = problemOfTrust(each, {given.parent_path().string()});
-            !problem.empty())
+        if (const std::string problem = problemOfTrust(each, {folder}); !problem.empty())
             return fileProblem(each, problem);
         Result<RasterBand> read = readCells(each);
         if (!read)

@@ -6,6 +6,7 @@
 
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -152,7 +153,7 @@ private:
 } // namespace
 
 bool isCityJson(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(toPath(path), std::ios::binary);
     const std::string head = readHead(file, 65536);
     static const std::regex type(R"("type"\s*:\s*"CityJSON")");
     return head.find("\"CityJSON\"") != std::string::npos && std::regex_search(head, type);

@@ -9,6 +9,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <cpl_vsi.h>
 #include <ogr_srs_api.h>
@@ -85,7 +86,7 @@ std::string FeatureFile::withLayer(const std::string& message) const {
 bool FeatureFile::isSupported(const std::string& path) {
     registerGdal();
     const GdalErrors ignored;
-    return isOfFormat(lower(std::filesystem::path(path).extension().string())) ||
+    return isOfFormat(lower(extensionOf(path))) ||
            GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) || isCityJson(path);
 }
 

@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <cpl_conv.h>
 #include <ogr_srs_api.h>
@@ -21,7 +22,7 @@ namespace {
 /// Whether PROJ would read a file or use the network for a text.
 bool isFileOrAddress(const std::string& text) {
     std::error_code ignored;
-    return text.find("/vsi") != std::string::npos || std::filesystem::exists(text, ignored) ||
+    return text.find("/vsi") != std::string::npos || std::filesystem::exists(toPath(text), ignored) ||
            (text.find("://") != std::string::npos && text.find("opengis.net/def/crs") == std::string::npos);
 }
 

@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/places/RasterBand.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <cpl_string.h>
 #include <gdal.h>
@@ -45,7 +46,7 @@ std::string problemOf(const std::string& path, GDALDatasetH data, const double (
     constexpr double bestRatio = 1100.0; // deflate reaches at most 1032 to 1
     const double count = static_cast<double>(GDALGetRasterXSize(data)) * GDALGetRasterYSize(data);
     std::error_code ignored;
-    if (count > bestRatio * static_cast<double>(std::filesystem::file_size(path, ignored)))
+    if (count > bestRatio * static_cast<double>(std::filesystem::file_size(toPath(path), ignored)))
         return "the file is too short for " + numberText(count) + " cells";
     if (geotransform[2] != 0.0 || geotransform[4] != 0.0 || !(geotransform[1] > 0.0) ||
         !(geotransform[5] < 0.0))

@@ -8,14 +8,16 @@
 #include <plugins/map/GeometryPlace.h>
 #include <plugins/map/Udunits.h>
 
+#include <osgTreeWind/system/Descriptor.h>
+#include <osgTreeWind/system/ProcessLimits.h>
+#include <osgTreeWind/system/Program.h>
+
 #include <cpl_conv.h>
 #include <gdal.h>
 
 #include <exception>
 #include <iostream>
 #include <map>
-
-#include <unistd.h>
 
 namespace osgTreeWind {
 
@@ -153,11 +155,11 @@ private:
 bool serve(int descriptor, unsigned secondsPerAnswer) {
     MapServer server(descriptor);
     for (;;) {
-        alarm(0); // no limit while waiting
+        limitTime(0); // none while waiting
         MapRequest request;
         if (!Wire::receiver(descriptor).transfer(request))
             return true;
-        alarm(secondsPerAnswer);
+        limitTime(secondsPerAnswer);
         if (!server.answer(request))
             return false;
     }
@@ -169,19 +171,18 @@ bool serve(int descriptor, unsigned secondsPerAnswer) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
-    if (isatty(STDIN_FILENO)) {
+    if (isInputTyped()) {
         std::cerr << "usage: osgtreewind-map [FILE...]\n"
                      "osgTreeWind runs this program to read maps. It is not for direct use.\n";
         return 2;
     }
     const std::vector<std::string> files(argv + 1, argv + argc);
     const unsigned seconds = limitResources(files, std::size_t(2) << 30, 300);
-    CPLSetConfigOption("GDAL_CACHEMAX", "64"); // megabytes: few, as data are not read twice
-    const int descriptor = dup(STDIN_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO); // output of libraries must not mix with answers
+    CPLSetConfigOption("GDAL_CACHEMAX", "64");   // megabytes: few, as data are not read twice
+    const int descriptor = takeStandardOutput(); // and input: both are one connection
     try {
-        _exit(serve(descriptor, seconds) ? 0 : 1); // without destructors, which damaged data may crash
-    } catch (const std::exception&) {              // usually std::bad_alloc
-        _exit(1);
+        exitNow(serve(descriptor, seconds) ? 0 : 1); // without destructors, which damaged data may crash
+    } catch (const std::exception&) {                // usually std::bad_alloc
+        exitNow(1);
     }
 }

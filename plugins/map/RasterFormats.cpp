@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <cpl_minixml.h>
 #include <cpl_vsi.h>
@@ -42,10 +44,10 @@ std::string findContainingFile(std::string path) {
     if (path.rfind("/vsi", 0) == 0)
         return {};
     std::error_code ignored;
-    for (fs::path file = path; isPacked && file.has_relative_path(); file = file.parent_path())
+    for (fs::path file = toPath(path); isPacked && file.has_relative_path(); file = file.parent_path())
         if (fs::is_regular_file(file, ignored))
-            return file.string();
-    return fs::is_regular_file(path, ignored) ? path : std::string();
+            return toText(file);
+    return fs::is_regular_file(toPath(path), ignored) ? path : std::string();
 }
 
 /// Checks a VRT and those it refers to.
@@ -88,9 +90,15 @@ private:
     }
 
     std::string sourceProblem(const std::string& name, bool isRelative) const {
-        const std::string folder = fs::path(_path).parent_path().string(),
-                          path = isRelative ? (fs::path(folder) / name).string() : name,
-                          file = findContainingFile(path), named = "its source " + inQuotes(name) + ' ';
+        const std::string folder = folderOf(_path),
+                          path = isRelative ? toText(toPath(folder) / toPath(name)) : name,
+                          named = "its source " + inQuotes(name) + ' ';
+        if (const std::string problem = problemOfName(name); !problem.empty())
+            return named + problem;
+        if (leavesTheMachine(name)) // looking for it would reach the other machine
+            if (const std::string problem = problemOfTrust(name, {folder}); !problem.empty())
+                return named + problem;
+        const std::string file = findContainingFile(path);
         if (file.empty())
             return named + "is not a file";
         if (const std::string problem = problemOfTrust(file, {folder}); !problem.empty())
@@ -113,8 +121,7 @@ private:
 const std::vector<const char*>& rasterFormats() {
     static std::vector<std::string> extraFormats;
     static const std::vector<const char*> formats = [] {
-        const char* const named = std::getenv("OSGTREEWIND_GDAL_DRIVERS");
-        std::istringstream names(named ? named : "");
+        std::istringstream names(environmentVariable("OSGTREEWIND_GDAL_DRIVERS").value_or(""));
         for (std::string name; std::getline(names, name, ',');)
             if (!name.empty())
                 extraFormats.push_back(name);

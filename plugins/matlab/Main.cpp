@@ -7,21 +7,22 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/system/Descriptor.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <iostream>
 #include <new>
-
-#include <unistd.h>
 
 namespace osgTreeWind {
 
 namespace {
 
 std::string path;
+int output = -1;
 
 /// Exits without cleaning up, which could crash on damaged data.
 [[noreturn]] void sendAndExit(Result<ScanFile> scan) {
-    _exit(Wire::send(STDOUT_FILENO, scan) ? 0 : 1);
+    exitNow(Wire::send(output, scan) ? 0 : 1);
 }
 
 void fail(const std::string& reason) {
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     path = argv[1];
+    output = takeStandardOutput();
     limitResources({path}, std::size_t(1) << 26, 10);
     try {
         sendAndExit(readTreeQsmMat(MatFile(path, fail), path));

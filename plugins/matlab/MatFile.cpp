@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/matlab/MatFile.h>
 
+#include <osgTreeWind/system/Path.h>
+
 #include <cstdint>
 #include <fstream>
+#include <limits>
 
 namespace osgTreeWind {
 
@@ -19,7 +22,7 @@ void handleLogMessage(int level, Text message) {
 
 /// Whether a file of version 5 ends at the end of a variable. libmatio does not detect truncated files.
 bool endsAtVariableBoundary(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    std::ifstream file(toPath(path), std::ios::binary | std::ios::ate);
     const auto size = static_cast<std::uint64_t>(file.tellg());
     unsigned char order[2] = {}, tag[8];
     file.seekg(126);
@@ -76,9 +79,11 @@ matvar_t* MatFile::variable(const std::string& name) const {
 
 std::size_t elementCount(const matvar_t& variable) {
     std::size_t count = variable.rank > 0 ? 1 : 0;
-    for (int i = 0; i < variable.rank; ++i)
-        if (__builtin_mul_overflow(count, variable.dims[i], &count))
+    for (int i = 0; i < variable.rank; ++i) {
+        if (variable.dims[i] > 0 && count > std::numeric_limits<std::size_t>::max() / variable.dims[i])
             return 0;
+        count *= variable.dims[i];
+    }
     return count;
 }
 

@@ -9,6 +9,7 @@
 #include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -296,7 +297,7 @@ public:
     explicit MappedFile(const std::string& path)
         : _file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL), _memory(nullptr, &CPLVirtualMemFree) {
         std::error_code problem;
-        const auto size = std::filesystem::file_size(path, problem);
+        const auto size = std::filesystem::file_size(toPath(path), problem);
         if (_file && !problem)
             _memory.reset(
                 CPLVirtualMemFileMapNew(_file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr));

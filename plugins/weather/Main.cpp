@@ -7,6 +7,8 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/system/Descriptor.h>
+#include <osgTreeWind/system/Program.h>
 #include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindInput.h>
@@ -17,8 +19,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-
-#include <unistd.h>
 
 namespace osgTreeWind {
 
@@ -70,8 +70,7 @@ int main(int argc, char** argv) {
     }
     const WindRequest request = parseRequest(argv, argc);
     limitResources({argv[1], request.secondFile}, std::size_t(1) << 30, 10);
-    const int output = dup(STDOUT_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO); // keeps messages of libraries out of the output
+    const int output = takeStandardOutput();
     Result<WindContent> content = readWeather(argv[1], request);
-    _exit(Wire::send(output, content) ? 0 : 1); // skips destructors, which could crash after damage
+    exitNow(Wire::send(output, content) ? 0 : 1); // skips destructors, which could crash after damage
 }

@@ -7,6 +7,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/UnitsOfMeasure.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -116,7 +117,7 @@ bool NetCdfArray::is32BitFloat() const {
 NetCdfFile::NetCdfFile(const std::string& path, const std::string& secondFile)
     : _root(nullptr, &GDALGroupRelease), _path(path) {
     GDALAllRegister();
-    _isClassic = std::ifstream(path, std::ios::binary).get() == 'C';
+    _isClassic = std::ifstream(toPath(path), std::ios::binary).get() == 'C';
     _root = open(path);
     if (_root && !secondFile.empty())
         open(secondFile);
@@ -125,7 +126,7 @@ NetCdfFile::NetCdfFile(const std::string& path, const std::string& secondFile)
 NetCdfFile::Group NetCdfFile::open(const std::string& path) {
     const char* const drivers[] = {"netCDF", nullptr};
     std::error_code ignored;
-    _bytes += static_cast<double>(std::filesystem::file_size(path, ignored));
+    _bytes += static_cast<double>(std::filesystem::file_size(toPath(path), ignored));
     _datasets.emplace_back(GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr),
                            &GDALReleaseDataset);
     Group root(_datasets.back() ? GDALDatasetGetRootGroup(_datasets.back().get()) : nullptr,

@@ -3,7 +3,9 @@
 
 #include <examples/osgtreewind/bench/BenchStatistics.h>
 
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/system/Machine.h>
 
 #include <cstdlib>
 #include <ctime>
@@ -12,7 +14,6 @@
 #include <numeric>
 #include <ostream>
 #include <sstream>
-#include <sys/utsname.h>
 #include <thread>
 
 namespace {
@@ -206,28 +207,14 @@ BenchConditions benchConditions(const BenchSettings& settings) {
     BenchConditions conditions;
     conditions.settings = settings;
     conditions.backend = osgTreeWind::offscreenBackendName();
-    const std::time_t now = std::time(nullptr);
-    char date[32];
-    std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-    conditions.date = date;
-    if (getloadavg(&conditions.loadBefore, 1) != 1)
-        conditions.loadBefore = std::nan("");
+    conditions.date = osgTreeWind::isoTimeText(static_cast<double>(std::time(nullptr)));
+    conditions.loadBefore = osgTreeWind::machineLoad().value_or(std::nan(""));
     return conditions;
 }
 
 std::string machineName() {
-    std::string processor = "unknown processor";
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        if (line.rfind("model name", 0) == 0) {
-            processor = line.substr(line.find(':') + 2);
-            break;
-        }
-    }
-    utsname system{};
-    uname(&system);
-    return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors, " +
-           system.sysname + " " + system.release + " " + system.machine;
+    return osgTreeWind::processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
+           " processors, " + osgTreeWind::systemName();
 }
 
 double framesPerSecond(const BenchTimes& times) {

@@ -9,8 +9,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
-
-#include <malloc.h>
+#include <osgTreeWind/system/Memory.h>
 
 using namespace osgTreeWind;
 
@@ -18,12 +17,6 @@ namespace {
 
 constexpr int warmUpRounds = 4;
 constexpr std::size_t fewTrees = 100; // memory of such a forest is mostly that of its shapes
-
-/// Allocated memory of the process; 0 if the allocator is not glibc's.
-double allocatedBytes() {
-    const struct mallinfo2 memory = mallinfo2();
-    return static_cast<double>(memory.uordblks + memory.hblkhd);
-}
 
 /// Makes a forest and records time and memory.
 osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {

@@ -7,6 +7,8 @@
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
+#include <osgTreeWind/system/Machine.h>
+#include <osgTreeWind/system/Memory.h>
 
 #include <cmath>
 #include <fstream>
@@ -17,15 +19,6 @@ namespace {
 
 constexpr double speed = BenchWorld::speed, height = 80.0; // metres above the highest foot
 constexpr int mostFramesToFirst = 1000;
-
-/// Bytes that the process has read so far.
-double bytesRead() {
-    std::ifstream file("/proc/self/io");
-    std::string key;
-    double bytes = 0.0;
-    file >> key >> bytes;
-    return bytes;
-}
 
 TilePager* pagerOf(Forest& forest) {
     for (unsigned i = 0; i < forest.getNumChildren(); ++i)

@@ -2,11 +2,11 @@
 #include <examples/osgtreewind/canopy/CanopyFile.h>
 #include <examples/osgtreewind/output/NetCdfFile.h>
 
+#include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/places/CrsTransform.h>
 #include <osgTreeWind/species/SeasonDay.h>
 
 #include <algorithm>
-#include <ctime>
 #include <optional>
 
 namespace {
@@ -25,13 +25,9 @@ std::vector<double> middles(double low, double cell, int count) {
 
 /// Noon of the day of a season (0: midwinter, 4: a year later) in 2001, which has no 29 February.
 std::string dateOf(float season) {
-    std::tm start{};
-    start.tm_year = 101;
-    start.tm_mday = 1;
-    const std::time_t noon = timegm(&start) + 86400 * std::time_t{dayOfSeason(season)} + 43200;
-    std::tm date{};
-    char text[32];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S +00", gmtime_r(&noon, &date))};
+    constexpr double newYear = 978307200.0, day = 86400.0; // seconds
+    const std::string time = isoTimeText(newYear + day * (dayOfSeason(season) + 0.5));
+    return time.substr(0, 10) + ' ' + time.substr(11, 8) + " +00";
 }
 
 std::optional<Crs> mapOf(const CanopyHead& head) {

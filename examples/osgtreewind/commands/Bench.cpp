@@ -4,10 +4,11 @@
 #include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/system/Memory.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <fstream>
 #include <iostream>
-#include <malloc.h>
 
 namespace {
 
@@ -23,12 +24,6 @@ struct BenchOptions {
     int frames = 60;
     std::string forest;
 };
-
-/// Keeps freed memory in the process, so that page faults of driver buffers are not measured.
-void keepMemory() {
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);
-}
 
 // Stages that are not in benchStages().
 const std::string scaleStage = "scale", viewStage = "view", worldStage = "world", callsStage = "calls";
@@ -113,10 +108,10 @@ void bench(const BenchOptions& options) {
         runOtherBackend(options.backend);
     const ForestDescription forest = load(options);
     if (!options.output.empty()) // fail before minutes of measuring
-        if (const AtomicFile whole(options.output); !std::ofstream(whole.writePath()))
+        if (const AtomicFile whole(options.output); !std::ofstream(toPath(whole.writePath())))
             throwWriteError(whole);
 
-    keepMemory();
+    keepFreedMemory();
     BenchConditions conditions = benchConditions(settings);
     BenchReport report;
     measure(options, forest, conditions, report);

@@ -16,6 +16,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MemoryEstimate.h>
 #include <osgTreeWind/places/Crs.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <glm/common.hpp>
 
@@ -40,7 +41,7 @@ std::string cell(float number) {
 /// sizes were given. Throws CommandError if the file cannot be written.
 void writeTrees(const ForestDescription& forest, const std::string& path) {
     AtomicFile whole(path);
-    std::ofstream output(whole.writePath(), std::ios::binary);
+    std::ofstream output(toPath(whole.writePath()), std::ios::binary);
     output << "id,species,x,y,z,height,trunk_diameter,crown_width,open,leaves,given\n";
     ForestDescription shapes = forest;
     shapes.trees.clear();

@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <fstream>
@@ -125,7 +126,7 @@ void run(const MergeOptions& options) {
     const std::size_t trees = options.world.empty() ? 0 : treesOf(options.world);
     checkOutputPath(options.output);
     AtomicFile whole(options.output);
-    std::ofstream output(whole.writePath(), std::ios::binary);
+    std::ofstream output(toPath(whole.writePath()), std::ios::binary);
     MergedTable table(output);
     for (const std::string& part : options.parts)
         throwIfAny(table.add(part));

@@ -10,6 +10,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/places/PointTable.h>
+#include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/WindDirection.h>
 
 #include <glm/trigonometric.hpp>
@@ -100,7 +101,7 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
 }
 
 bool writeCsv(const PointTable& table, const std::string& path) {
-    std::ofstream output(path, std::ios::binary);
+    std::ofstream output(toPath(path), std::ios::binary);
     output << "id,species,x,y";
     for (const std::string& column : table.numbers)
         output << ',' << column;

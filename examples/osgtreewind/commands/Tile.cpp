@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/TiledForest.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -48,7 +49,8 @@ void cut(const TileOptions& options) {
     if (forest.value().file().tiles)
         throw CommandError{BadInput, options.file + ": the forest is already in tiles"};
     std::error_code ignored;
-    if (std::filesystem::equivalent(options.file, options.output + "/world.treewind", ignored))
+    if (std::filesystem::equivalent(toPath(options.file), toPath(options.output + "/world.treewind"),
+                                    ignored))
         throw CommandError{BadInput, "--output: a world in " + options.output + " would overwrite " +
                                          options.file + "; choose another folder"};
     TilingOptions tiling;
@@ -61,12 +63,12 @@ void cut(const TileOptions& options) {
 /// Removes a new output folder if the input is bad.
 void run(const TileOptions& options) {
     std::error_code ignored; // a missing folder is reported when reading
-    const bool isNew = std::filesystem::create_directories(options.output, ignored);
+    const bool isNew = std::filesystem::create_directories(toPath(options.output), ignored);
     try {
         cut(options);
     } catch (const CommandError& error) {
         if (error.exitCode == BadInput && isNew)
-            std::filesystem::remove(options.output, ignored);
+            std::filesystem::remove(toPath(options.output), ignored);
         throw;
     }
 }

@@ -13,6 +13,7 @@
 #include <osgTreeWind/forest/ForestTiles.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/system/Path.h>
 
 #include <osg/DisplaySettings>
 #include <osg/Quat>
@@ -266,7 +267,7 @@ void addViewCommand(CLI::App& app) {
         options->width = size.width;
         options->height = size.height;
         if (options->save.empty())
-            options->save = std::filesystem::path(options->file).stem().string() + ".edited.treewind";
+            options->save = stemOf(options->file) + ".edited.treewind";
         show(*options);
     });
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Offscreen.h>
 
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <unistd.h>
 
 PictureSize parsePictureSize(const std::string& text, int largest) {
     static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
@@ -37,23 +38,16 @@ void addProfileOption(CLI::App& command, osgTreeWind::ContextProfile& profile) {
 }
 
 void runOtherBackend(const std::string& backend) {
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::filesystem::path self = osgTreeWind::programPath();
     const std::filesystem::path other =
-        self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
+        self.parent_path() /
+        ((backend == "egl" ? "osgtreewind-egl" : "osgtreewind") + std::string(osgTreeWind::programSuffix));
     if (other == self)
         throw CommandError{Failed, "this osgtreewind was built without the backend \"" + backend +
                                        "\"; choose the other --backend"};
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    std::vector<std::string> words;
-    for (std::string word; std::getline(file, word, '\0');)
-        words.push_back(word);
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execv(other.c_str(), arguments.data());
+    osgTreeWind::runInstead(other);
     throw CommandError{Failed,
-                       other.string() +
+                       osgTreeWind::toText(other) +
                            ": cannot be run; it is the part of osgtreewind that draws with the backend \"" +
                            backend + "\""};
 }

@@ -3,11 +3,13 @@
 
 #include <examples/osgtreewind/output/CommandError.h>
 
+#include <osgTreeWind/system/File.h>
+
 AtomicTable::AtomicTable(const std::string& path) {
     if (path == "-")
         return;
     _whole.emplace(path);
-    _file = std::fopen(_whole->writePath().c_str(), "w");
+    _file = osgTreeWind::openFile(_whole->writePath(), "wb").release();
     if (!_file)
         throwWriteError(*_whole);
 }

@@ -2,11 +2,10 @@
 #include <examples/osgtreewind/output/NetCdfFile.h>
 
 #include <osgTreeWind/places/GridMapping.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <cerrno>
 #include <cstring>
-
-#include <dlfcn.h>
 
 using namespace osgTreeWind;
 
@@ -15,7 +14,7 @@ namespace {
 /// Keeps HDF5 from closing files when the process ends: it crashes if a file could not be written.
 void skipClosingAtExit() {
     using Function = int (*)();
-    static const auto skip = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, "H5dont_atexit"));
+    static const auto skip = reinterpret_cast<Function>(findFunction("H5dont_atexit"));
     static const int result = skip ? skip() : 0;
     static_cast<void>(result);
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/output/Progress.h>
 
+#include <osgTreeWind/system/Descriptor.h>
+
 #include <iostream>
-#include <unistd.h>
 
 Progress::Progress(std::string what, std::size_t total)
-    : _what(std::move(what)), _total(total), _terminal(isatty(STDERR_FILENO) == 1) {}
+    : _what(std::move(what)), _total(total), _terminal(osgTreeWind::isErrorSeen()) {}
 
 Progress::~Progress() {
     if (_visible)

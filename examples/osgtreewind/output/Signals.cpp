@@ -4,36 +4,24 @@
 #include <examples/osgtreewind/pictures/VideoWriter.h>
 
 #include <osgTreeWind/base/TemporaryPath.h>
-
-#include <csignal>
-#include <thread>
-
-#include <unistd.h>
+#include <osgTreeWind/system/Console.h>
 
 namespace {
 
 std::mutex& rowMutex() {
-    static std::mutex& mutex = *new std::mutex; // never destroyed: the signal thread may outlive main()
+    static std::mutex& mutex =
+        *new std::mutex; // never destroyed: the thread of exitOnSignals() may outlive main()
     return mutex;
 }
 
 } // namespace
 
 void exitOnSignals() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr); // inherited by all later threads
-    std::thread([signals] {
-        int signal = 0;
-        while (sigwait(&signals, &signal) != 0)
-            ;
+    osgTreeWind::exitOnInterrupt([] {
         rowMutex().lock();
         VideoWriter::endAll();
         osgTreeWind::TemporaryPath::removeAll();
-        _exit(128 + signal);
-    }).detach();
+    });
 }
 
 WholeRow::WholeRow() : _lock(rowMutex()) {}

@@ -3,8 +3,8 @@
 
 #include <mutex>
 
-/// Makes SIGINT and SIGTERM remove unfinished files and exit with 128 + the signal number. Call it before
-/// other threads start.
+/// Makes an interrupted program remove unfinished files (exitOnInterrupt()). Call it before other threads
+/// start.
 void exitOnSignals();
 
 /// Delays the exit on a signal during its lifetime, so that no row is cut off.

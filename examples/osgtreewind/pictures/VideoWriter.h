@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/system/ChildProcess.h>
+
 #include <osg/Image>
 
 #include <string>
-
-#include <sys/types.h>
 
 /// Writes frames as an MP4 with the program ffmpeg.
 class VideoWriter {
@@ -26,6 +26,5 @@ public:
     bool close();
 
 private:
-    pid_t _ffmpeg = -1;
-    int _pipe = -1;
+    osgTreeWind::ChildProcess _ffmpeg;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalKernel.h>
 
+#include <osgTreeWind/system/Program.h>
+
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 
 namespace osgTreeWind {
 
@@ -36,9 +36,9 @@ const char* nameOf(InstructionSet set) {
 }
 
 InstructionSet bestInstructionSet() {
-    const char* wanted = std::getenv("OSGTREEWIND_INSTRUCTIONS");
+    const std::optional<std::string> wanted = environmentVariable("OSGTREEWIND_INSTRUCTIONS");
     for (const InstructionSet set : all)
-        if (wanted && std::strcmp(wanted, nameOf(set)) == 0)
+        if (wanted == nameOf(set))
             return std::min(set, widest());
     return widest();
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/system/Console.h>
+
+#include <csignal>
+#include <thread>
+
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+void exitOnInterrupt(void (*cleanUp)()) {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr); // inherited by all later threads
+    std::thread([signals, cleanUp] {
+        int signal = 0;
+        while (sigwait(&signals, &signal) != 0)
+            ;
+        cleanUp();
+        _exit(128 + signal);
+    }).detach();
+}
+
+void useUtf8Console() {}
+
+} // namespace osgTreeWind

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/system/Descriptor.h>
+
+#include <algorithm>
+
+#include <fcntl.h>
+#include <io.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr int standardInput = 0, standardOutput = 1, standardError = 2;
+constexpr std::size_t mostBytes = 1 << 20; // of one call
+
+} // namespace
+
+std::ptrdiff_t readSome(int descriptor, void* bytes, std::size_t size) {
+    return _read(descriptor, bytes, static_cast<unsigned>(std::min(size, mostBytes)));
+}
+
+std::ptrdiff_t writeSome(int descriptor, const void* bytes, std::size_t size) {
+    return _write(descriptor, bytes, static_cast<unsigned>(std::min(size, mostBytes)));
+}
+
+int takeStandardOutput() {
+    const int output = _dup(standardOutput);
+    _setmode(output, _O_BINARY);
+    _dup2(standardError, standardOutput);
+    return output;
+}
+
+bool isInputTyped() {
+    return _isatty(standardInput) != 0;
+}
+
+bool isErrorSeen() {
+    return _isatty(standardError) != 0;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/system/File.h>
+
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+FilePointer openFile(const std::string& path, const char* mode) {
+    return FilePointer(std::fopen(path.c_str(), mode));
+}
+
+FilePointer openVanishingFile(const std::string& path) {
+    FilePointer file = openFile(path, "w+b");
+    if (file)
+        std::remove(path.c_str());
+    return file;
+}
+
+bool seekFile(std::FILE* file, std::int64_t offset) {
+    return fseeko(file, offset, SEEK_SET) == 0;
+}
+
+bool mayWriteInto(const std::string& folder) {
+    return access(folder.c_str(), W_OK) == 0;
+}
+
+bool isHeldOpen(const std::string&) {
+    return false;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/system/File.h>
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Windows.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Opens a file or folder, without keeping others from doing anything. @return an error of GetLastError(), or
+/// 0.
+DWORD errorOfOpening(const std::string& path, DWORD access) {
+    const HANDLE file =
+        CreateFileW(toPath(path).c_str(), access, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                    nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
+    if (file == INVALID_HANDLE_VALUE)
+        return GetLastError();
+    CloseHandle(file);
+    return 0;
+}
+
+} // namespace
+
+FilePointer openFile(const std::string& path, const char* mode) {
+    return FilePointer(_wfopen(toPath(path).c_str(), toWide(mode).c_str()));
+}
+
+FilePointer openVanishingFile(const std::string& path) {
+    return openFile(path, "w+bTD"); // an open file cannot be removed
+}
+
+bool seekFile(std::FILE* file, std::int64_t offset) {
+    return _fseeki64(file, offset, SEEK_SET) == 0;
+}
+
+bool mayWriteInto(const std::string& folder) {
+    return errorOfOpening(folder, FILE_ADD_FILE) == 0;
+}
+
+bool isHeldOpen(const std::string& path) {
+    return errorOfOpening(path, DELETE) == ERROR_SHARING_VIOLATION;
+}
+
+} // namespace osgTreeWind
