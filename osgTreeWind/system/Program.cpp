@@ -19,7 +19,11 @@ std::vector<std::string> environmentFolders(const char* name) {
 std::string findProgram(const std::string& name) {
     for (const std::string& folder : environmentFolders("PATH")) {
         const std::filesystem::path path = toPath(folder) / toPath(name + programSuffix);
-        if (std::error_code ignored; path.is_absolute() && std::filesystem::is_regular_file(path, ignored))
+        std::error_code ignored;
+        const std::filesystem::file_status file = std::filesystem::status(path, ignored);
+        const bool isExecutable =
+            (file.permissions() & std::filesystem::perms::owner_exec) != std::filesystem::perms::none;
+        if (path.is_absolute() && std::filesystem::is_regular_file(file) && isExecutable)
             return toText(path);
     }
     return {};
