@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstring>
+
 // SIMD lanes: a vector of floats that behaves as one number, and the law files compiled for it. For sources
 // that are compiled once per instruction set; all of it has internal linkage.
 
 namespace osgTreeWind {
 namespace {
+
+#if defined(__GNUC__) && !defined(OSGTREEWIND_PLAIN_LANES)
+
+/// Calls nothing from a function: everything becomes a part of it.
+#define OSGTREEWIND_FLATTEN __attribute__((flatten))
 
 #ifdef __AVX__
 inline constexpr int laneCount = 8;
@@ -18,12 +26,6 @@ using wholeLanes [[gnu::vector_size(4 * laneCount)]] = int;
 inline real every(float x) {
     return x - real{};
 }
-inline real min(real a, real b) {
-    return a < b ? a : b;
-}
-inline real max(real a, real b) {
-    return a > b ? a : b;
-}
 inline real abs(real x) {
     return reinterpret_cast<real>(reinterpret_cast<wholeLanes>(x) & 0x7fffffff);
 }
@@ -32,13 +34,52 @@ inline real sqrt(real x) {
         x[i] = __builtin_sqrtf(x[i]);
     return x;
 }
-/// For values in the range of int.
-inline real floor(real x) {
-    const real whole = __builtin_convertvector(__builtin_convertvector(x, wholeLanes), real);
-    return whole > x ? whole - 1.0f : whole;
+/// Without the fraction; for values in the range of int.
+inline real truncated(real x) {
+    return __builtin_convertvector(__builtin_convertvector(x, wholeLanes), real);
 }
 inline real halvings(real n) {
     return reinterpret_cast<real>((127 - __builtin_convertvector(n, wholeLanes)) << 23);
+}
+
+#else // a compiler without vectors, such as that of Visual Studio: one tree at a time
+
+#define OSGTREEWIND_FLATTEN
+
+inline constexpr int laneCount = 1;
+using real = float;
+
+inline real every(float x) {
+    return x;
+}
+inline real abs(real x) {
+    return std::fabs(x);
+}
+inline real sqrt(real x) {
+    return std::sqrt(x);
+}
+inline real truncated(real x) {
+    return static_cast<float>(static_cast<int>(x));
+}
+inline real halvings(real n) {
+    const int bits = (127 - static_cast<int>(n)) * (1 << 23);
+    real power;
+    std::memcpy(&power, &bits, sizeof power);
+    return power;
+}
+
+#endif
+
+inline real min(real a, real b) {
+    return a < b ? a : b;
+}
+inline real max(real a, real b) {
+    return a > b ? a : b;
+}
+/// For values in the range of int.
+inline real floor(real x) {
+    const real whole = truncated(x);
+    return whole > x ? whole - 1.0f : whole;
 }
 
 /// The law files that are written for `real`.

@@ -3,7 +3,7 @@
 
 namespace osgTreeWind {
 
-__attribute__((flatten)) void stepTreesAvx2(const ModalStep& step) {
+OSGTREEWIND_FLATTEN void stepTreesAvx2(const ModalStep& step) {
     for (std::size_t first = 0; first < TreeLanes::count; first += laneCount)
         ModalLanes(step, first).run();
 }

@@ -12,9 +12,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 
 namespace osgTreeWind {
+
+void stepTreesPlain(const ModalStep& step); // PlainKernel.cpp
+
 namespace {
 
 using Limits = std::numeric_limits<float>;
@@ -65,13 +69,16 @@ public:
             _wind[i].tree[tree] = wind[static_cast<glm::length_t>(i % 3)];
     }
     void step(float seconds, int substeps = 1, InstructionSet set = bestInstructionSet()) {
+        step(seconds, substeps, [set](const ModalStep& step) { stepTrees(step, set); });
+    }
+    void step(float seconds, int substeps, const std::function<void(const ModalStep&)>& kernel) {
         ModalStep step;
         step.model = _model;
         step.block = _numbers.data();
         step.wind = _wind.data();
         step.seconds = seconds;
         step.substeps = substeps;
-        stepTrees(step, set);
+        kernel(step);
     }
 
     /// Amplitudes, speeds and winds of a tree.
@@ -245,7 +252,7 @@ TEST(ModalKernel, RecoversFromAnInvalidWind) {
 }
 
 /// Trees of several sizes after all kinds of wind.
-Block weathered(InstructionSet set) {
+Block weathered(const std::function<void(const ModalStep&)>& kernel) {
     Block block(oak());
     Random random(3);
     for (std::size_t tree = 0; tree < lanes; ++tree) {
@@ -262,9 +269,26 @@ Block weathered(InstructionSet set) {
     for (int i = 0; i < 3000; ++i) {
         for (std::size_t tree = 0; tree < lanes; ++tree)
             block.setWind(tree, i % 500 == 7 ? glm::vec3(winds[tree]) : anyWind(random, 30.0f));
-        block.step(anyStep(random), 1 + i % 3, set);
+        block.step(anyStep(random), 1 + i % 3, kernel);
     }
     return block;
+}
+
+void expectSameBits(const Block& block, const Block& expected, const char* name) {
+    for (std::size_t tree = 0; tree < lanes; ++tree) {
+        const std::vector<float> a = block.state(tree), b = expected.state(tree);
+        for (std::size_t i = 0; i < a.size(); ++i)
+            ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof(float)), 0)
+                << name << ", tree " << tree << ", number " << i << ": " << a[i] << " against " << b[i];
+    }
+}
+
+Block weathered(InstructionSet set) {
+    return weathered([set](const ModalStep& step) { stepTrees(step, set); });
+}
+
+TEST(ModalKernel, CompilersWithoutVectorsGiveTheSameBits) {
+    expectSameBits(weathered(stepTreesPlain), weathered(InstructionSet::Baseline), "plain");
 }
 
 TEST(ModalKernel, AllInstructionSetsGiveTheSameBits) {
@@ -272,16 +296,8 @@ TEST(ModalKernel, AllInstructionSetsGiveTheSameBits) {
     if (sets.size() < 2)
         GTEST_SKIP() << "this machine has " << nameOf(sets.front()) << " only";
     const Block expected = weathered(sets.front());
-    for (const InstructionSet set : sets) {
-        const Block block = weathered(set);
-        for (std::size_t tree = 0; tree < lanes; ++tree) {
-            const std::vector<float> a = block.state(tree), b = expected.state(tree);
-            for (std::size_t i = 0; i < a.size(); ++i)
-                ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof(float)), 0)
-                    << nameOf(set) << ", tree " << tree << ", number " << i << ": " << a[i] << " against "
-                    << b[i];
-        }
-    }
+    for (const InstructionSet set : sets)
+        expectSameBits(weathered(set), expected, nameOf(set));
     if (sets.size() < 3)
         GTEST_SKIP() << "this machine has no instruction set beyond " << nameOf(sets.back());
 }
