@@ -127,6 +127,7 @@ osgTreeWind::ForestFile loadForest(const std::string& file, const osgTreeWind::T
 }
 
 int main(int argc, char** argv) {
+    osgTreeWind::trustOwnLibraries();
     osgTreeWind::stopAtBadAccess();
     exitOnSignals();
     osgTreeWind::useUtf8Console();

@@ -33,6 +33,8 @@ std::int64_t processId();
 /// Whether a process of this machine has ended.
 bool hasEnded(std::int64_t process);
 
+/// Keeps libraries from being loaded from the current folder. Call it first in main().
+void trustOwnLibraries();
 /// Runs another program in place of this one, with the same arguments. Returns only if that fails.
 void runInstead(const std::filesystem::path& program);
 /// Ends the program without calling destructors or writing buffers.

@@ -44,6 +44,8 @@ bool hasEnded(std::int64_t process) {
     return kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
+void trustOwnLibraries() {}
+
 void runInstead(const std::filesystem::path& program) {
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;

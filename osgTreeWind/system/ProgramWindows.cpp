@@ -71,6 +71,10 @@ bool hasEnded(std::int64_t process) {
     return hasEnded;
 }
 
+void trustOwnLibraries() {
+    SetDllDirectoryW(L"");
+}
+
 void runInstead(const std::filesystem::path& program) {
     std::wstring line = GetCommandLineW();
     STARTUPINFOW startup{};

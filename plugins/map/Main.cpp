@@ -171,12 +171,14 @@ bool serve(int descriptor, unsigned secondsPerAnswer) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
+    trustOwnLibraries();
     if (isInputTyped()) {
         std::cerr << "usage: osgtreewind-map [FILE...]\n"
                      "osgTreeWind runs this program to read maps. It is not for direct use.\n";
         return 2;
     }
-    const std::vector<std::string> files(argv + 1, argv + argc);
+    std::vector<std::string> files = programArguments(argc, argv);
+    files.erase(files.begin());
     const unsigned seconds = limitResources(files, std::size_t(2) << 30, 300);
     CPLSetConfigOption("GDAL_CACHEMAX", "64");   // megabytes: few, as data are not read twice
     const int descriptor = takeStandardOutput(); // and input: both are one connection

@@ -43,15 +43,15 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
 
 constexpr int requiredArguments = 9;
 
-WindRequest parseRequest(char** arguments, int count) {
+WindRequest parseRequest(const std::vector<std::string>& arguments) {
     WindRequest request;
     request.secondFile = arguments[2];
-    request.asStored = std::string(arguments[3]) == "stored";
-    if (std::string(arguments[4]) != "all")
+    request.asStored = arguments[3] == "stored";
+    if (arguments[4] != "all")
         request.area = {arguments[4],
-                        {std::atof(arguments[5]), std::atof(arguments[6])},
-                        {std::atof(arguments[7]), std::atof(arguments[8])}};
-    request.variable.assign(arguments + requiredArguments, arguments + count);
+                        {std::atof(arguments[5].c_str()), std::atof(arguments[6].c_str())},
+                        {std::atof(arguments[7].c_str()), std::atof(arguments[8].c_str())}};
+    request.variable.assign(arguments.begin() + requiredArguments, arguments.end());
     return request;
 }
 
@@ -61,6 +61,7 @@ WindRequest parseRequest(char** arguments, int count) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
+    trustOwnLibraries();
     if (argc < requiredArguments) {
         std::cerr
             << "usage: osgtreewind-weather FILE SECOND grid|stored all|CRS X0 Y0 X1 Y1 [VARIABLE]...\n"
@@ -68,9 +69,10 @@ int main(int argc, char** argv) {
                "`osgtreewind wind`.\n";
         return 2;
     }
-    const WindRequest request = parseRequest(argv, argc);
-    limitResources({argv[1], request.secondFile}, std::size_t(1) << 30, 10);
+    const std::vector<std::string> arguments = programArguments(argc, argv);
+    const WindRequest request = parseRequest(arguments);
+    limitResources({arguments[1], request.secondFile}, std::size_t(1) << 30, 10);
     const int output = takeStandardOutput();
-    Result<WindContent> content = readWeather(argv[1], request);
+    Result<WindContent> content = readWeather(arguments[1], request);
     exitNow(Wire::send(output, content) ? 0 : 1); // skips destructors, which could crash after damage
 }

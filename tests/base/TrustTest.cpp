@@ -5,9 +5,11 @@
 
 #include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 
@@ -57,6 +59,44 @@ TEST(Trust, FolderModeOpensOnlyFilesInTrustedFolders) {
     setenv("OSG_FILE_PATH", folder.path().c_str(), 1);
     EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "") << "OSG_FILE_PATH is trusted";
     unsetenv("OSG_FILE_PATH");
+}
+
+TEST(Trust, OnWindowsRefusesNamesThatAreNoFiles) {
+    const TemporaryFolder folder;
+    const bool isWindows = listSeparator == ';';
+    for (const std::string name :
+         {"NUL", "data/com1.csv", "wind.csv:stream", "C:wind.csv", "CONIN$", "data/AUX "}) {
+        const std::string problem = problemOfWindFile(folder, name);
+        EXPECT_NE(problem.find(isWindows ? "expected a" : "no file"), std::string::npos) << problem;
+    }
+}
+
+TEST(Trust, OnWindowsFolderModeLooksForNoOtherMachine) {
+    const TemporaryFolder folder;
+    folder.write("wind.csv", record);
+    const EnvironmentVariable trust("OSGTREEWIND_TRUST", "folder");
+    const auto start = std::chrono::steady_clock::now();
+    for (const std::string name : {"//192.0.2.1/share/wind.csv", R"(\\\\192.0.2.1\\share\\wind.csv)",
+                                   R"(\\\\?\\C:\\wind.csv)", R"(\\\\.\\pipe\\wind)"}) {
+        const std::string problem = problemOfWindFile(folder, name);
+        EXPECT_NE(problem.find(listSeparator == ';' ? "is not opened: it lies outside" : "no file"),
+                  std::string::npos)
+            << problem;
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << "it waits for no network";
+}
+
+TEST(Trust, OnWindowsFolderModeIgnoresCase) {
+    if (listSeparator != ';')
+        GTEST_SKIP() << "file names have a case here";
+    const TemporaryFolder folder;
+    folder.write("outside.csv", record);
+    problemOfWindFile(folder, "");
+    folder.write("forest/wind.csv", record);
+    const EnvironmentVariable trust("OSGTREEWIND_TRUST", "folder");
+    EXPECT_EQ(problemOfWindFile(folder, "WIND.CSV"), "");
+    EXPECT_EQ(problemOfWindFile(folder, "../FOREST/wind.csv"), "");
+    EXPECT_NE(problemOfWindFile(folder, "../OUTSIDE.CSV"), "");
 }
 
 TEST(Trust, UnknownModeOpensNothing) {
