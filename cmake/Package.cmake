@@ -16,11 +16,12 @@ set_target_properties(osgdb_treewind osgdb_serializers_osgtreewind PROPERTIES IN
 function(install_export target export)
     install(TARGETS ${target} EXPORT ${export} ${ARGN}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
     install(EXPORT ${export} NAMESPACE osgTreeWind:: DESTINATION ${package_folder} COMPONENT development)
 endfunction()
 install_export(osgTreeWind osgTreeWindTargets FILE_SET HEADERS COMPONENT development)
-foreach(backend OSMesa EGL)
+foreach(backend OSMesa EGL WGL)
     if(TARGET osgTreeWind::${backend})
         install_export(osgTreeWind${backend} osgTreeWind${backend}Targets)
     endif()

@@ -12,7 +12,14 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+# Windows finds a DLL beside the program, and OSG its plugins in a folder there.
+set(module_folder lib)
+set(module_destination ${CMAKE_INSTALL_LIBDIR})
+if(WIN32)
+    set(module_folder bin)
+    set(module_destination ${CMAKE_INSTALL_BINDIR})
+endif()
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${module_folder})
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 
 find_program(CCACHE ccache)
@@ -21,7 +28,16 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # One seed gives one tree, bit for bit, on all processors: no fused multiply-add.
-add_compile_options(-ffp-contract=off)
+if(MSVC)
+    add_compile_options(/fp:precise /utf-8)
+else()
+    add_compile_options(-ffp-contract=off)
+endif()
+if(MINGW)
+    # A unity build has more sections than the usual object files may have. GCC aligns no stack to the 32 bytes of AVX on
+    # Windows (its bug 54412).
+    add_compile_options(-Wa,-mbig-obj,-muse-unaligned-vector-move)
+endif()
 
 set(OSGTREEWIND_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
 if(OSGTREEWIND_SANITIZE)
@@ -40,4 +56,9 @@ if(OSGTREEWIND_WARNINGS_AS_ERRORS AND "${CMAKE_CXX_COMPILER_ID} ${compiler_major
     set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
 endif()
 add_library(osgTreeWind_warnings INTERFACE)
-target_compile_options(osgTreeWind_warnings INTERFACE -Wall -Wextra -Wpedantic)
+if(MSVC)
+    target_compile_options(osgTreeWind_warnings INTERFACE /W4)
+    target_compile_definitions(osgTreeWind_warnings INTERFACE _USE_MATH_DEFINES NOMINMAX _CRT_SECURE_NO_WARNINGS)
+else()
+    target_compile_options(osgTreeWind_warnings INTERFACE -Wall -Wextra -Wpedantic)
+endif()
