@@ -28,7 +28,7 @@ Diagnostic problemAt(std::size_t at, const std::string& message) {
 }
 
 std::int64_t nanoseconds(clockid_t clock) {
-    std::timespec now{};
+    timespec now{};
     clock_gettime(clock, &now);
     return std::int64_t(1000000000) * now.tv_sec + now.tv_nsec;
 }

@@ -223,10 +223,10 @@ void ForestHandler::State::updateWindOverlay(Forest& forest, osg::View& view) {
             forest.addChild(picture);
     };
     show(_arrows, _showsArrows, middle, isAll ? bound.radius() : most);
-    constexpr float near = 50.0f; // metres
+    constexpr float range = 50.0f; // metres
     osg::Vec3d ahead = centre - eye;
     ahead.normalize();
-    show(_streaks, _showsStreaks, (eye + ahead * 0.8 * near) * toForest(forest), near);
+    show(_streaks, _showsStreaks, (eye + ahead * 0.8 * range) * toForest(forest), range);
 }
 
 void ForestHandler::State::updateOverlay(double now, osg::View& view) {

@@ -12,6 +12,18 @@
 #include <osg/PolygonStipple>
 #include <osg/Transform>
 
+// The headers of Windows are those of OpenGL 1.1, and OSG does not define these.
+#ifndef GL_ACTIVE_TEXTURE
+#define GL_ACTIVE_TEXTURE 0x84E0
+#endif
+#ifndef GL_VERTEX_ARRAY_BINDING
+#define GL_VERTEX_ARRAY_BINDING 0x85B5
+#endif
+#ifndef GL_CONTEXT_PROFILE_MASK
+#define GL_CONTEXT_PROFILE_MASK 0x9126
+#define GL_CONTEXT_CORE_PROFILE_BIT 0x00000001
+#endif
+
 namespace osgTreeWind {
 
 /// Whether the current context, which `state` belongs to, is used as an OpenGL core profile: it has one, or

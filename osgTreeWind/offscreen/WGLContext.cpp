@@ -3,7 +3,9 @@
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 #include <osgTreeWind/offscreen/OffscreenContextBase.h>
 
+#ifndef NOMINMAX
 #define NOMINMAX
+#endif
 #include <windows.h>
 
 #include <GL/gl.h>

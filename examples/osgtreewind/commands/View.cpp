@@ -201,7 +201,7 @@ void openWindow(osgViewer::Viewer& viewer, int width, int height) {
 }
 
 void show(const ViewOptions& options) {
-    if (offscreenBackendName() != std::string("egl"))
+    if (offscreenBackendName() == std::string("osmesa"))
         runOtherBackend("egl"); // a window needs the OpenGL of the system
     ForestFile description = valueOrThrow(readForestFile(options.file));
     printNotes(options.file, description.notes);

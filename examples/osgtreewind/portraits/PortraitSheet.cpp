@@ -122,9 +122,9 @@ public:
         _drawing.viewer().getCamera()->setProjectionMatrixAsPerspective(fieldOfView, 1.0, 0.5, 10000.0);
         drawSeason("summer", midsummer, 0);
         drawSeason("winter", midwinter, 1);
-        far(10, 0);
-        far(50, 1);
-        far(200, 2);
+        drawFromAfar(10, 0);
+        drawFromAfar(50, 1);
+        drawFromAfar(200, 2);
         throwIfAny(_tree->setSeason(season));
         whole(frontLit, nameOf(season), 3, 2);
         throwIfAny(_tree->setSeason(midautumn));
@@ -159,7 +159,7 @@ private:
         silhouette(name, row);
     }
 
-    void far(int metres, int column) {
+    void drawFromAfar(int metres, int column) {
         const double distance = metres;
         const double rise = std::min(0.45 * static_cast<double>(_size.height), 1.6 + 0.22 * distance);
         look(_treesSetting, frontLit * distance + up(1.6), up(rise));

@@ -13,13 +13,14 @@
 #include <osg/State>
 
 #include <atomic>
+#include <cstddef>
 #include <cstring>
 
 namespace osgTreeWind {
 namespace {
 
 /// An offset into the bound buffer, as OpenGL takes it.
-const char* inBuffer(GLsizeiptr offset) {
+const char* inBuffer(std::ptrdiff_t offset) {
     return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
 }
 
@@ -39,7 +40,7 @@ std::uint64_t nextId() {
 }
 
 /// Binds the indices of a geometry. @return offset of the first one.
-GLsizeiptr bindIndices(osg::State& state, osg::DrawElements& elements) {
+std::ptrdiff_t bindIndices(osg::State& state, osg::DrawElements& elements) {
     osg::GLBufferObject* indices = elements.getOrCreateGLBufferObject(state.getContextID());
     state.bindElementBufferObject(indices);
     return indices->getOffset(elements.getBufferIndex());
@@ -191,10 +192,10 @@ void InstancedDraw::unbindArrays(osg::State& state) const {
 void InstancedDraw::setInstances(const osg::State& state, std::uint32_t first) const {
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     const osg::GLBufferObject* buffer = _buffer->instances->getGLBufferObject(state.getContextID());
-    const GLsizeiptr offset =
+    const std::ptrdiff_t offset =
         buffer->getOffset(_buffer->instances->getBufferIndex()) + first * sizeof(TreeInstance);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, buffer->getGLObjectID());
-    GLsizeiptr attribute = 0; // the one in place of vertices may have any value
+    std::ptrdiff_t attribute = 0; // the one in place of vertices may have any value
     for (const unsigned location : instanceLocations(*_geometry))
         gl.glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
                                  inBuffer(offset + attribute++ % instanceAttributes * 4 * sizeof(float)));
@@ -204,18 +205,18 @@ void InstancedDraw::setInstances(const osg::State& state, std::uint32_t first) c
 void InstancedDraw::drawParts(osg::State& state) const {
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     osg::DrawElements& elements = *_geometry->getPrimitiveSet(0)->getDrawElements();
-    const GLsizeiptr indices = bindIndices(state, elements);
+    const std::ptrdiff_t indices = bindIndices(state, elements);
     if (_buffer->isIndirect) {
         const osg::GLBufferObject* buffer = _buffer->commands->getGLBufferObject(state.getContextID());
         gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer->getGLObjectID());
-        const GLsizeiptr offset = buffer->getOffset(_buffer->commands->getBufferIndex());
+        const std::ptrdiff_t offset = buffer->getOffset(_buffer->commands->getBufferIndex());
         gl.glMultiDrawElementsIndirect(elements.getMode(), elements.getDataType(),
                                        inBuffer(offset + _first * sizeof(DrawCommand)),
                                        static_cast<GLsizei>(_count), 0);
         gl.glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
         return;
     }
-    const GLsizeiptr indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
+    const std::ptrdiff_t indexSize = elements.getDataType() == GL_UNSIGNED_SHORT ? 2 : 4;
     const auto* first = reinterpret_cast<const DrawCommand*>(_buffer->commands->getDataPointer()) + _first;
     for (const DrawCommand* each = first; each != first + _count; ++each) {
         if (each[0].firstInstance != (each == first ? 0 : each[-1].firstInstance))

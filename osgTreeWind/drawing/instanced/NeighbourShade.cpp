@@ -79,8 +79,8 @@ float NeighbourShade::lightAt(std::uint32_t slot, float height) const {
         if (other == slot || !(above > 0.0f))
             return;
         const glm::vec2 aside = glm::vec2(crown.foot) - glm::vec2(place);
-        const float far = glm::dot(aside, aside) + above * above, radius = crown.radius * crown.radius;
-        depth += crown.density * std::min(radius * above * above / (far * far), 1.0f);
+        const float distance2 = glm::dot(aside, aside) + above * above, radius = crown.radius * crown.radius;
+        depth += crown.density * std::min(radius * above * above / (distance2 * distance2), 1.0f);
     });
     return std::exp(-crownDepth * depth);
 }
