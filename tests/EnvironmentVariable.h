@@ -5,19 +5,37 @@
 #include <optional>
 #include <string>
 
+/// Sets an environment variable of this process.
+inline void setEnvironment(const char* name, const char* value) {
+#ifdef _WIN32
+    _putenv_s(name, value);
+#else
+    setenv(name, value, 1);
+#endif
+}
+
+/// Removes an environment variable of this process.
+inline void unsetEnvironment(const char* name) {
+#ifdef _WIN32
+    _putenv_s(name, "");
+#else
+    unsetenv(name);
+#endif
+}
+
 /// Sets an environment variable during its lifetime.
 class EnvironmentVariable {
 public:
     EnvironmentVariable(const char* name, const char* value) : _name(name) {
         if (const char* former = std::getenv(name))
             _former = former;
-        setenv(name, value, 1);
+        setEnvironment(name, value);
     }
     ~EnvironmentVariable() {
         if (_former)
-            setenv(_name, _former->c_str(), 1);
+            setEnvironment(_name, _former->c_str());
         else
-            unsetenv(_name);
+            unsetEnvironment(_name);
     }
     EnvironmentVariable(const EnvironmentVariable&) = delete;
     EnvironmentVariable& operator=(const EnvironmentVariable&) = delete;

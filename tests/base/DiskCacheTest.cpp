@@ -14,9 +14,11 @@
 #include <thread>
 #include <vector>
 
+#ifndef _WIN32
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 namespace osgTreeWind {
 namespace {
@@ -152,6 +154,7 @@ TEST(DiskCache, RemovesStaleTemporaryFiles) {
     EXPECT_FALSE(files::exists(old));
 }
 
+#ifndef _WIN32 // which has no fork()
 TEST(DiskCache, ServesManyThreadsAndProgramsAtOnce) {
     const TemporaryFolder folder;
     const DiskCache cache(folder.path(), 20'000); // small, so that files are evicted all the time
@@ -177,6 +180,8 @@ TEST(DiskCache, ServesManyThreadsAndProgramsAtOnce) {
         EXPECT_EQ(file.extension(), ".cache") << file;
 }
 
+#endif
+
 TEST(DiskCache, StoresNothingInAnUnwritableFolder) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "x");
@@ -189,6 +194,7 @@ TEST(DiskCache, StoresNothingInAnUnwritableFolder) {
     EXPECT_EQ(bytesOf(file), "x");
 }
 
+#ifndef _WIN32 // which limits no file sizes
 TEST(DiskCache, LeavesNoPartialFileOnAFullDisk) {
     const TemporaryFolder folder;
     const DiskCache cache(folder.path(), plenty);
@@ -207,5 +213,6 @@ TEST(DiskCache, LeavesNoPartialFileOnAFullDisk) {
     EXPECT_EQ(status, 0);
     EXPECT_EQ(entriesOf(folder.path()).size(), 1u);
 }
+#endif
 
 } // namespace osgTreeWind

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#ifndef _WIN32
 #include <sys/resource.h>
 #include <unistd.h>
+#endif
 
 #include <cstdint>
 #include <fstream>
@@ -14,7 +16,8 @@
 namespace osgTreeWind {
 namespace {
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve terabytes of addresses
+// Sanitizers reserve terabytes of addresses, and Windows has no such limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(_WIN32)
 TEST(MemoryLimit, RespectsTheAddressSpaceLimitOfTheProcess) {
     rlimit former{};
     getrlimit(RLIMIT_AS, &former);

@@ -56,9 +56,9 @@ TEST(Trust, FolderModeOpensOnlyFilesInTrustedFolders) {
                 .find("is not opened: it lies outside the folders that OSGTREEWIND_TRUST=folder trusts"),
             std::string::npos)
             << name;
-    setenv("OSG_FILE_PATH", folder.path().c_str(), 1);
+    setEnvironment("OSG_FILE_PATH", folder.path().c_str());
     EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "") << "OSG_FILE_PATH is trusted";
-    unsetenv("OSG_FILE_PATH");
+    unsetEnvironment("OSG_FILE_PATH");
 }
 
 TEST(Trust, OnWindowsRefusesNamesThatAreNoFiles) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <tests/base/FirstProblem.h>
+#include <tests/base/WireFile.h>
 
 #include <osgTreeWind/base/Wire.h>
 
 #include <gtest/gtest.h>
-
-#include <sys/mman.h>
-#include <unistd.h>
 
 namespace osgTreeWind {
 
@@ -15,16 +13,13 @@ namespace {
 using Lists = std::vector<std::vector<double>>;
 
 /// Sends and receives; overwrites the byte at offset `at` in between, unless `at` is negative.
-std::optional<Result<Lists>> sent(Result<Lists> lists, off_t at = -1, char byte = 0) {
-    const int file = memfd_create("wire", 0);
-    EXPECT_TRUE(Wire::send(file, lists));
-    if (at >= 0) {
-        EXPECT_EQ(pwrite(file, &byte, 1, at), 1);
-    }
-    lseek(file, 0, SEEK_SET);
-    auto received = Wire::receive<Lists>(file);
-    close(file);
-    return received;
+std::optional<Result<Lists>> sent(Result<Lists> lists, std::int64_t at = -1, char byte = 0) {
+    WireFile file;
+    EXPECT_TRUE(Wire::send(file.descriptor(), lists));
+    if (at >= 0)
+        file.overwrite(at, byte);
+    file.rewind();
+    return Wire::receive<Lists>(file.descriptor());
 }
 
 } // namespace

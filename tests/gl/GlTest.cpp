@@ -2,12 +2,14 @@
 #include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/offscreen/FrameImage.h>
+#include <osgTreeWind/system/Memory.h>
 
 #include <osg/Version>
 
+#ifdef __GLIBC__
 #include <dlfcn.h>
 #include <malloc.h>
-#include <unistd.h>
+#endif
 
 #include <filesystem>
 #include <fstream>
@@ -17,9 +19,7 @@
 #include <utility>
 
 std::size_t residentMemory() {
-    std::size_t all = 0, pages = 0;
-    std::ifstream("/proc/self/statm") >> all >> pages;
-    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return static_cast<std::size_t>(osgTreeWind::residentBytes());
 }
 
 GlTest::GlTest()
@@ -27,6 +27,7 @@ GlTest::GlTest()
       _formerLevel(osg::getNotifyLevel()) {
     osg::setNotifyHandler(_collector);
     osg::setNotifyLevel(osg::NOTICE);
+#ifdef __GLIBC__
     [[maybe_unused]] static const bool printed = [] {
         Dl_info info{};
         dladdr(reinterpret_cast<void*>(&osgGetVersion), &info);
@@ -34,6 +35,7 @@ GlTest::GlTest()
         return true;
     }();
     mallopt(M_PERTURB, 0xA5); // what is read after it was freed is not what it was
+#endif
 }
 
 std::string GlTest::takeMessages() {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 /// Creates a temporary folder and removes it on destruction.
 class TemporaryFolder {
 public:
-    TemporaryFolder() : _path(std::filesystem::temp_directory_path() / "osgTreeWind-XXXXXX") {
-        if (!mkdtemp(_path.data()))
-            ADD_FAILURE() << "no temporary folder " << _path;
+    TemporaryFolder() {
+        std::random_device random;
+        do {
+            _path = (std::filesystem::temp_directory_path() / ("osgTreeWind-" + std::to_string(random())))
+                        .generic_string();
+        } while (std::filesystem::exists(_path));
+        std::filesystem::create_directory(_path);
     }
     ~TemporaryFolder() {
         std::error_code ignored;

@@ -5,6 +5,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TiledForest.h>
+#include <osgTreeWind/system/FolderLock.h>
 #include <tests/base/IsProblem.h>
 #include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
@@ -15,12 +16,10 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
 #include <sstream>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 using namespace osgTreeWind;
 namespace fs = std::filesystem;
@@ -262,11 +261,11 @@ TEST(TiledForestTest, doesNotOverwriteAForestWithoutTiles) {
 
 TEST(TiledForestTest, locksTheFolder) {
     const TemporaryFolder folder;
-    const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
-    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    auto other = std::make_unique<FolderLock>(folder.path());
+    ASSERT_TRUE(other->isHeld());
     EXPECT_TRUE(isProblem(toString(writeTiledForest(variedForest(10), folder.path()).problems()),
                           folder.path(), "another program"));
-    close(other);
+    other.reset();
     EXPECT_TRUE(writeTiledForest(variedForest(10), folder.path()));
 }
 

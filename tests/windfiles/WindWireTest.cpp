@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <tests/base/FirstProblem.h>
+#include <tests/base/WireFile.h>
 
 #include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/system/Descriptor.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 
 #include <gtest/gtest.h>
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 namespace osgTreeWind {
 
 namespace {
-
-/// A file in memory, closed by the destructor.
-struct MemoryFile {
-    const int descriptor = memfd_create("wire", 0);
-    ~MemoryFile() { close(descriptor); }
-};
 
 WindContent someGrid() {
     WindContent content;
@@ -33,19 +26,19 @@ WindContent someGrid() {
     return content;
 }
 
-std::optional<Result<WindContent>> receiveFirst(const MemoryFile& file, off_t length) {
-    EXPECT_EQ(ftruncate(file.descriptor, length), 0);
-    lseek(file.descriptor, 0, SEEK_SET);
-    return Wire::receive<WindContent>(file.descriptor);
+std::optional<Result<WindContent>> receiveFirst(WireFile& file, std::int64_t length) {
+    file.truncate(length);
+    file.rewind();
+    return Wire::receive<WindContent>(file.descriptor());
 }
 
 } // namespace
 
 TEST(WindWire, ReceivesWhatWasSent) {
-    const MemoryFile file;
+    WireFile file;
     Result<WindContent> sent = someGrid();
-    ASSERT_TRUE(Wire::send(file.descriptor, sent));
-    const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
+    ASSERT_TRUE(Wire::send(file.descriptor(), sent));
+    const auto received = receiveFirst(file, file.length());
     ASSERT_TRUE(received && *received);
     const WindContent& content = received->value();
     EXPECT_EQ(content.summary.format, "made");
@@ -60,27 +53,28 @@ TEST(WindWire, ReceivesWhatWasSent) {
 }
 
 TEST(WindWire, ReceivesProblems) {
-    const MemoryFile file;
+    WireFile file;
     Result<WindContent> sent = Diagnostic{"a.nc", 0, 0, "u", "is wrong"};
-    ASSERT_TRUE(Wire::send(file.descriptor, sent));
-    const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
+    ASSERT_TRUE(Wire::send(file.descriptor(), sent));
+    const auto received = receiveFirst(file, file.length());
     ASSERT_TRUE(received);
     EXPECT_EQ(firstProblem(*received), "a.nc: u: is wrong");
 }
 
 TEST(WindWire, ReceivesNothingFromATruncatedStream) {
-    const MemoryFile file;
+    WireFile file;
     Result<WindContent> sent = someGrid();
-    ASSERT_TRUE(Wire::send(file.descriptor, sent));
-    for (off_t length = lseek(file.descriptor, 0, SEEK_CUR) - 1; length >= 0; --length)
+    ASSERT_TRUE(Wire::send(file.descriptor(), sent));
+    for (std::int64_t length = file.length() - 1; length >= 0; --length)
         EXPECT_FALSE(receiveFirst(file, length)) << length;
 }
 
 TEST(WindWire, AllocatesOnlyForReceivedNumbers) {
-    const MemoryFile file;
+    WireFile file;
     const std::string claims = std::string(1, '\1') + std::string(8, '\x7f') + "and then little";
-    ASSERT_EQ(write(file.descriptor, claims.data(), claims.size()), static_cast<ssize_t>(claims.size()));
-    EXPECT_FALSE(receiveFirst(file, static_cast<off_t>(claims.size())));
+    ASSERT_EQ(writeSome(file.descriptor(), claims.data(), claims.size()),
+              static_cast<std::ptrdiff_t>(claims.size()));
+    EXPECT_FALSE(receiveFirst(file, static_cast<std::int64_t>(claims.size())));
 }
 
 } // namespace osgTreeWind

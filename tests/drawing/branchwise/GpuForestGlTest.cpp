@@ -14,6 +14,7 @@
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/system/Program.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -25,7 +26,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <unistd.h>
 
 namespace osgTreeWind {
 namespace {
@@ -373,7 +373,7 @@ TEST_F(GpuForestGlTest, AddingAndRemovingForestsDoesNotLeakMemory) {
 
 TEST_F(GpuForestGlTest, BrokenShaderFileIsReplacedByTheEmbeddedOne) {
     const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("otw-shaders-" + std::to_string(getpid()));
+        std::filesystem::temp_directory_path() / ("otw-shaders-" + std::to_string(processId()));
     std::filesystem::create_directories(folder / "branchwise");
     std::ofstream(folder / "branchwise" / "branch_angles.frag")
         << "#version 330 compatibility\nvoid main() { nonsense; }\n";
