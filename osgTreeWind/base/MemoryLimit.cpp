@@ -27,7 +27,8 @@ std::optional<std::uint64_t> environmentLimit() {
     double unit = 1.0;
     const std::size_t suffix = std::string("kMGT").find(text.empty() ? ' ' : text.back());
     if (suffix != std::string::npos) {
-        unit = std::pow(1000.0, static_cast<double>(suffix + 1));
+        for (std::size_t i = 0; i <= suffix; ++i)
+            unit *= 1000.0;
         text.pop_back();
     }
     const std::optional<double> number = parseNumber(text);

@@ -136,22 +136,35 @@ constexpr auto logs = [] {
     return table;
 }();
 
-/// Of a finite x > 0, with an error below 2^-67 of the result.
-Precise logarithm(double x) {
+/// x = 2^exponent z, z / c = 1 + r, with r in two parts. ln x = exponent ln 2 + ln c + ln(1 + r).
+struct Divided {
+    double exponent;
+    const TableLog& entry;
+    double high, low;
+
+    /// The sum of the first two terms: a part whose sum is exact, and the rest.
+    double highLog() const { return exponent * 0x1.62e42fefa38p-1 + entry.log.high; }
+    double lowLog() const { return exponent * 0x1.ef35793c7673p-45 + entry.log.low; }
+};
+/// @param x finite, above 0.
+Divided divided(double x) {
     int exponent = 0;
     if (x < std::numeric_limits<double>::min()) {
         x *= 0x1p54;
         exponent = -54;
     }
-    // x = 2^exponent z, z in [181/256, 181/128)
     const std::uint64_t bits = bitsOf(x), above = bits - bitsOf(181.0 / 256.0);
     exponent += static_cast<int>(static_cast<std::int64_t>(above) >> 52);
-    const double z = fromBits(bits - (above & 0xfffull << 52));
+    const double z = fromBits(bits - (above & 0xfffull << 52)); // in [181/256, 181/128)
     const TableLog& entry = logs[static_cast<std::size_t>(static_cast<int>(128.0 * z + 0.5) - firstLog)];
+    const double high = fromBits((bitsOf(z) + 0x4000000) & ~0x7ffffffull); // 26 bits, rounded
+    return {static_cast<double>(exponent), entry, high * entry.inverse - 1.0, (z - high) * entry.inverse};
+}
 
-    // ln(1 + r), 1 + r = z / c. The first terms are precise.
-    const Precise parts = halves(z), r = sum(parts.high * entry.inverse - 1.0, parts.low * entry.inverse);
-    const Precise half = halves(r.high);
+/// ln x of a finite x > 0, with an error below 2^-67 of the result.
+Precise logarithm(double x) {
+    const Divided parts = divided(x);
+    const Precise r = orderedSum(parts.high, parts.low), half = halves(r.high);
     const double square = 0.5 * half.high * half.high,
                  restOfSquare = 0.5 * half.low * (r.high + half.high) + r.high * r.low;
     const double r1 = r.high, r2 = r1 * r1;
@@ -159,13 +172,9 @@ Precise logarithm(double x) {
         r1 * r2 *
         ((1.0 / 3.0 - r1 * (1.0 / 4.0)) +
          r2 * ((1.0 / 5.0 - r1 * (1.0 / 6.0)) + r2 * ((1.0 / 7.0 - r1 * (1.0 / 8.0)) + r2 * (1.0 / 9.0))));
-
-    constexpr double ln2High = 0x1.62e42fefa38p-1, ln2Low = 0x1.ef35793c7673p-45; // whose multiples are exact
-    const double k = exponent;
-    const Precise first = orderedSum(k * ln2High + entry.log.high, r.high);
-    const Precise second = orderedSum(first.high, -square);
-    return orderedSum(second.high, second.low + (first.low + ((k * ln2Low + entry.log.low) + r.low +
-                                                              (more - restOfSquare))));
+    const Precise first = orderedSum(parts.highLog(), r.high), second = orderedSum(first.high, -square);
+    return orderedSum(second.high,
+                      second.low + (first.low + (parts.lowLog() + r.low + (more - restOfSquare))));
 }
 
 /// Whether `log` of <cmath> has no rounded result; sets it.
@@ -181,8 +190,9 @@ struct Turn {
     Precise rest;
     int quadrant;
 };
+constexpr double small = 0.78; ///< Angles up to this need no reduction.
 Turn turnOf(double angle) {
-    if (std::fabs(angle) <= 0.78)
+    if (std::fabs(angle) <= small)
         return {{angle}, 0};
     if (std::fabs(angle) > 0x1p30)
         angle = std::fmod(angle, 2.0 * pi.high); // NaN if it is infinite
@@ -200,24 +210,34 @@ Turn turnOf(double angle) {
     return {orderedSum(rest.high, rest.low), static_cast<int>(static_cast<std::int64_t>(turns) & 3)};
 }
 
-/// Of an angle in [-pi/4, pi/4], with the Taylor series.
+/// (sin a - a) / a^3 and (cos a - 1 + a^2 / 2) / a^4 of an angle in [-pi/4, pi/4], with Taylor's series.
+/// @param z a^2
+double restOfSine(double z) {
+    const double z2 = z * z;
+    return ((-1.0 / 6.0 + z * (1.0 / 120.0)) + z2 * (-1.0 / 5040.0 + z * (1.0 / 362880.0))) +
+           z2 * z2 *
+               ((-1.0 / 39916800.0 + z * (1.0 / 6227020800.0)) +
+                z2 * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0)));
+}
+double restOfCosine(double z) {
+    const double z2 = z * z;
+    return ((1.0 / 24.0 - z * (1.0 / 720.0)) + z2 * (1.0 / 40320.0 - z * (1.0 / 3628800.0))) +
+           z2 * z2 *
+               ((1.0 / 479001600.0 - z * (1.0 / 87178291200.0)) +
+                z2 * (1.0 / 20922789888000.0 - z * (1.0 / 6402373705728000.0)));
+}
+
 Precise smallSine(const Precise& a) {
-    const double z = a.high * a.high, z2 = z * z, z4 = z2 * z2;
-    const double more = ((-1.0 / 6.0 + z * (1.0 / 120.0)) + z2 * (-1.0 / 5040.0 + z * (1.0 / 362880.0))) +
-                        z4 * ((-1.0 / 39916800.0 + z * (1.0 / 6227020800.0)) +
-                              z2 * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0)));
-    return orderedSum(a.high, a.high * z * more + a.low * (1.0 - 0.5 * z));
+    const double z = a.high * a.high;
+    return orderedSum(a.high, a.high * z * restOfSine(z) + a.low * (1.0 - 0.5 * z));
 }
 Precise smallCosine(const Precise& a) {
     const Precise half = halves(a.high);
     const double square = 0.5 * half.high * half.high,
                  restOfSquare = 0.5 * half.low * (a.high + half.high) + a.high * a.low;
-    const double z = a.high * a.high, z2 = z * z, z4 = z2 * z2;
-    const double more = ((1.0 / 24.0 - z * (1.0 / 720.0)) + z2 * (1.0 / 40320.0 - z * (1.0 / 3628800.0))) +
-                        z4 * ((1.0 / 479001600.0 - z * (1.0 / 87178291200.0)) +
-                              z2 * (1.0 / 20922789888000.0 - z * (1.0 / 6402373705728000.0)));
+    const double z = a.high * a.high;
     const Precise first = orderedSum(1.0, -square);
-    return orderedSum(first.high, first.low + (z2 * more - restOfSquare));
+    return orderedSum(first.high, first.low + (z * z * restOfCosine(z) - restOfSquare));
 }
 Precise sineOf(const Turn& turn) {
     const Precise sine = turn.quadrant & 1 ? smallCosine(turn.rest) : smallSine(turn.rest);
@@ -267,6 +287,16 @@ double sin(double angle) {
 
 double cos(double angle) {
     return cosineOf(turnOf(angle)).high;
+}
+
+float sin(float angle) {
+    const double a = angle, z = a * a;
+    return static_cast<float>(std::fabs(a) <= small ? a + a * z * restOfSine(z) : sin(a));
+}
+
+float cos(float angle) {
+    const double a = angle, z = a * a;
+    return static_cast<float>(std::fabs(a) <= small ? 1.0 - (0.5 * z - z * z * restOfCosine(z)) : cos(a));
 }
 
 double tan(double angle) {
@@ -322,7 +352,14 @@ double exp(double x) {
 
 double log(double x) {
     double result;
-    return isSpecialLog(x, result) ? result : logarithm(x).high;
+    if (isSpecialLog(x, result))
+        return result;
+    const Divided parts = divided(x);
+    const Precise r = orderedSum(parts.high, parts.low), first = orderedSum(parts.highLog(), r.high);
+    const double r1 = r.high, r2 = r1 * r1;
+    const double more = r2 * (((-1.0 / 2.0 + r1 * (1.0 / 3.0)) + r2 * (-1.0 / 4.0 + r1 * (1.0 / 5.0))) +
+                              r2 * r2 * ((-1.0 / 6.0 + r1 * (1.0 / 7.0)) - r2 * (1.0 / 8.0)));
+    return first.high + (first.low + (parts.lowLog() + r.low + more));
 }
 
 double log2(double x) {

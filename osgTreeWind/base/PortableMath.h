@@ -9,7 +9,7 @@ namespace osgTreeWind {
 /// radians.
 ///
 /// Errors are below 0.52 ulp, but 1 ulp of sin, cos, tan and of results below the smallest normal number, and
-/// 1.5 ulp of erf. Special values give what Annex F of C says. Beyond 2^30, sin, cos and tan have the period
+/// 2 ulp of erf. Special values give what Annex F of C says. Beyond 2^30, sin, cos and tan have the period
 /// of the double that is nearest to 2 pi.
 namespace math {
 
@@ -30,12 +30,8 @@ double hypot(double x, double y);
 double erf(double x);
 
 // Those of floats compute in double and round once.
-inline float sin(float angle) {
-    return static_cast<float>(sin(static_cast<double>(angle)));
-}
-inline float cos(float angle) {
-    return static_cast<float>(cos(static_cast<double>(angle)));
-}
+float sin(float angle);
+float cos(float angle);
 inline float tan(float angle) {
     return static_cast<float>(tan(static_cast<double>(angle)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/ClosedWood.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/forest/GrowingSpaces.h>
 
 #include <glm/common.hpp>
@@ -29,7 +30,7 @@ public:
             const double turn = static_cast<double>(i) * (3.0 - std::sqrt(5.0)) * glm::pi<double>();
             const double distance =
                 reachInHeights * tree.height * std::sqrt((static_cast<double>(i) + 0.5) / count);
-            const glm::dvec2 point = tree.position + distance * glm::dvec2(std::cos(turn), std::sin(turn));
+            const glm::dvec2 point = tree.position + distance * glm::dvec2(math::cos(turn), math::sin(turn));
             _cells[keyOf(glm::floor(point / cellSize))].push_back(_points.size());
             _points.push_back({point, false});
         }

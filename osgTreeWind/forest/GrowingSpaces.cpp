@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/GrowingSpaces.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
@@ -35,7 +36,7 @@ constexpr double bucketSize = 16.0;        // metres
 
 glm::dvec2 directionOf(std::size_t sector) {
     const double azimuth = glm::two_pi<double>() * (static_cast<double>(sector) + 0.5) / sectorCount;
-    return {std::cos(azimuth), std::sin(azimuth)};
+    return {math::cos(azimuth), math::sin(azimuth)};
 }
 
 /// A spatial index of crowns in square cells.
@@ -104,8 +105,8 @@ private:
         const double distance = glm::length(offset);
         if (!(distance > 0.0))
             return Sectors().set();
-        const double halfAngle = std::asin(std::min(other.radius / distance, 1.0));
-        const double minCosine = std::cos(std::max(halfAngle, glm::two_pi<double>() / sectorCount));
+        const double halfAngle = math::asin(std::min(other.radius / distance, 1.0));
+        const double minCosine = math::cos(std::max(halfAngle, glm::two_pi<double>() / sectorCount));
         Sectors covered;
         for (std::size_t sector = 0; sector < sectorCount; ++sector)
             covered[sector] = glm::dot(directionOf(sector), offset / distance) >= minCosine;
@@ -131,7 +132,7 @@ void assignGrowingSpace(TreePlacement& tree, const Sectors& shaded, bool mayRota
         tree.openGrown = share < 0.5;
     } else if (mayRotate) {
         tree.atEdge = true;
-        tree.heading = static_cast<float>(std::atan2(open.y, open.x));
+        tree.heading = static_cast<float>(math::atan2(open.y, open.x));
     }
 }
 

@@ -2,6 +2,7 @@
 #include <osgTreeWind/forest/ShapeFamilies.h>
 
 #include <osgTreeWind/base/Jobs.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/ShapeCount.h>
@@ -27,7 +28,7 @@ constexpr std::size_t maxSamples = 1000;
 int heightClass(float height, float defaultHeight) {
     if (!(height > 0.0f) || !(defaultHeight > 0.0f))
         return 0;
-    const double steps = std::log(static_cast<double>(height / defaultHeight)) / std::log(classRatio);
+    const double steps = math::log(static_cast<double>(height / defaultHeight)) / math::log(classRatio);
     return static_cast<int>(std::clamp<double>(std::round(steps), -maxClass, maxClass));
 }
 
@@ -74,8 +75,8 @@ float roundedMedian(std::vector<float>& factors) {
         return 1.0f;
     const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
     std::nth_element(factors.begin(), middle, factors.end());
-    const double steps = std::round(std::log(static_cast<double>(*middle)) / std::log(1.1));
-    return static_cast<float>(std::pow(1.1, std::clamp(steps, -11.0, 11.0)));
+    const double steps = std::round(math::log(static_cast<double>(*middle)) / math::log(1.1));
+    return static_cast<float>(math::pow(1.1, std::clamp(steps, -11.0, 11.0)));
 }
 
 /// Merges the class with the fewest trees into the nearest one. @return false if none can be merged.
@@ -227,7 +228,7 @@ std::size_t ShapeFamilies::indexOf(const TreePlacement& tree) const {
                           : !tree.openGrown && family.atEdge != tree.atEdge ? 1
                                                                             : 0;
         const float logRatio =
-            family.height > 0.0f && height > 0.0f ? std::abs(std::log(height / family.height)) : 0.0f;
+            family.height > 0.0f && height > 0.0f ? std::abs(math::log(height / family.height)) : 0.0f;
         return std::make_tuple(space, logRatio);
     };
     std::size_t best = first;

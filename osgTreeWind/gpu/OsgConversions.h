@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <osg/Quat>
 #include <osg/Vec3>
 
@@ -14,6 +16,10 @@ inline osg::Vec3 toOsg(const glm::vec3& v) {
 }
 inline osg::Quat toOsg(const glm::quat& q) {
     return {q.x, q.y, q.z, q.w};
+}
+/// The rotation by `angle` radians about the vertical.
+inline osg::Quat aboutVertical(double angle) {
+    return {0.0, 0.0, math::sin(0.5 * angle), math::cos(0.5 * angle)};
 }
 
 } // namespace osgTreeWind

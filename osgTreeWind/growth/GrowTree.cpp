@@ -61,7 +61,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     const auto lean = [&](float most) {
         const float leaning = most * habit.wander[0] * (0.4f + 1.2f * _state.random.uniform());
         const float towards = glm::pi<float>() * _state.random.symmetric();
-        return leaning * glm::vec2(cosine(towards), sine(towards));
+        return leaning * glm::vec2(math::cos(towards), math::sin(towards));
     };
     _state.leanAtFoot = lean(stemLean);
     _state.leanAbove = lean(0.9f * stemLean);
@@ -200,22 +200,18 @@ std::vector<int> countTips(const std::vector<GrownMetamer>& metamers) {
     return ends;
 }
 
-float naturalLog(float x) {
-    return static_cast<float>(std::log(static_cast<double>(x)));
-}
-
 /// Radius of wood from the number of its shoot tips. Boughs together have about the cross-section of the
 /// trunk (Leonardo's rule); twigs taper faster, to the radius of the thinnest.
 class PipeModel {
 public:
     PipeModel(float trunk, float twig, int ends)
-        : _trunk(trunk), _logEnds(naturalLog(static_cast<float>(ends))),
-          _thinning(std::min(naturalLog(twig / trunk) + area * _logEnds, 0.4f * area * _logEnds)) {}
+        : _trunk(trunk), _logEnds(math::log(static_cast<float>(ends))),
+          _thinning(std::min(math::log(twig / trunk) + area * _logEnds, 0.4f * area * _logEnds)) {}
 
     float radius(int ends) const {
-        const float share = naturalLog(static_cast<float>(ends)) / _logEnds, thin = 1.0f - share;
-        return _trunk *
-               static_cast<float>(std::exp(static_cast<double>(thin * (thin * _thinning - area * _logEnds))));
+        const float share = math::log(static_cast<float>(ends)) / _logEnds, thin = 1.0f - share;
+        return _trunk * static_cast<float>(
+                            math::exp(static_cast<double>(thin * (thin * _thinning - area * _logEnds))));
     }
 
 private:
@@ -245,7 +241,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
         const auto parent = static_cast<std::size_t>(std::max(metamer.parent, 0));
         if (metamer.axis == 0) {
             const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
-            metamer.radius = std::max(atBreast * power(above, stemTaper), minTopRatio * atBreast);
+            metamer.radius = std::max(atBreast * math::pow(above, stemTaper), minTopRatio * atBreast);
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
             if (dissolves) {
                 // Where limbs branch off, the rest of the trunk follows the pipe model.
@@ -308,7 +304,7 @@ GrowthSite inRange(GrowthSite site) {
 
 /// Lengthens the metamers of large trees, which bounds their number.
 TreeHabit scaleMetamers(const GrowthGoal& goal, TreeHabit habit) {
-    const float longer = power(std::max(goal.height * goal.crownWidth / referenceCrown, 1.0f), 0.65f);
+    const float longer = math::pow(std::max(goal.height * goal.crownWidth / referenceCrown, 1.0f), 0.65f);
     for (float& internode : habit.internode)
         internode *= longer;
     habit.leafArea *= longer;
@@ -332,8 +328,9 @@ public:
     /// @param widthRatio intended / grown width of a tree with the spread of next().
     void update(float widthRatio) {
         (widthRatio > 1.0f ? _narrow : _wide) = _spread;
-        _spread = _narrow > 0.0f && _wide > 0.0f ? std::sqrt(_narrow * _wide)
-                                                 : std::clamp(_spread * power(widthRatio, 1.2f), 0.3f, 3.0f);
+        _spread = _narrow > 0.0f && _wide > 0.0f
+                      ? std::sqrt(_narrow * _wide)
+                      : std::clamp(_spread * math::pow(widthRatio, 1.2f), 0.3f, 3.0f);
     }
 
 private:

@@ -280,14 +280,15 @@ Bud& addSideBud(TreeState& tree, const BudPlace& place, int order) {
     const glm::vec3 above = glm::cross(place.heading, left);
     const float round = 1.0f - tree.habit.flat[TreeState::rank(place.order)];
     const glm::vec3 aside =
-        directionOr(cosine(place.azimuth) * left + round * sine(place.azimuth) * above, left);
+        directionOr(math::cos(place.azimuth) * left + round * math::sin(place.azimuth) * above, left);
     ShootAxis axis;
     axis.vigourFactor = 1.0f + (minVigourVariation + tree.habit.wander[1]) * triangular(tree.random);
     axis.order = order;
     axis.born = tree.year;
     Bud bud;
     bud.node = place.node;
-    bud.heading = directionOr(cosine(place.angle) * place.heading + sine(place.angle) * aside, place.heading);
+    bud.heading =
+        directionOr(math::cos(place.angle) * place.heading + math::sin(place.angle) * aside, place.heading);
     bud.axis = static_cast<int>(tree.axes.size());
     tree.axes.push_back(axis);
     tree.buds.push_back(bud);
@@ -327,10 +328,6 @@ constexpr float openPromotion = 1.3f, forestPromotion = 0.35f;
 /// in a closed stand, where the uppermost limb almost continues the trunk.
 constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.2f);
 
-float arcTangent(float x) {
-    return static_cast<float>(std::atan(static_cast<double>(x)));
-}
-
 /// Turns boughs into limbs by chance: the nearer to the top of the trunk, the more.
 void promoteBoughs(TreeState& tree) {
     const float many = glm::mix(forestPromotion, openPromotion, tree.openness());
@@ -368,7 +365,7 @@ void dissolveTrunk(TreeState& tree, const Bud& end) {
     for (int i = 0; i < limbs; ++i) {
         const Metamer& node = tree.metamers[static_cast<std::size_t>(place.node)];
         const float above = std::max(tree.goal.height - node.position.z, 0.5f);
-        const float aim = narrow * arcTangent(0.5f * tree.goal.crownWidth / above);
+        const float aim = narrow * math::atan(0.5f * tree.goal.crownWidth / above);
         const float share =
             glm::mix(angles.x, angles.y, static_cast<float>(i) / static_cast<float>(limbs - 1));
         place.heading = node.heading;

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -53,7 +52,7 @@ float transmittance(float x) {
 float neighbourCover(const GrowthSite& site, const glm::vec2& heading) {
     if (!site.openSide)
         return 1.0f;
-    const glm::vec2 open(cosine(*site.openSide), sine(*site.openSide));
+    const glm::vec2 open(math::cos(*site.openSide), math::sin(*site.openSide));
     return 1.0f -
            glm::smoothstep(0.0f, 0.5f, glm::dot(heading, open) / std::max(glm::length(heading), 1e-6f));
 }

@@ -2,11 +2,12 @@
 #include <osgTreeWind/io/FlightPath.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/RotationAbout.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,15 +43,15 @@ std::string makeFlightPath(const ForestTiles& tiles, const glm::dvec3& origin) {
     const double turn = glm::two_pi<double>(),
                  length = turn * std::sqrt(0.5 * glm::dot(half, half)); // approximately, metres
     const double radius = std::min(half.x, half.y), clearance = std::clamp(0.8 * radius, 40.0, 70.0),
-                 tilt = std::clamp(std::atan(clearance / radius), 0.12, 0.7); // radians downward
+                 tilt = std::clamp(math::atan(clearance / radius), 0.12, 0.7); // radians downward
     const int steps = std::max(static_cast<int>(std::ceil(length / maxStep)), 24);
     std::string text;
     for (int i = 0; i <= steps; ++i) {
         const double angle = turn * i / steps;
-        const glm::dvec2 at = middle + half * glm::dvec2(std::cos(angle), std::sin(angle));
-        const double ahead = std::atan2(half.y * std::cos(angle), -half.x * std::sin(angle));
-        const glm::dquat rotation = glm::angleAxis(ahead + inward - 0.25 * turn, glm::dvec3(0.0, 0.0, 1.0)) *
-                                    glm::angleAxis(0.25 * turn - tilt, glm::dvec3(1.0, 0.0, 0.0));
+        const glm::dvec2 at = middle + half * glm::dvec2(math::cos(angle), math::sin(angle));
+        const double ahead = math::atan2(half.y * math::cos(angle), -half.x * math::sin(angle));
+        const glm::dquat rotation = rotationAbout(glm::dvec3(0.0, 0.0, 1.0), ahead + inward - 0.25 * turn) *
+                                    rotationAbout(glm::dvec3(1.0, 0.0, 0.0), 0.25 * turn - tilt);
         const glm::dvec3 eye = glm::dvec3(at, highestAt(tiles, at) + clearance) - origin;
         for (const double number : {length / speed * i / steps, eye.x, eye.y, eye.z, rotation.x, rotation.y,
                                     rotation.z, rotation.w})

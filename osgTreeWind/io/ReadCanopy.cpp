@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/forest/ClosedWood.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/CrownSummary.h>
@@ -40,7 +41,7 @@ double shareInClosedWood(const ForestTiles& tiles) {
         const double width = static_cast<double>(cell.width), trees = cell.trees;
         const double crownArea = 0.25 * glm::pi<double>() * width * width * trees / (side * side);
         all += trees;
-        closed += 1.0 - std::exp(-crownArea) >= closedCover ? trees : 0.0;
+        closed += 1.0 - math::exp(-crownArea) >= closedCover ? trees : 0.0;
     }
     return all > 0.0 ? closed / all : 0.0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/Text.h>
@@ -363,7 +364,7 @@ private:
         if (_diameters > 0)
             addNote(
                 "two of three estimated trunk diameters are right within a factor of " +
-                numberText(std::round(100.0 * std::exp(std::sqrt(_diameterVariance / _diameters))) / 100.0));
+                numberText(std::round(100.0 * math::exp(std::sqrt(_diameterVariance / _diameters))) / 100.0));
     }
 
     void reportUnknownSpecies() {

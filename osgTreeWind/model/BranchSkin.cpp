@@ -20,7 +20,7 @@ float partOf(int side, int sides) {
 
 /// Perimeter of a regular polygon over twice its radius; proportional to its mean width.
 float perimeter(int sides) {
-    return static_cast<float>(sides) * sine(glm::pi<float>() / static_cast<float>(sides));
+    return static_cast<float>(sides) * math::sin(glm::pi<float>() / static_cast<float>(sides));
 }
 
 /// Factor on the radius of a ring that gives it the mean width of an octagon.
@@ -76,7 +76,7 @@ int fullSides(const Skeleton& skeleton, float radius) {
 int sidesWithin(float radius, float tolerance, int most) {
     for (const int sides : {3, 4, 6, 8, 12})
         if (sides < most &&
-            radius * (1.0f - ringWidening(sides) * cosine(glm::pi<float>() / static_cast<float>(sides))) <
+            radius * (1.0f - ringWidening(sides) * math::cos(glm::pi<float>() / static_cast<float>(sides))) <
                 tolerance)
             return sides;
     return most;
@@ -167,7 +167,7 @@ void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, 
             SkinVertex vertex;
             vertex.centre = skeleton.point(unit, ring);
             vertex.radius = skeleton.radius(unit, ring) * widening;
-            vertex.outward = cosine(angle) * e1 + sine(angle) * e2;
+            vertex.outward = math::cos(angle) * e1 + math::sin(angle) * e2;
             vertex.unit = static_cast<float>(unit);
             vertex.uv = {2.0f * part, start + along / repeat};
             vertices.push_back(vertex);
@@ -273,7 +273,7 @@ struct Frame {
 
     explicit Frame(const glm::vec3& along) : tangent(along), first(perpendicular(along)) {}
     glm::vec3 outward(float angle) const {
-        return cosine(angle) * first + sine(angle) * glm::cross(tangent, first);
+        return math::cos(angle) * first + math::sin(angle) * glm::cross(tangent, first);
     }
     /// Rotates the frame by the smallest angle to a new tangent, so that successive rings are not twisted.
     void follow(const glm::vec3& next) {
@@ -355,7 +355,7 @@ private:
         const BranchUnit& bearer = _skeleton.units[parent];
         const int sides = _plans[parent].sides;
         const float inside =
-            collarDepth * ringWidening(sides) * cosine(glm::pi<float>() / static_cast<float>(sides));
+            collarDepth * ringWidening(sides) * math::cos(glm::pi<float>() / static_cast<float>(sides));
         const BranchCollar collar(_skeleton, _unit,
                                   inside * glm::mix(bearer.baseRadius, bearer.tipRadius, branch.attach));
         const bool isHidden = plan.skeletonRings < 3 || collar.begin() > 0.75f * last();
@@ -513,7 +513,7 @@ void addPrism(const Shoot& shoot, const std::vector<glm::vec3>& course, BranchSk
             widening * glm::mix(shoot.baseRadius, shoot.tipRadius, length > 0.0f ? along / length : 0.0f);
         for (int side = 0; side < shootSides; ++side) {
             const float part = partOf(side, shootSides), angle = glm::two_pi<float>() * part;
-            vertex.outward = cosine(angle) * across + sine(angle) * beside;
+            vertex.outward = math::cos(angle) * across + math::sin(angle) * beside;
             vertex.uv = {2.0f * part, along / repeat};
             skin.vertices.push_back(vertex);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/CrownShade.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/TreeDetail.h>
 
 #include <glm/common.hpp>
@@ -127,7 +128,7 @@ CrownShade::Light CrownShade::at(const glm::vec3& point) const {
     static const float attenuation = projection * clumping * glm::sqrt(1.0f - scattering);
     light.sky = light.ground = 0.0f;
     for (std::size_t d = 0; d < directions; ++d) {
-        const float left = glm::exp(-attenuation * depths[d]);
+        const float left = math::exp(-attenuation * depths[d]);
         if (d < 6)
             (d % 2 ? light.below : light.above)[static_cast<int>(d / 2)] = left;
         // Quadrature of the sphere with 14 points (Lebedev 1976).

@@ -37,7 +37,7 @@ glm::quat leafFrame(const glm::vec3& petiole, float roll) {
     const float rise = petiole.z;
     const glm::quat swing = rise < -0.9999f ? glm::quat(0.0f, 1.0f, 0.0f, 0.0f)
                                             : glm::normalize(glm::quat(1.0f + rise, glm::cross(z, petiole)));
-    return swing * glm::quat(cosine(0.5f * roll), sine(0.5f * roll) * z);
+    return swing * glm::quat(math::cos(0.5f * roll), math::sin(0.5f * roll) * z);
 }
 
 int lastLevelOf(const Skeleton& skeleton) {
@@ -156,7 +156,8 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
 /// Draws from a beta distribution on (0, 1) (Jöhnk).
 float drawBeta(Random& random, float alpha, float beta) {
     for (int tries = 0; tries < 1000; ++tries) {
-        const float x = power(random.uniform(), 1.0f / alpha), y = power(random.uniform(), 1.0f / beta);
+        const float x = math::pow(random.uniform(), 1.0f / alpha),
+                    y = math::pow(random.uniform(), 1.0f / beta);
         if (x + y > 0.0f && x + y <= 1.0f)
             return x / (x + y);
     }
@@ -181,9 +182,9 @@ struct LeafAttachment {
 glm::quat sprayFrame(const LeafAttachment& attachment, const glm::vec3& outward, float angle, float turn) {
     const glm::vec2 out(
         directionOr(glm::vec3(attachment.anchor.x, attachment.anchor.y, 0.0f), glm::vec3(1, 0, 0)));
-    const float along = cosine(turn), across = sine(turn);
-    const glm::vec3 normal{sine(angle) * (along * out.x - across * out.y),
-                           sine(angle) * (across * out.x + along * out.y), cosine(angle)};
+    const float along = math::cos(turn), across = math::sin(turn);
+    const glm::vec3 normal{math::sin(angle) * (along * out.x - across * out.y),
+                           math::sin(angle) * (across * out.x + along * out.y), math::cos(angle)};
     const glm::vec3 petiole =
         directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
@@ -197,7 +198,7 @@ glm::quat frondFrame(const glm::vec3& along) {
 
 LeafAttachment attachmentAt(const glm::vec3& anchor, const glm::vec3& tangent, float around) {
     const glm::vec3 e1 = perpendicular(tangent);
-    return {anchor, tangent, cosine(around) * e1 + sine(around) * glm::cross(tangent, e1)};
+    return {anchor, tangent, math::cos(around) * e1 + math::sin(around) * glm::cross(tangent, e1)};
 }
 
 /// @param along position on the unit, 0 to 1.
@@ -278,8 +279,10 @@ struct QuadPlace {
 /// A quad of a fan about the petiole; it leans away from the petiole, so that the cluster fills a volume.
 QuadPlace fanQuad(int quad) {
     const float turn = glm::two_pi<float>() * static_cast<float>(quad) / quadsPerLeafCluster;
-    const glm::vec3 away{-sine(turn), cosine(turn), 0.0f};
-    return {0.0f, {cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
+    const glm::vec3 away{-math::sin(turn), math::cos(turn), 0.0f};
+    return {0.0f,
+            {math::cos(turn), math::sin(turn), 0.0f},
+            math::cos(0.5f) * glm::vec3(0, 0, 1) + math::sin(0.5f) * away};
 }
 
 /// A quad of a flat spray: the first continues the petiole from further out, the others point to both sides,
@@ -287,20 +290,22 @@ QuadPlace fanQuad(int quad) {
 QuadPlace sprayQuad(int quad) {
     const float roll = leafFold * (quad == 0 ? 0.5f : quad == 1 ? 1.0f : -1.0f);
     if (quad == 0)
-        return {0.4f, {cosine(roll), sine(roll), 0}, {0, 0, 1}};
+        return {0.4f, {math::cos(roll), math::sin(roll), 0}, {0, 0, 1}};
     const float turn = quad == 1 ? 1.05f : -1.05f;
-    const glm::vec3 ahead{sine(turn), 0.0f, cosine(turn)}, across{cosine(turn), 0.0f, -sine(turn)};
-    const glm::vec3 along = cosine(0.1f) * ahead + sine(0.1f) * glm::vec3(0, 1, 0);
-    return {0.0f, cosine(roll) * across + sine(roll) * glm::cross(along, across), along};
+    const glm::vec3 ahead{math::sin(turn), 0.0f, math::cos(turn)},
+        across{math::cos(turn), 0.0f, -math::sin(turn)};
+    const glm::vec3 along = math::cos(0.1f) * ahead + math::sin(0.1f) * glm::vec3(0, 1, 0);
+    return {0.0f, math::cos(roll) * across + math::sin(roll) * glm::cross(along, across), along};
 }
 
 /// Shoots of a twig: two hang at its sides, the third lies on top.
 void addHangingQuad(const LeafParameters& parameters, int quad, LeafVertex* corners) {
     const float hand = quad == 0 ? 1.0f : -1.0f;
     const float steep = (quad == 2 ? lyingShare : hangingShare) * parameters.inclination;
-    const glm::vec3 aside{hand * cosine(steep), sine(steep), 0.0f}, ahead{0.0f, 0.0f, 1.0f};
-    const glm::vec3 along = quad == 2 ? ahead : cosine(onward) * aside + sine(onward) * ahead;
-    const glm::vec3 side = quad == 2 ? -aside : hand * (sine(onward) * aside - cosine(onward) * ahead);
+    const glm::vec3 aside{hand * math::cos(steep), math::sin(steep), 0.0f}, ahead{0.0f, 0.0f, 1.0f};
+    const glm::vec3 along = quad == 2 ? ahead : math::cos(onward) * aside + math::sin(onward) * ahead;
+    const glm::vec3 side =
+        quad == 2 ? -aside : hand * (math::sin(onward) * aside - math::cos(onward) * ahead);
     const float start = quad == 0 ? 0.25f : quad == 1 ? 0.6f : 0.0f;
     const glm::vec3 normal = glm::cross(side, along);
     for (int corner = 0; corner < 4; ++corner) {
@@ -315,9 +320,9 @@ void addHangingQuad(const LeafParameters& parameters, int quad, LeafVertex* corn
 /// A row of leaflets along a segment of a frond: to the right and left in a V, or hanging.
 void addFrondRow(const LeafParameters& parameters, int row, LeafVertex* corners) {
     const float lean = row == 0 ? rowAngle : row == 1 ? -rowAngle : 2.9f; // from the upright
-    const glm::vec3 outward{sine(lean), -cosine(lean), 0.0f};
+    const glm::vec3 outward{math::sin(lean), -math::cos(lean), 0.0f};
     const float upward = row == 1 ? 1.0f : -1.0f;
-    const glm::vec3 normal{upward * cosine(lean), upward * sine(lean), 0.0f};
+    const glm::vec3 normal{upward * math::cos(lean), upward * math::sin(lean), 0.0f};
     for (int corner = 0; corner < 4; ++corner) {
         const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};
         corners[corner] = {uv.x * parameters.length * glm::vec3(0, 0, 1) + uv.y * parameters.width * outward,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/MeasureTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
@@ -57,7 +59,7 @@ TreeScale fitTree(const TreeExtents& extents, const TreeSize& size) {
         scale.axes.x = crown > 0.0f ? clampNear(scale.axes.x * out, crown / rest.crownWidth) : scale.axes.z;
         scale.axes.y = scale.axes.x;
         scale.radius = trunk > 0.0f ? scale.radius * thick : scale.axes.z;
-        scale.leaf = std::cbrt(scale.axes.x * scale.axes.y * scale.axes.z);
+        scale.leaf = math::cbrt(scale.axes.x * scale.axes.y * scale.axes.z);
         if (std::max({std::abs(up - 1.0f), std::abs(out - 1.0f), std::abs(thick - 1.0f)}) < 0.003f)
             break;
     }

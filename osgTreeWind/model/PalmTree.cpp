@@ -29,10 +29,10 @@ constexpr float maxStalkRatio = 0.9f; ///< Upper limit of a stalk's radius over 
 /// Rotates a unit vector down by `angle`, at most to the vertical.
 glm::vec3 bentDown(const glm::vec3& heading, float angle) {
     const glm::vec3 across = -up - heading * glm::dot(-up, heading);
-    if (heading.z < 0.0f && glm::length(across) <= sine(angle))
+    if (heading.z < 0.0f && glm::length(across) <= math::sin(angle))
         return -up;
-    return glm::normalize(cosine(angle) * heading +
-                          sine(angle) * directionOr(across, perpendicular(heading)));
+    return glm::normalize(math::cos(angle) * heading +
+                          math::sin(angle) * directionOr(across, perpendicular(heading)));
 }
 
 class PalmMaker {
@@ -131,11 +131,12 @@ private:
         const glm::vec3 foot = glm::mix(a, b, ring - static_cast<float>(below)), axis = glm::normalize(b - a);
         const float azimuth = frondTurn * static_cast<float>(index) + _start;
         const glm::vec3 side = perpendicular(axis);
-        const glm::vec3 aside = cosine(azimuth) * side + sine(azimuth) * glm::cross(axis, side);
+        const glm::vec3 aside = math::cos(azimuth) * side + math::sin(azimuth) * glm::cross(axis, side);
         const float inclination =
             glm::mix(_p.inclination, _p.inclinationEnd, age) + angleSpread * _random.symmetric();
-        std::vector<glm::vec3> points = makeCurve(
-            glm::normalize(cosine(inclination) * axis + sine(inclination) * aside), _p.droop, winding, 1);
+        std::vector<glm::vec3> points =
+            makeCurve(glm::normalize(math::cos(inclination) * axis + math::sin(inclination) * aside),
+                      _p.droop, winding, 1);
         const float length = std::max(
             maxFrondLength(foot, points) * (1.0f - lengthSpread * _random.uniform()), 1e-3f * _p.height);
         for (glm::vec3& point : points)

@@ -24,7 +24,8 @@ constexpr float maxLengthRatio = 1.5f;
 glm::vec3 inclined(const glm::vec3& axis, float inclination, float azimuth) {
     const glm::vec3 e1 = perpendicular(axis);
     const glm::vec3 e2 = glm::cross(axis, e1);
-    return cosine(inclination) * axis + sine(inclination) * (cosine(azimuth) * e1 + sine(azimuth) * e2);
+    return math::cos(inclination) * axis +
+           math::sin(inclination) * (math::cos(azimuth) * e1 + math::sin(azimuth) * e2);
 }
 
 float trunkLength(const RecursiveTreeParameters& p) {
@@ -104,7 +105,7 @@ private:
         const glm::vec3 axis = glm::normalize(parent.tip - parent.base);
         const float spacing = glm::two_pi<float>() / static_cast<float>(_p.childrenPerBranch);
         const float levelInclination =
-            _p.inclination * power(_p.inclinationGrowth, static_cast<float>(level - 1));
+            _p.inclination * math::pow(_p.inclinationGrowth, static_cast<float>(level - 1));
         // Successive whorls on a trunk are rotated like successive levels.
         const float turn = _p.twist * static_cast<float>(level == 1 ? ++_whorls : level);
         const bool trunkContinues = level == 1 && _whorls < branchingUnits(_p);
@@ -149,7 +150,7 @@ private:
             const glm::vec2 uneven{_random.symmetric(), _random.symmetric()};
             const glm::vec2 offset =
                 0.7f * 16.0f * t * t * (1.0f - t) * (1.0f - t) *
-                (0.5f * bow + 0.35f * wave * sine(glm::two_pi<float>() * t) + roughness * uneven);
+                (0.5f * bow + 0.35f * wave * math::sin(glm::two_pi<float>() * t) + roughness * uneven);
             const glm::vec3 point =
                 unit.base + t * along + _p.crook * length * (offset.x * e1 + offset.y * e2);
             _skeleton.points.push_back(i == last ? unit.tip : point);

@@ -156,8 +156,8 @@ private:
         for (int i = 0; i < directions; ++i) {
             const float around = turn + glm::two_pi<float>() * static_cast<float>(i) / directions;
             const float angle = 0.8f + 0.4f * _random.uniform();
-            const glm::vec3 way =
-                cosine(angle) * along + sine(angle) * (cosine(around) * e1 + sine(around) * e2);
+            const glm::vec3 way = math::cos(angle) * along +
+                                  math::sin(angle) * (math::cos(around) * e1 + math::sin(around) * e2);
             const float length = _length * (0.7f + 0.6f * _random.uniform());
             const glm::vec3 tip = base + length * way, beyond = tip + 0.4f * _length * way;
             const bool outside = _crown.count(tip) == 0.0f || tip.z < 0.5f;

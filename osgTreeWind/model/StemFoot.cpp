@@ -29,11 +29,11 @@ StemFoot::StemFoot(const Skeleton& skeleton)
 float StemFoot::widening(float z, float angle) const {
     if (z >= _height)
         return 1.0f;
-    const float wider = 0.01f * (power(100.0f, 1.0f - glm::max(z, 0.0f) / _height) - 1.0f);
+    const float wider = 0.01f * (math::pow(100.0f, 1.0f - glm::max(z, 0.0f) / _height) - 1.0f);
     float ridges = betweenRoots;
     for (const Root& root : roots)
         ridges += (1.0f - betweenRoots) / meanRidge * root.share *
-                  power(0.5f + 0.5f * cosine(angle - root.angle), sharpness);
+                  math::pow(0.5f + 0.5f * math::cos(angle - root.angle), sharpness);
     return 1.0f + _flare * wider * ridges;
 }
 

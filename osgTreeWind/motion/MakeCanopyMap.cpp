@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/MakeCanopyMap.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/Laws.h>
@@ -60,7 +61,7 @@ float solveShelter(const StandSum& sum, float wind, float share) {
         if (i == 0 && missing >= 1.0f)
             return 1.0f; // sparse crowns take less than the share
         const float slope = 2.0f - (felt < 1.6f || felt > upTo ? 0.0f : felt < 10.0f ? breeze : exponent);
-        shelter = std::min(shelter * std::pow(missing, 1.0f / slope), 1.0f);
+        shelter = std::min(shelter * math::pow(missing, 1.0f / slope), 1.0f);
     }
     return shelter;
 }

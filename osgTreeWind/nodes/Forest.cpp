@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TextureCapacity.h>
@@ -28,7 +29,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -49,7 +49,7 @@ std::vector<TreeUnit> unitsOf(const MovingForest& forest, std::size_t slot) {
     const PlacedTree& tree = forest.trees()[slot];
     UnitValues values;
     const TreeMotion motion = forest.motion(slot, values);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     std::vector<TreeUnit> units;
     for (const BranchUnit& rest : forest.placed().modelOf(tree).skeleton.units) {
         const UnitPose& pose = motion.poses[units.size()];

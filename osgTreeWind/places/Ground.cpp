@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/Ground.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Range.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -22,7 +22,7 @@ std::optional<double> footHeight(const Ground& ground, const glm::dvec2& place, 
     std::optional<double> lowest = heightOf(ground, place);
     for (int i = 0; lowest && i < samples; ++i) {
         const double angle = glm::two_pi<double>() * i / samples;
-        const auto rim = heightOf(ground, place + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+        const auto rim = heightOf(ground, place + radius * glm::dvec2(math::cos(angle), math::sin(angle)));
         lowest = std::min(*lowest, rim.value_or(*lowest));
     }
     return lowest;

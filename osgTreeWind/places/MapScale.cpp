@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/MapScale.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/places/CrsTransform.h>
 
 #include <glm/geometric.hpp>
@@ -16,7 +17,7 @@ namespace {
 /// Distance in metres of two close places on the WGS 84 ellipsoid, given in degrees.
 double metresBetween(const glm::dvec2& a, const glm::dvec2& b) {
     constexpr double semiMajorAxis = 6378137.0, squaredEccentricity = 0.00669437999014;
-    const double sine = std::sin(glm::radians(0.5 * (a.y + b.y))),
+    const double sine = math::sin(glm::radians(0.5 * (a.y + b.y))),
                  w = 1.0 - squaredEccentricity * sine * sine;
     const double primeVertical = semiMajorAxis / std::sqrt(w), // radii of curvature
         meridian = primeVertical * (1.0 - squaredEccentricity) / w;
@@ -39,7 +40,7 @@ double scaleOfMap(const Crs& map, const glm::dvec2& place) {
                  north = 2.0 * h / metresBetween(places[2], places[3]);
     if (!std::isfinite(east) || !std::isfinite(north))
         return 1.0;
-    const double scale = std::abs(std::log(east)) > std::abs(std::log(north)) ? east : north;
+    const double scale = std::abs(math::log(east)) > std::abs(math::log(north)) ? east : north;
     return scale < 0.99 || scale > 1.01 ? scale : 1.0;
 }
 

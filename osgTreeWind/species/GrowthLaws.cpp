@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/GrowthLaws.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -22,7 +23,7 @@ GrowthGoal forestGrownSize(const Species& species) {
     const HeightAllometry& height = species.height;
     if (!(height.scale > 0.0f) || !(height.power > 0.0f))
         return size;
-    size.trunkDiameter = std::pow(size.height / height.scale, 1.0f / height.power);
+    size.trunkDiameter = math::pow(size.height / height.scale, 1.0f / height.power);
     const TreeSize crowned = withCrown({size.height, size.trunkDiameter, 0.0f}, species.crown, false);
     if (crowned.crownWidth > 0.0f)
         size.crownWidth = crowned.crownWidth;
@@ -39,7 +40,7 @@ GrowthGoal scaleToHeight(float height, const GrowthGoal& known, const Species& s
     };
     GrowthGoal goal{height, known.trunkDiameter * ratio, known.crownWidth * ratio};
     if (scale > 0.0f && power > 0.0f)
-        goal.trunkDiameter = known.trunkDiameter * std::pow(ratio, 1.0f / power);
+        goal.trunkDiameter = known.trunkDiameter * math::pow(ratio, 1.0f / power);
     const float before = crownWidthOf(known.trunkDiameter), after = crownWidthOf(goal.trunkDiameter);
     if (before > 0.0f && after > 0.0f)
         goal.crownWidth = known.crownWidth * after / before;
@@ -80,7 +81,7 @@ double upperStemMass(const WoodParameters& wood, double diameter, double height,
         return 0.0;
     const double breast = breastHeight(static_cast<float>(height));
     const double whole = wood.density * sectionOf(diameter) * height / (2.0 * stemTaper + 1.0) *
-                         std::pow(height / (height - breast), 2.0 * stemTaper);
+                         math::pow(height / (height - breast), 2.0 * stemTaper);
     return std::max(whole - trunk, 0.0);
 }
 
@@ -89,16 +90,16 @@ double branchMass(const BranchFit& fit, const WoodParameters& wood, double diame
         return 0.0;
     const double slenderness = std::clamp(height / diameter, branchMinSlenderness, branchMaxSlenderness);
     return fit.mass * wood.density / fit.basicDensity * sectionOf(diameter) *
-           std::pow(slenderness / typicalSlenderness, fit.slendernessPower) *
-           std::pow(diameter / 0.2, fit.diameterPower);
+           math::pow(slenderness / typicalSlenderness, fit.slendernessPower) *
+           math::pow(diameter / 0.2, fit.diameterPower);
 }
 
 /// Mass of a broadleaf without leaves (hard maple, oak, hickory and beech).
 double broadleafMass(const WoodParameters& wood, double diameter) {
     // Jenkins et al. 2003: exp(a + b ln d), exp(a + b / d), d in cm, kg of dry mass and shares of it.
     const double d = std::max(100.0 * diameter, 2.5);
-    const double leaves = std::exp(-4.0813 + 5.8816 / d);
-    const double dry = std::exp(-2.0127 + 2.4342 * std::log(d)) * (1.0 - leaves);
+    const double leaves = math::exp(-4.0813 + 5.8816 / d);
+    const double dry = math::exp(-2.0127 + 2.4342 * math::log(d)) * (1.0 - leaves);
     return dry * wood.density / broadleafBranches.basicDensity;
 }
 
@@ -113,7 +114,7 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
 }
 
 double lawDiameter(double diameter) {
-    return diameter <= 1.0 ? diameter : 2.0 - std::exp(1.0 - diameter);
+    return diameter <= 1.0 ? diameter : 2.0 - math::exp(1.0 - diameter);
 }
 
 float limitToRecord(float size, float largest) {
@@ -133,9 +134,9 @@ TreeSize completeSize(TreeSize size, const Species& species, bool openGrown) {
     const GrowthGoal known = openGrown ? species.tree.growth->size : forestGrownSize(species);
     const float power = openGrown ? species.height.openPower : species.height.power;
     if (!hasHeight)
-        size.height = limitToRecord(known.height *
-                                        std::pow(diameter / known.trunkDiameter, power > 0.0f ? power : 1.0f),
-                                    species.height.largest);
+        size.height = limitToRecord(
+            known.height * math::pow(diameter / known.trunkDiameter, power > 0.0f ? power : 1.0f),
+            species.height.largest);
     const GrowthGoal usual = scaleToHeight(size.height, known, species, openGrown);
     if (!hasTrunk)
         size.trunkDiameter = usual.trunkDiameter;
@@ -180,9 +181,9 @@ TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, flo
 
 double stemModulus(const WoodParameters& wood, double slenderness) {
     return wood.elasticModulus * wood.wholeStem *
-           std::pow(std::clamp(slenderness, modulusMinSlenderness, modulusMaxSlenderness) /
-                        typicalSlenderness,
-                    wood.modulusPower);
+           math::pow(std::clamp(slenderness, modulusMinSlenderness, modulusMaxSlenderness) /
+                         typicalSlenderness,
+                     static_cast<double>(wood.modulusPower));
 }
 
 double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/SizeLaws.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/TextHash.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -27,10 +27,10 @@ struct LogDiameter {
     /// Narrows it to the trees of a measured size (Bayes' theorem). @param ratio size / that of the median.
     /// @param power of the diameter in the size. @param deviation of ln(size).
     void narrow(double ratio, double power, double deviation) {
-        const double ofLaw = power * spread, total = std::hypot(ofLaw, deviation);
+        const double ofLaw = power * spread, total = math::hypot(ofLaw, deviation);
         if (!(total > 0.0))
             return;
-        median *= std::pow(ratio, ofLaw * spread / (total * total));
+        median *= math::pow(ratio, ofLaw * spread / (total * total));
         spread *= deviation / total;
     }
 };
@@ -63,7 +63,7 @@ public:
 
 private:
     double factor(double spread, const char* quantity) const {
-        return std::exp(spread * residual(_id, quantity));
+        return math::exp(spread * residual(_id, quantity));
     }
     double crownBase() const { return _openGrown ? _species.crown.openBase : _species.crown.base; }
     double crownSlope() const {
@@ -76,7 +76,7 @@ private:
 
     void setHeight() {
         const double diameter = _tree.size.trunkDiameter;
-        const double height = _scale * std::pow(lawDiameter(diameter), _power) * factor(_spread, "height");
+        const double height = _scale * math::pow(lawDiameter(diameter), _power) * factor(_spread, "height");
         const double limit = std::min<double>(maxSlenderness * diameter, maxHeight());
         _tree.size.height = clampSize(height, std::min(minSlenderness * lawDiameter(diameter), limit), limit);
         _tree.estimated.height = true;
@@ -88,7 +88,7 @@ private:
         const double least = height / maxSlenderness, most = std::min(height / minSlenderness, diameterLimit);
         LogDiameter diameter{_openGrown ? law.openDiameter : law.diameter,
                              _openGrown ? law.openDiameterSpread : law.diameterSpread};
-        diameter.narrow(height / (_scale * std::pow(diameter.median, _power)), _power, _spread);
+        diameter.narrow(height / (_scale * math::pow(diameter.median, _power)), _power, _spread);
         diameter.median = std::clamp(diameter.median, least, most);
         if (width > 0.0 && crownSlope() > 0.0) {
             const double usual = crownBase() + crownSlope() * diameter.median;
@@ -148,7 +148,7 @@ double residual(const std::string& id, const std::string& quantity) {
     Random random(hashOf(quantity + ' ' + id));
     for (;;) {
         const double z = 4.0 * random.uniformDouble() - 2.0;
-        if (random.uniformDouble() < std::exp(-0.5 * z * z / (widened * widened)))
+        if (random.uniformDouble() < math::exp(-0.5 * z * z / (widened * widened)))
             return z;
     }
 }

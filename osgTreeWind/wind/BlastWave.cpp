@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/BlastWave.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,8 +28,8 @@ double overpressureAt(double z) {
 
 /// Seconds over the cube root of the charge.
 double durationAt(double z) {
-    return 0.98 * (1.0 + std::pow(z / 0.54, 10.0)) /
-           ((1.0 + std::pow(z / 0.02, 3.0)) * (1.0 + std::pow(z / 0.74, 6.0)) *
+    return 0.98 * (1.0 + math::pow(z / 0.54, 10.0)) /
+           ((1.0 + math::pow(z / 0.02, 3.0)) * (1.0 + math::pow(z / 0.74, 6.0)) *
             std::sqrt(1.0 + square(z / 6.9)));
 }
 
@@ -46,7 +48,7 @@ public:
         }
     }
     double at(double z) const {
-        const double position = std::log(z / minScaled) / step();
+        const double position = math::log(z / minScaled) / step();
         const auto i = std::min(static_cast<std::size_t>(position), _seconds.size() - 2);
         const double share = (z - distance(i)) / (distance(i + 1) - distance(i));
         return _seconds[i] + share * (_seconds[i + 1] - _seconds[i]);
@@ -54,14 +56,16 @@ public:
 
 private:
     static constexpr std::size_t count = 256;
-    static double step() { return std::log(maxScaled / minScaled) / (count - 1); }
-    static double distance(std::size_t i) { return minScaled * std::exp(step() * static_cast<double>(i)); }
+    static double step() { return math::log(maxScaled / minScaled) / (count - 1); }
+    static double distance(std::size_t i) { return minScaled * math::exp(step() * static_cast<double>(i)); }
     std::array<double, count> _seconds{};
 };
 
 /// The integral from 0 to s of (1 - s) |1 - s| exp(-2 s).
 double impulse(double s) {
-    const auto integral = [](double x) { return -0.25 * std::exp(-2.0 * x) * (2.0 * x * x - 2.0 * x + 1.0); };
+    const auto integral = [](double x) {
+        return -0.25 * math::exp(-2.0 * x) * (2.0 * x * x - 2.0 * x + 1.0);
+    };
     if (s <= 0.0)
         return 0.0;
     const double outward = integral(std::min(s, 1.0)) - integral(0.0);
@@ -70,7 +74,7 @@ double impulse(double s) {
 
 } // namespace
 
-BlastWave::BlastWave(double charge) : _scale(std::cbrt(hemisphere * charge)) {}
+BlastWave::BlastWave(double charge) : _scale(math::cbrt(hemisphere * charge)) {}
 
 BlastWave::Front BlastWave::front(double distance) const {
     static const ArrivalTimes arrivals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyFlow.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/SwingingWind.h>
 
@@ -157,7 +158,7 @@ glm::vec3 windAmongTrees(const PlaceInStand& stand, float given, const glm::vec3
                             stand.downSkewness);
     const glm::vec3 left(-along.y, along.x, 0.0f);
     return given * shelter *
-           (speed * (std::cos(angle) * along + std::sin(angle) * left) - glm::vec3(0.0f, 0.0f, down));
+           (speed * (math::cos(angle) * along + math::sin(angle) * left) - glm::vec3(0.0f, 0.0f, down));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyProfile.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/wind/LogProfile.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ CanopyProfile CanopyProfile::ofStand(float height, float frontalArea) {
     profile.height = height;
     profile.friction = std::min(std::sqrt(groundDrag + elementDrag * area), maxFriction);
     // 1 - d/h. The slope of the profile at the top is that of the sublayer, u* / (2 kappa (h - d)).
-    const float gap = (1.0f - std::exp(-x)) / x;
+    const float gap = (1.0f - math::exp(-x)) / x;
     profile.attenuation = profile.friction / (2.0f * karman * gap);
     return profile;
 }
@@ -44,29 +45,29 @@ float CanopyProfile::displacement() const {
 }
 
 float CanopyProfile::roughness() const {
-    return 2.0f * height * (1.0f - displacement()) * std::exp(-karman / friction - 0.5f);
+    return 2.0f * height * (1.0f - displacement()) * math::exp(-karman / friction - 0.5f);
 }
 
 float CanopyProfile::topSpeedRatio(float reference, float extent) const {
     constexpr auto open = static_cast<float>(openCountryRoughness);
     const float rough = roughness(), fetch = 0.5f * extent; // mean distance to the edge of a square
     const float slowed =
-        rough * (0.75f - 0.03f * std::log(rough / open)) * std::pow(fetch / rough, 0.8f); // above d
+        rough * (0.75f - 0.03f * math::log(rough / open)) * math::pow(fetch / rough, 0.8f); // above d
     const float layer = slowed + height * displacement(), ratio = 1.0f / mean(reference);
     if (!(layer > reference))
         return ratio;
     // u* over that of open country: winds are equal at the top of the layer
     const float frictions =
-        std::max(std::log(layer / open) / std::log(slowed / rough), std::pow(rough / open, 0.07f));
-    return std::min(frictions * karman / (friction * std::log(reference / open)), ratio);
+        std::max(math::log(layer / open) / math::log(slowed / rough), math::pow(rough / open, 0.07f));
+    return std::min(frictions * karman / (friction * math::log(reference / open)), ratio);
 }
 
 float CanopyProfile::mean(float z) const {
     if (!(z > height))
-        return std::exp(-attenuation * (1.0f - std::max(0.0f, z) / height));
+        return math::exp(-attenuation * (1.0f - std::max(0.0f, z) / height));
     const float gap = height * (1.0f - displacement()); // also the depth of the sublayer
     const float sublayer = std::min((z - height) / gap, 1.0f);
-    const float log = std::log(std::max((std::min(z, 1e6f) - height + gap) / (2.0f * gap), 1.0f));
+    const float log = math::log(std::max((std::min(z, 1e6f) - height + gap) / (2.0f * gap), 1.0f));
     return 1.0f + friction / karman * (0.5f * sublayer + log);
 }
 
@@ -74,7 +75,7 @@ WindSpread CanopyProfile::spread(float z) const {
     const float up = surfaceLayerShare(z, height),
                 share =
                     friction *
-                    (z < height ? std::exp(-spreadAttenuation * (1.0f - std::max(0.0f, z) / height)) : 1.0f);
+                    (z < height ? math::exp(-spreadAttenuation * (1.0f - std::max(0.0f, z) / height)) : 1.0f);
     const auto at = [&](float low, float high) { return share * (low + up * (high - low)); };
     return {at(spreadAtTop.along, inSurfaceLayer.along), at(spreadAtTop.across, inSurfaceLayer.across),
             at(spreadAtTop.up, inSurfaceLayer.up)};

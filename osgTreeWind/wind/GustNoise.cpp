@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GustNoise.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/SharedValues.h>
 
@@ -59,7 +60,7 @@ glm::dmat3 randomRotation(Random& random) {
     const double share = random.uniform(), a = turn * random.uniform(), b = turn * random.uniform();
     const double low = std::sqrt(1.0 - share), high = std::sqrt(share);
     return glm::mat3_cast(
-        glm::dquat(high * std::cos(b), low * std::sin(a), low * std::cos(a), high * std::sin(b)));
+        glm::dquat(high * math::cos(b), low * math::sin(a), low * math::cos(a), high * math::sin(b)));
 }
 
 /// Drift of eddies across the wind over the speed of travel. After travelling d, their squared coherence is
@@ -149,8 +150,8 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dvec3& a
     // (2 smoothVariance).
     double variance = 0.0, lengths = 0.0;
     for (int i = 0; i < static_cast<int>(octaves); ++i) {
-        variance += std::pow(octaveRatio, -2.0 / 3.0 * i);
-        lengths += std::pow(octaveRatio, -5.0 / 3.0 * i);
+        variance += math::pow(octaveRatio, -2.0 / 3.0 * i);
+        lengths += math::pow(octaveRatio, -5.0 / 3.0 * i);
     }
     const double largest = lengthScale * 2.0 * smoothVariance * variance / lengths;
     const bool isIsotropic = along == glm::dvec3(0.0);
@@ -162,8 +163,8 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dvec3& a
         Octave& octave = _octaves.emplace_back();
         const double width = i == 0 ? largestLengthOverWidth : lengthOverWidth;
         const double angle = firstAngle + goldenAngle * i;
-        const glm::dvec3 aside(-along.y * std::cos(angle), along.x * std::cos(angle), std::sin(angle));
-        const glm::dmat3 scale = randomRotation(random) * (std::pow(octaveRatio, i) / largest);
+        const glm::dvec3 aside(-along.y * math::cos(angle), along.x * math::cos(angle), math::sin(angle));
+        const glm::dmat3 scale = randomRotation(random) * (math::pow(octaveRatio, i) / largest);
         if (isIsotropic) {
             octave.toCells = octave.passing = scale;
         } else {
@@ -172,8 +173,8 @@ GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dvec3& a
             octave.passing = scale * glm::outerProduct((along + slant * aside) / shorter, along);
         }
         octave.offset = {side * random.uniform(), side * random.uniform(), side * random.uniform()};
-        octave.amplitude = static_cast<float>(std::pow(octaveRatio, -1.0 / 3.0 * i) /
-                                              std::sqrt(variance * std::pow(smoothVariance, 3)));
+        octave.amplitude = static_cast<float>(math::pow(octaveRatio, -1.0 / 3.0 * i) /
+                                              std::sqrt(variance * math::pow(smoothVariance, 3)));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GustyWind.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/HorizontalWind.h>
 #include <osgTreeWind/wind/WindKeys.h>
@@ -17,7 +18,7 @@ namespace {
 
 /// The terrain where the wind has this intensity: 1 / ln(z / z0) (EN 1991-1-4). Above 0 for any intensity.
 LogProfile terrainOf(double intensity) {
-    return {10.0, 10.0 * std::exp(-1.0 / std::max(intensity, 0.01))};
+    return {10.0, 10.0 * math::exp(-1.0 / std::max(intensity, 0.01))};
 }
 
 /// Height below which the intensity is constant: 1, 2, 5 and 10 m for a roughness of 0.01, 0.05, 0.3 and 1 m
@@ -35,7 +36,7 @@ GustyWind::GustyWind(WindFieldPtr mean, WindFieldPtr turbulence, const WindGusts
     const LogProfile terrain = profile.value_or(terrainOf(gusts.intensity));
     _roughness = terrain.roughness;
     _lowest = lowestHeight(terrain);
-    _timesLog = gusts.intensity * std::log(terrain.height / terrain.roughness);
+    _timesLog = gusts.intensity * math::log(terrain.height / terrain.roughness);
     _travel = hourlyMean(*_mean, static_cast<float>(terrain.height));
     _along = HorizontalWind(_travel).along;
     _noise.emplace(gusts.seed, gusts.lengthScale, _along,
@@ -60,7 +61,7 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
             const float height = places[first + n].height;
             if (n == 0 || height != places[first + n - 1].height)
                 intensity = static_cast<float>(
-                    _timesLog / std::log(std::max(_lowest, static_cast<double>(height)) / _roughness));
+                    _timesLog / math::log(std::max(_lowest, static_cast<double>(height)) / _roughness));
             glm::vec3& wind = out[first + n];
             if (wind != given) {
                 given = wind;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/LogProfile.h>
 
-#include <algorithm>
+#include <osgTreeWind/wind/LogFactor.h>
+
 #include <cmath>
-#include <limits>
 
 namespace osgTreeWind {
 
@@ -12,10 +12,7 @@ bool LogProfile::valid() const {
 }
 
 double LogProfile::factor(double z) const {
-    if (!(z > roughness))
-        return 0.0;
-    const double ratio = std::min(z / roughness, std::numeric_limits<double>::max());
-    return std::log(ratio) / std::log(height / roughness);
+    return LogFactor(*this)(z);
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/SlowGusts.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 
@@ -26,8 +27,8 @@ constexpr float step = 32.0f; // places are rounded to it, metres; the speed dif
 
 /// From metres to the lattice of an octave; lattices are turned against each other to hide their axes.
 glm::dmat2 toLattice(int octave) {
-    const double turn = 0.4 + octave, cells = std::pow(2.0, octave) / largestCell;
-    return cells * glm::dmat2(std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn));
+    const double turn = 0.4 + octave, cells = math::pow(2.0, octave) / largestCell;
+    return cells * glm::dmat2(math::cos(turn), math::sin(turn), -math::sin(turn), math::cos(turn));
 }
 
 /// 0 for a place that no forest reaches.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/SourceFlow.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/wind/BlastWave.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
@@ -35,7 +36,7 @@ double inducedSpeed(const WindSource& rotor, double crosswind = 0.0) {
     const double calm2 =
         rotor.thrust / (2.0 * standardDensity * glm::pi<double>() * rotor.radius * rotor.radius);
     const double half = 0.5 * crosswind * crosswind;
-    return calm2 > 0.0 ? calm2 / std::sqrt(half + std::hypot(half, calm2)) : 0.0;
+    return calm2 > 0.0 ? calm2 / std::sqrt(half + glm::length(glm::dvec2(half, calm2))) : 0.0;
 }
 
 /// Horizontal drift of the column at a depth below its rotor, for a crosswind as fast as the induced
@@ -43,7 +44,7 @@ double inducedSpeed(const WindSource& rotor, double crosswind = 0.0) {
 double columnDrift(double depth, double radius) {
     if (!(depth > 0.0))
         return 0.0;
-    const double q = depth / radius, h = std::hypot(q, 1.0);
+    const double q = depth / radius, h = glm::length(glm::dvec2(q, 1.0));
     // q - (h^3 - 1 - q^3) / 3, without cancellation
     return radius * (q - ((h * h + h * q + q * q) / (h + q) - 1.0) / 3.0);
 }
@@ -57,7 +58,8 @@ double axisSpeedRatio(double x) {
 /// @param r distance from the axis over the radius of the mouth.
 double topHat(double r) {
     constexpr double width = 1.0957; // the square over the area of 1 / (1 + q^8) is 0.8330
-    return 1.0 / (1.0 + std::pow(std::min(r / width, 1e3), 8.0));
+    const double q = std::min(r / width, 1e3), q2 = q * q, q4 = q2 * q2;
+    return 1.0 / (1.0 + q4 * q4);
 }
 
 /// 1 below `height`, 0 above 1.2 `height`.
@@ -76,7 +78,7 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedKeys(source)) 
     _source.radius = std::max(_source.radius, minSize);
     _source.height = std::max(_source.height, minSize);
     const double toward = static_cast<double>(_source.toward), up = static_cast<double>(_source.elevation);
-    _axis = {std::sin(toward) * std::cos(up), std::cos(toward) * std::cos(up), std::sin(up)};
+    _axis = {math::sin(toward) * math::cos(up), math::cos(toward) * math::cos(up), math::sin(up)};
     if (_source.kind == WindSource::Kind::Vehicle) {
         const double speed = glm::length(glm::dvec2(_source.velocity));
         _axis = speed > 0.0 ? glm::dvec3(glm::dvec2(_source.velocity) / speed, 0.0) : glm::dvec3(0.0);
@@ -99,10 +101,10 @@ double SourceFlow::computeWakeReach() const {
     const double speed = glm::dot(_source.velocity, _axis), pace = speed + headwind;
     if (!(speed > 0.0))
         return _source.length;
-    const double fastest = 0.25 * _source.dragArea * _source.height * std::exp(-0.5) / glm::pi<double>();
-    const double wake = fastest > 0.0
-                            ? std::pow(fastest * pace / minSpeed, 4.0 / 3.0) / (4.0 * eddyViscosity * fastest)
-                            : 0.0;
+    const double fastest = 0.25 * _source.dragArea * _source.height * math::exp(-0.5) / glm::pi<double>();
+    const double wake =
+        fastest > 0.0 ? math::pow(fastest * pace / minSpeed, 4.0 / 3.0) / (4.0 * eddyViscosity * fastest)
+                      : 0.0;
     return _source.length + std::max(wake, measured * _source.height);
 }
 
@@ -110,7 +112,7 @@ double SourceFlow::computeReach() const {
     switch (_source.kind) {
     case WindSource::Kind::Rotor: { // 100 m above the ground; lower rotors do not reach further
         const double wash = 1.32 * std::sqrt(_source.thrust / standardDensity) / 100.0;
-        return 100.0 * std::pow(wash / minSpeed, 1.0 / 1.1) + 10.0 * _source.radius;
+        return 100.0 * math::pow(wash / minSpeed, 1.0 / 1.1) + 10.0 * _source.radius;
     }
     case WindSource::Kind::Jet:
         return 2.0 * _source.radius *
@@ -174,7 +176,7 @@ glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height, const glm:
     const double r = glm::length(glm::dvec2(offset) - air / induced * columnDrift(depth, radius));
 
     // The column: on the axis of a vortex tube it grows from 0 above to twice the induced velocity below.
-    const double wake = induced * (1.0 + depth / std::hypot(depth, radius));
+    const double wake = induced * (1.0 + depth / glm::length(glm::dvec2(depth, radius)));
     const double narrowed = radius * std::sqrt(induced / std::max(wake, 0.05 * induced));
     const double spread = axisSpeedRatio(std::max(depth, 0.0) / (2.0 * narrowed));
     const double down = wake * spread * topHat(r * spread / narrowed) * std::min(height / radius, 1.0);
@@ -184,11 +186,12 @@ glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height, const glm:
     const glm::dvec3 fromFoot(glm::dvec2(offset) - air / induced * columnDrift(hub, radius), 0.0);
     const double along = glm::length(fromFoot);
     const double momentum = std::sqrt(_source.thrust / standardDensity);
-    const double fullFrom = hub * std::pow(1.32 * momentum / (hub * 2.0 * induced), 1.0 / 1.1);
-    const double fastest = along > fullFrom ? 1.32 * momentum / hub * std::pow(along / hub, -1.1)
+    const double fullFrom = hub * math::pow(1.32 * momentum / (hub * 2.0 * induced), 1.0 / 1.1);
+    const double q = std::max(along, fullFrom) / hub, width = math::pow(q, 0.9);
+    const double fastest = along > fullFrom ? 1.32 * momentum / hub * width / (q * q)
                                             : 2.0 * induced * std::min(along / radius, 1.0);
-    const double half = 0.098 * hub * std::pow(std::max(along, fullFrom) / hub, 0.9), eta = height / half;
-    const double profile = 1.48 * std::pow(eta, 1.0 / 7.0) * (1.0 - std::erf(0.68 * eta));
+    const double half = 0.098 * hub * width, eta = height / half;
+    const double profile = 1.48 * math::pow(eta, 1.0 / 7.0) * (1.0 - math::erf(0.68 * eta));
     return {outwardDirection(fromFoot, along) * (fastest * profile), -down};
 }
 
@@ -209,7 +212,7 @@ glm::dvec3 SourceFlow::vortex(const glm::dvec3& offset) const {
     const double r = glm::length(glm::dvec2(offset)), q = r / _source.radius;
     const glm::dvec2 out = outwardDirection(offset, r);
     const double speed =
-        q > 1e-6 ? _source.speed * (1.0 + 0.5 / lambOseen) / q * (1.0 - std::exp(-lambOseen * q * q)) : 0.0;
+        q > 1e-6 ? _source.speed * (1.0 + 0.5 / lambOseen) / q * (1.0 - math::exp(-lambOseen * q * q)) : 0.0;
     return {glm::dvec2(-out.y, out.x) * (speed * fadeAbove(offset.z, _source.height)), 0.0};
 }
 
@@ -225,12 +228,12 @@ glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const gl
     // the drag, applied at half the height, over rho U. The wake is never faster than the vehicle.
     const double moment = 0.5 * _source.dragArea * pace * 0.5 * _source.height;
     const double fastest =
-        moment * std::exp(-0.5) / (glm::pi<double>() * std::max(pace, 1e-9)); // s^3 where it equals `pace`
+        moment * math::exp(-0.5) / (glm::pi<double>() * std::max(pace, 1e-9)); // s^3 where it equals `pace`
     const double behind = -glm::dot(offset, against);
     const double s2 =
-        std::sqrt(std::pow(fastest, 4.0 / 3.0) + 4.0 * eddyViscosity * fastest * std::max(behind, 0.0));
+        std::sqrt(math::pow(fastest, 4.0 / 3.0) + 4.0 * eddyViscosity * fastest * std::max(behind, 0.0));
     const glm::dvec2 aside = glm::dvec2(offset) + behind * glm::dvec2(against);
-    const double follows = s2 > 0.0 ? moment * z * std::exp(-0.5 * (glm::dot(aside, aside) + z * z) / s2) /
+    const double follows = s2 > 0.0 ? moment * z * math::exp(-0.5 * (glm::dot(aside, aside) + z * z) / s2) /
                                           (glm::pi<double>() * s2 * s2)
                                     : 0.0;
     glm::dvec3 velocity = glm::smoothstep(0.0, _source.height, behind) * follows * against;
@@ -242,7 +245,8 @@ glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const gl
             glm::dvec3 from(glm::dvec2(offset), z - side * 0.5 * _source.height);
             if (end > 0.0)
                 from -= _source.length * _axis;
-            velocity += end * speed * inside * from / std::pow(glm::dot(from, from) + inside, 1.5);
+            const double square = glm::dot(from, from) + inside;
+            velocity += end * speed * inside * from / (square * std::sqrt(square));
         }
     return velocity;
 }

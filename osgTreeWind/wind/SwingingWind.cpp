@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/SwingingWind.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ SwingingWind::SwingingWind(float along, const WindSpread& spread, float skewAlon
 }
 
 float SwingingWind::swing() const {
-    return std::sqrt(-2.0f * std::log(cosine));
+    return std::sqrt(-2.0f * math::log(cosine));
 }
 
 } // namespace osgTreeWind

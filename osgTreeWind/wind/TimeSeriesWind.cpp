@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/LogFactor.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
@@ -74,18 +75,21 @@ glm::dvec3 TimeSeriesWind::measured(double time) const {
     return span.mix(glm::dvec3(_series.velocities[span.lower]), glm::dvec3(_series.velocities[span.upper]));
 }
 
-glm::vec3 TimeSeriesWind::atHeight(const glm::dvec3& measured, float height) const {
-    return clampedVelocity(_series.profile ? measured * _series.profile->factor(height) : measured);
-}
-
 glm::vec3 TimeSeriesWind::velocity(const WindPlace& place, double time) const {
-    return atHeight(measured(time), place.height);
+    glm::vec3 result;
+    sample(&place, 1, time, &result);
+    return result;
 }
 
 void TimeSeriesWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const glm::dvec3 now = measured(time);
+    if (!_series.profile) {
+        std::fill_n(out, count, clampedVelocity(now));
+        return;
+    }
+    const LogFactor factor(*_series.profile);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = atHeight(now, places[i].height);
+        out[i] = clampedVelocity(now * factor(places[i].height));
 }
 
 } // namespace osgTreeWind

@@ -50,7 +50,6 @@ private:
     explicit TimeSeriesWind(WindSeries series);
 
     glm::dvec3 measured(double time) const;
-    glm::vec3 atHeight(const glm::dvec3& measured, float height) const;
 
     WindSeries _series;
 };

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/LogFactor.h>
 
 #include <algorithm>
 
@@ -16,13 +17,16 @@ glm::vec3 UniformWind::velocity(const WindPlace& place, double) const {
     return clampedVelocity(glm::dvec3(_velocity) * _profile->factor(static_cast<double>(place.height)));
 }
 
-void UniformWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+void UniformWind::sample(const WindPlace* places, std::size_t count, double, glm::vec3* out) const {
     if (!_profile) {
         std::fill_n(out, count, _velocity);
         return;
     }
+    const LogFactor factor(*_profile);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = i > 0 && places[i].height == places[i - 1].height ? out[i - 1] : velocity(places[i], time);
+        out[i] = i > 0 && places[i].height == places[i - 1].height
+                     ? out[i - 1]
+                     : clampedVelocity(glm::dvec3(_velocity) * factor(places[i].height));
 }
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/places/CrsTransform.h>
 #include <plugins/map/GdalErrors.h>
 
@@ -60,7 +61,7 @@ std::vector<glm::dvec2> directionsOfTrueNorth(const Crs& map, std::vector<glm::d
         glm::dvec2 way = (places[i] - starts[i]) / steps[i];
         if (map.isDegrees())
             way.x = (way.x - 360.0 / steps[i] * std::round(way.x * steps[i] / 360.0)) *
-                    std::cos(glm::radians(points[i].y));
+                    math::cos(glm::radians(points[i].y));
         points[i] = glm::normalize(way);
     }
     return points;
@@ -70,7 +71,7 @@ std::vector<glm::dvec2> directionsOfTrueNorth(const Crs& map, std::vector<glm::d
 std::string rangeOf(const std::vector<glm::dvec2>& norths) {
     double least = 360.0, most = -360.0;
     for (const glm::dvec2& north : norths) {
-        const double degrees = glm::degrees(std::atan2(north.x, north.y));
+        const double degrees = glm::degrees(math::atan2(north.x, north.y));
         least = std::min(least, degrees);
         most = std::max(most, degrees);
     }

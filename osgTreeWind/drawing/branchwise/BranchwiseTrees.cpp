@@ -36,7 +36,7 @@ BranchwiseTrees::BranchwiseTrees(std::shared_ptr<ForestSimulation> simulation)
         const PlacedTree& tree = forest.trees[i];
         osg::ref_ptr<TreeNode> node = new TreeNode(_buffers[tree.model], _styles[tree.species], tree.scale);
         node->setPosition(toOsg(tree.position));
-        node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
+        node->setAttitude(aboutVertical(tree.heading));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
         node->setTreeRandom(Random(tree.seed).uniform());
         node->getPosedTree()->setMotion(_simulation, movingForest(*_simulation).motion(i));

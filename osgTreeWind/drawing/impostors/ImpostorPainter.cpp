@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
@@ -18,7 +19,6 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -157,8 +157,8 @@ private:
         _pictures.height = glm::max(_pictures.height, p.z + reach);
         for (int row = 0; row < _settings.elevations; ++row) {
             glm::vec2& extent = _pictures.extents[static_cast<std::size_t>(row)];
-            const float rise = glm::cos(elevation(row)) * p.z,
-                        shift = glm::sin(elevation(row)) * away + reach;
+            const float rise = math::cos(elevation(row)) * p.z,
+                        shift = math::sin(elevation(row)) * away + reach;
             extent = {glm::min(extent.x, rise - shift), glm::max(extent.y, rise + shift)};
         }
     }
@@ -272,7 +272,8 @@ private:
 } // namespace
 
 int ImpostorPictures::levels() const {
-    return static_cast<int>(std::log2(pixels)) - 2; // down to 8 pixels, with a margin of half a pixel
+    constexpr int least = 2; // down to 8 pixels, with a margin of half a pixel
+    return static_cast<int>(math::log2(static_cast<double>(pixels))) - least;
 }
 
 ImpostorPictures paintImpostor(const TreeModel& model, const Appearance& appearance,

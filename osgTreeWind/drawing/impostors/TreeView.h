@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
@@ -12,10 +14,10 @@ struct TreeView {
     glm::vec3 right, up, toEye;
 
     TreeView(float azimuth, float elevation) {
-        const glm::vec3 level{glm::cos(azimuth), glm::sin(azimuth), 0.0f}, vertical{0.0f, 0.0f, 1.0f};
+        const glm::vec3 level{math::cos(azimuth), math::sin(azimuth), 0.0f}, vertical{0.0f, 0.0f, 1.0f};
         right = {-level.y, level.x, 0.0f};
-        up = vertical * glm::cos(elevation) - level * glm::sin(elevation);
-        toEye = level * glm::cos(elevation) + vertical * glm::sin(elevation);
+        up = vertical * math::cos(elevation) - level * math::sin(elevation);
+        toEye = level * math::cos(elevation) + vertical * math::sin(elevation);
     }
     glm::vec3 operator()(const glm::vec3& p) const {
         return {glm::dot(p, right), glm::dot(p, up), glm::dot(p, toEye)};

@@ -57,8 +57,8 @@ void FollowedBranches::updateBranches(const ForestSimulation& simulation, TreeId
     const std::size_t slot = slotOfTree(tree);
     const PlacedTree& placed = movingForest(simulation).trees()[slot];
     const std::vector<BranchUnit>& units = movingForest(simulation).placed().modelOf(placed).skeleton.units;
-    const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
-                                 osg::Matrix::translate(toOsg(placed.position));
+    const osg::Matrix toForest =
+        osg::Matrix::rotate(aboutVertical(placed.heading)) * osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {
         if (unit >= units.size()) // the changed tree has fewer branches
             continue;

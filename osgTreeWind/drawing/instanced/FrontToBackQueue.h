@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/instanced/OcclusionBuffer.h>
 
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -77,7 +77,7 @@ private:
 
     /// 0.5 m deep at the eye, 3 m at 60 m.
     static std::size_t binOf(float distance) {
-        const float bin = 16.0f * std::log2(1.0f + std::max(distance, 0.0f) / 12.0f);
+        const float bin = 23.083121f * math::log(1.0f + std::max(distance, 0.0f) / 12.0f);
         return static_cast<std::size_t>(std::min(bin, float(std::tuple_size_v<decltype(_bins)> - 1)));
     }
 

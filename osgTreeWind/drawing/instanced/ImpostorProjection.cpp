@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/ImpostorProjection.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <osg/Math>
 
 #include <algorithm>
@@ -49,18 +51,18 @@ OcclusionBuffer::Billboard ImpostorProjection::project(const PlacedTree& tree, c
     const float height = pictures.height * tree.scale.axes.z,
                 reach = pictures.halfWidth * tree.scale.axes.x + glm::length(lean);
     const osg::Vec3 away = _eye - foot;
-    if (_parallelDirection.length2() == 0.0f && std::hypot(away.x(), away.y()) < reach &&
+    if (_parallelDirection.length2() == 0.0f && math::hypot(away.x(), away.y()) < reach &&
         away.z() < 1.2f * height)
         return {};
     osg::Vec3 toEye = towardEye(foot + osg::Vec3(0.0f, 0.0f, 0.5f * height));
     toEye.z() = std::max(toEye.z(), 0.0f); // there are no impostors as seen from below
     toEye.normalize();
-    const float level = std::hypot(toEye.x(), toEye.y());
+    const float level = math::hypot(toEye.x(), toEye.y());
     const osg::Vec2 ahead = level > 1.0e-4f ? osg::Vec2(toEye.x(), toEye.y()) / level : osg::Vec2(1.0f, 0.0f);
     const float across = tree.scale.axes.x * toEye.z(), upward = tree.scale.axes.z * level;
     const auto rows = static_cast<float>(pictures.elevations - 1);
-    const int row = static_cast<int>(std::lround(std::atan2(across, upward) / osg::PI_2f * rows));
-    const glm::vec2 extent = pictures.extents[static_cast<std::size_t>(row)] * std::hypot(across, upward);
+    const int row = static_cast<int>(std::lround(math::atan2(across, upward) / osg::PI_2f * rows));
+    const glm::vec2 extent = pictures.extents[static_cast<std::size_t>(row)] * math::hypot(across, upward);
 
     const osg::Vec3 up(-ahead.x() * toEye.z(), -ahead.y() * toEye.z(), level),
         side(-ahead.y() * tree.scale.axes.x * pictures.halfWidth,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedCull.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/instanced/PlacedParts.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
@@ -86,7 +87,7 @@ void InstancedCull::cullCell(const CullLists::VisibleCell& seen) {
         if (seen.side == ViewFrustum::Across) {
             const glm::vec2 lean = modal().lean(tree.slot);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
-            const float reach = isDown ? std::hypot(tree.reach, tree.height) : tree.reach;
+            const float reach = isDown ? math::hypot(tree.reach, tree.height) : tree.reach;
             if (!view.intersects(tree.foot, top, reach + sway))
                 continue;
         }
@@ -149,7 +150,7 @@ void InstancedCull::addInstance(const FrontToBackQueue::Tree& seen, Tier tier, f
                                                         scene.resources.looks[tree.species].foliage);
     const float brightness = std::min(model.meshes().leafBrightness[static_cast<int>(tier)], 7.9f);
     const TreeInstance instance{
-        {tree.position.x, tree.position.y, tree.position.z, std::tan(0.5f * tree.heading)},
+        {tree.position.x, tree.position.y, tree.position.z, math::tan(0.5f * tree.heading)},
         {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
         {static_cast<float>(pose.block), fade, treeRandom(tree.seed), tree.leaves},
         {light.atFoot, light.atTop, 1.0f / std::max(scene.cells.tree(seen.slot).height, 1e-3f),
@@ -168,7 +169,7 @@ void InstancedCull::addImpostor(const FrontToBackQueue::Tree& seen, float fade) 
     const glm::vec2 lean = modal().lean(seen.slot);
     const TreeFall* fall = modal().fall(seen.slot);
     const glm::vec3 down =
-        fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
+        fall ? rotateAboutZ({fall->trunkTurn(), 0.0f}, math::sin(tree.heading), math::cos(tree.heading))
              : glm::vec3(0.0f);
     const NeighbourShade::Light light = scene.shade.light(seen.slot);
     const bool small = seen.pixels < ImpostorStrip::bendingPixels;

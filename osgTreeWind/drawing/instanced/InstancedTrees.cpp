@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/instanced/TreePicking.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -11,7 +12,6 @@
 #include <osgUtil/IntersectionVisitor>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace osgTreeWind {
@@ -82,7 +82,7 @@ osg::BoundingBox InstancedTrees::computeBoundingBox() const {
         if (!tree.alive)
             continue;
         const std::array<float, 5> reach = _scene.forest.placed().modelOf(tree).extents.reach(tree.scale);
-        const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+        const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
         for (const float x : {-reach[1], reach[0]})
             for (const float y : {-reach[3], reach[2]})
                 for (const float z : {0.0f, reach[4]})

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/MeshParts.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -30,7 +30,7 @@ struct Box {
 void setBounds(MeshPart& part, const Box& box, float treeHeight) {
     part.centre = 0.5f * (box.low + box.high);
     part.halfExtent = 0.5f * (box.high - box.low);
-    part.rise = std::pow(glm::clamp(part.centre.z / treeHeight, 0.0f, 1.0f), leanPower);
+    part.rise = math::pow(glm::clamp(part.centre.z / treeHeight, 0.0f, 1.0f), leanPower);
 }
 
 void split(const std::vector<glm::vec3>& places, std::size_t most, std::size_t first, std::size_t end,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/NeighbourShade.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -82,7 +83,7 @@ float NeighbourShade::lightAt(std::uint32_t slot, float height) const {
         const float distance2 = glm::dot(aside, aside) + above * above, radius = crown.radius * crown.radius;
         depth += crown.density * std::min(radius * above * above / (distance2 * distance2), 1.0f);
     });
-    return std::exp(-crownDepth * depth);
+    return math::exp(-crownDepth * depth);
 }
 
 void NeighbourShade::update() {

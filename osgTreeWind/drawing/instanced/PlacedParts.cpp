@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/PlacedParts.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 
 #include <glm/common.hpp>
@@ -14,7 +15,7 @@ PlacedParts::PlacedParts(const ViewFrustum& view, const ImpostorProjection& proj
                          const PlacedTree& tree, const glm::vec2& lean, float height)
     : _projection(projection), _foot(tree.position), _lean(lean, 0.0f), _axes(tree.scale.axes) {
     const glm::vec3& axes = _axes;
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     _toForest = glm::mat3(axes.x * glm::vec3(cosine, sine, 0.0f), axes.y * glm::vec3(-sine, cosine, 0.0f),
                           glm::vec3(0.0f, 0.0f, axes.z));
     const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.02f * height;
@@ -74,7 +75,7 @@ bool PlacedParts::project(const MeshPart& part, float cover, OcclusionBuffer::Re
     const osg::Vec2 core = place.coreHigh - place.coreLow;
     const float area = core.x() * core.y();
     place.coverage =
-        area > 0.0f ? 1.0f - std::exp(-cover * part.area * _squareMetre * perW * perW / area) : 0.0f;
+        area > 0.0f ? 1.0f - math::exp(-cover * part.area * _squareMetre * perW * perW / area) : 0.0f;
     return true;
 }
 

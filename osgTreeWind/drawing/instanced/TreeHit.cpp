@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/TreeHit.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -23,7 +24,7 @@ TreeHit::TreeHit(const ForestSimulation& simulation, TreeId hit) {
     const TreeModel& model = forest.placed().modelOf(tree);
     UnitValues values;
     const TreeMotion motion = forest.motion(slot, values);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     const auto add = [&](const glm::vec3& point) {
         _vertices.push_back(toOsg(rotateAboutZ(point, sine, cosine) + tree.position));
     };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <algorithm>
 
 namespace osgTreeWind {
 
 TreeTiers::TreeTiers(const DrawingOptions& drawing) : _enabled(drawing.tiers) {
-    const float step = std::cbrt(drawing.reduced / std::max(drawing.full, 1.0e-6f));
+    const float step = math::cbrt(drawing.reduced / std::max(drawing.full, 1.0e-6f));
     const float heights[branchTiers] = {4.0f * drawing.full,        drawing.full,    drawing.full * step,
                                         drawing.full * step * step, drawing.reduced, drawing.impostor};
     for (int tier = 0; tier < branchTiers; ++tier) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 
@@ -92,7 +93,7 @@ float fissures(const glm::vec2& at, float count) {
     const float place = count * at.x + 1.2f * noise(at, {5, 6}, 33) + 0.3f * noise(at, {24, 30}, 34);
     return 1.0f -
            glm::smoothstep(0.0f, 0.12f,
-                           glm::abs(glm::sin(glm::pi<float>() * place)) + 0.4f * noise(at, {5, 9}, 35));
+                           glm::abs(math::sin(glm::pi<float>() * place)) + 0.4f * noise(at, {5, 9}, 35));
 }
 
 /// Small dots, of cork pores. @param grid number of cells, of which a third has a dot.
@@ -109,7 +110,7 @@ float lenticels(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
 glm::vec4 furrowedBark(const glm::vec2& at, float grain) {
     const float wander =
         1.7f * noise(at, {4, 4}, 3) + 0.9f * noise(at, {11, 9}, 4) + 0.3f * noise(at, {30, 40}, 7);
-    const float ridge = glm::abs(glm::sin(glm::pi<float>() * (11.0f * at.x + wander)));
+    const float ridge = glm::abs(math::sin(glm::pi<float>() * (11.0f * at.x + wander)));
     const float joint = 5.0f * glm::abs(noise(sidewaysWarped(at), {12, 7}, 5) - 0.5f);
     const float crack = glm::smoothstep(0.0f, 0.12f, glm::abs(noise(sidewaysWarped(at), {16, 34}, 9) - 0.5f));
     const float fibre = noise(at, {90, 40}, 8) - 0.5f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BoughCard.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/Parallelogram.h>
 
@@ -52,9 +53,9 @@ std::vector<SprayPlace> scatteredPlaces(std::size_t sprays, int rows, int enlarg
             (glm::vec2(i % rows, i / rows) + 0.5f + 0.5f * jitter) / static_cast<float>(rows);
         const glm::vec2 middle = glm::clamp(place, edge, 1.0f - edge);
         const glm::vec2 away = glm::normalize(middle - glm::vec2(0.5f, -0.4f));
-        const float lean = std::atan2(away.x, away.y) + 1.3f * random.symmetric();
+        const float lean = math::atan2(away.x, away.y) + 1.3f * random.symmetric();
         places.push_back({middle,
-                          {glm::sin(lean), glm::cos(lean)},
+                          {math::sin(lean), math::cos(lean)},
                           static_cast<std::size_t>(random.next() % sprays),
                           random.uniform() < 0.5f ? -1.0f : 1.0f});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/SprayCoverage.h>
@@ -31,7 +32,7 @@ struct Habit {
 
 /// @param lean clockwise from upright, radians.
 glm::vec2 direction(float lean) {
-    return {glm::sin(lean), glm::cos(lean)};
+    return {math::sin(lean), math::cos(lean)};
 }
 
 struct Shoot {
@@ -65,7 +66,7 @@ constexpr Habit habits[] = {
 /// Whether a point is inside a rounded square, which hides the shape of the card.
 bool isOnCard(const glm::vec2& p) {
     const glm::vec2 off = glm::abs(p - 0.5f) / 0.495f;
-    return std::pow(off.x, 5.0f) + std::pow(off.y, 5.0f) < 1.0f;
+    return math::pow(off.x, 5.0f) + math::pow(off.y, 5.0f) < 1.0f;
 }
 
 /// A leaf of one or more blades.
@@ -197,14 +198,14 @@ private:
         if (_form == LeafForm::Combed)
             around = 0.35f * around + (_random.uniform() < 0.5f ? glm::pi<float>() : 0.0f);
         lean *= 1.0f + 0.25f * _random.symmetric();
-        const float aside = glm::sin(lean) * glm::cos(around), front = glm::sin(lean) * glm::sin(around);
-        const float own = shoot + std::atan2(aside, glm::cos(lean));
+        const float aside = math::sin(lean) * math::cos(around), front = math::sin(lean) * math::sin(around);
+        const float own = shoot + math::atan2(aside, math::cos(lean));
         const float length = _habit.length * (0.8f + 0.35f * _random.uniform());
         if (!fits(foot, own, length))
             return;
         _hue = 0.5f + 0.3f * _random.symmetric();
         _brightness = 0.62f + 0.24f * front + 0.1f * _random.symmetric();
-        _tilt = glm::asin(glm::clamp(glm::abs(front), 0.0f, 0.98f));
+        _tilt = math::asin(glm::clamp(glm::abs(front), 0.0f, 0.98f));
         _toward = own;
         _leaves.push_back({_blades.size(), _blades.size() + 1, _random.uniform()});
         addBlade(foot, own, length);
@@ -233,7 +234,7 @@ private:
         _tilt = _habit.tilt * _random.uniform();
         _toward = glm::pi<float>() * _random.symmetric();
         _brightness =
-            (0.55f + 0.37f * _random.uniform()) * (1.0f + 0.25f * glm::sin(_tilt) * glm::cos(_toward));
+            (0.55f + 0.37f * _random.uniform()) * (1.0f + 0.25f * math::sin(_tilt) * math::cos(_toward));
     }
 
     void addBlades(const glm::vec2& foot, const glm::vec2& place, float lean, float length) {

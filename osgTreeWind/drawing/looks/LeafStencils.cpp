@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
-#include <cmath>
 #include <string>
 
 namespace osgTreeWind {
@@ -42,7 +42,7 @@ float threshold(int cell) {
 
 LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& card)
     : _texels(static_cast<int>(card.size * static_cast<float>(texture.s()))) {
-    const auto mipmaps = static_cast<unsigned>(std::log2(_texels)) + 1;
+    const auto mipmaps = static_cast<unsigned>(math::log2(static_cast<double>(_texels))) + 1;
     _levels.resize(mipmaps);
     for (std::size_t i = 0; i < _levels.size(); ++i) {
         for (int cell = 0; cell < cells * cells; ++cell) {
@@ -61,7 +61,7 @@ std::size_t LeafStencils::chooseLevel(const glm::vec3& across, const glm::vec3& 
     const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
                                   glm::max(glm::abs(along.x), glm::abs(along.y)));
     const float share = pixel * widest / glm::max(area, 1e-9f); // of the card's width in one pixel
-    const float level = std::log2(share * static_cast<float>(_texels)) + 0.5f;
+    const float level = math::log2(share * static_cast<float>(_texels)) + 0.5f;
     const auto last = static_cast<float>(_levels.size() - 1);
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
@@ -37,9 +38,9 @@ public:
     /// @param needle whether it is a needle, whose tip is brighter: its foot is in the shade of others.
     void addLeaf(const LeafOutline& outline, const LeafBlade& blade, bool needle) {
         const glm::vec2 shade = needle ? glm::vec2(0.55f, 0.65f) : glm::vec2(0.84f, 0.24f);
-        const glm::vec2 along{glm::sin(blade.lean), glm::cos(blade.lean)}, side{along.y, -along.x};
-        const glm::vec2 toward{glm::sin(blade.toward), glm::cos(blade.toward)};
-        const float unfolded = 1.0f / glm::cos(blade.tilt) - 1.0f;
+        const glm::vec2 along{math::sin(blade.lean), math::cos(blade.lean)}, side{along.y, -along.x};
+        const glm::vec2 toward{math::sin(blade.toward), math::cos(blade.toward)};
+        const float unfolded = 1.0f / math::cos(blade.tilt) - 1.0f;
         for (const SprayRaster::Span& span : _raster.spans(blade.polygon(outline))) {
             const int count = span.end - span.first;
             std::uint8_t* brightness = SprayRaster::at(_brightness, span);

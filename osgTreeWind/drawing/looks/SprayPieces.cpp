@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SprayPieces.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace osgTreeWind {
 
 glm::vec3 LeafBlade::point(const glm::vec2& outline) const {
-    const glm::vec2 along{glm::sin(lean), glm::cos(lean)}, side{along.y, -along.x};
-    const glm::vec2 way{glm::sin(toward), glm::cos(toward)};
+    const glm::vec2 along{math::sin(lean), math::cos(lean)}, side{along.y, -along.x};
+    const glm::vec2 way{math::sin(toward), math::cos(toward)};
     const glm::vec2 flat = length * (outline.x * side + outline.y * along);
     const float reach = glm::dot(flat, way);
-    return {foot + flat + (glm::cos(tilt) - 1.0f) * reach * way, glm::sin(tilt) * reach};
+    return {foot + flat + (math::cos(tilt) - 1.0f) * reach * way, math::sin(tilt) * reach};
 }
 
 std::vector<glm::vec2> LeafBlade::polygon(const LeafOutline& outline) const {

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Luminance.h>
 #include <osgTreeWind/base/MemoryLimit.h>
+#include <osgTreeWind/base/Srgb.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/PictureSize.h>
@@ -12,7 +13,6 @@
 #include <osgDB/ReadFile>
 
 #include <glm/common.hpp>
-#include <glm/gtc/color_space.hpp>
 #include <glm/vec3.hpp>
 
 namespace osgTreeWind {
@@ -36,7 +36,7 @@ glm::vec4 pixelOf(const osg::Image& image, int x, int y, int width, int height) 
         const int s = (samples * x + i % samples) * image.s() / (samples * width),
                   t = (samples * y + i / samples) * image.t() / (samples * height);
         const osg::Vec4 c = image.getColor(static_cast<unsigned>(s), static_cast<unsigned>(t));
-        color += c.a() * glm::convertSRGBToLinear(glm::vec3(c.r(), c.g(), c.b()));
+        color += c.a() * glm::vec3(linearOfSrgb(c.r()), linearOfSrgb(c.g()), linearOfSrgb(c.b()));
         alpha += c.a();
     }
     return {alpha > 0.0f ? color / alpha : glm::vec3(0.0f), alpha / (samples * samples)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/branchwise/ThesisParameters.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
@@ -8,7 +9,6 @@
 #include <osgTreeWind/motion/laws/UnitPose.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -18,7 +18,7 @@ BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
       _states(forest.units), _leafStates(leaves ? forest.leaves : 0), _rotations(forest.units),
       _poses(forest.units) {
     for (const PlacedTree& tree : _forest.trees) {
-        const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+        const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
         for (const BranchUnit& unit : _forest.modelOf(tree).skeleton.units) {
             _windPlaces.emplace_back(tree.position + rotateAboutZ(tree.scale.axes * unit.base, sine, cosine),
                                      tree.position.z);
@@ -46,7 +46,7 @@ void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
     else
         std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
     for (const PlacedTree& tree : _forest.trees) {
-        const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+        const float sine = math::sin(-tree.heading), cosine = math::cos(-tree.heading);
         for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitCount(tree); ++i)
             _windTexels[i] = glm::vec4(rotateAboutZ(_winds[i], sine, cosine), 0.0f);
     }

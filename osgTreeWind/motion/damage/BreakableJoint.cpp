@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/BreakableJoint.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
@@ -8,7 +9,6 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -44,7 +44,7 @@ std::vector<BranchLoad> branchLoadsOf(const PlacedForest& forest, std::size_t sl
     const std::vector<UnitLoad> loads = makeUnitLoads(*form.model, form.scale, *form.species, form.leaves);
     const ModalMotion::PoseVector vector = motion.poseVector(slot);
     const std::vector<UnitPose> poses = modalPoses(forest, slot, motion, vector);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     const double gain = exaggerationOf(forest);
     std::vector<BranchLoad> result(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/FallingTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
@@ -35,7 +36,7 @@ std::vector<std::size_t> findDescendants(const std::vector<BranchUnit>& units, s
 double crownSupportAngle(const TreeForm& tree, double length) {
     const std::array<float, 5> reach = tree.model->extents.reach(tree.scale);
     const double width = 0.25 * static_cast<double>(reach[0] + reach[1] + reach[2] + reach[3]);
-    return std::clamp(std::atan(supportShare * width / (0.6 * length)), 0.0, 0.5);
+    return std::clamp(math::atan(supportShare * width / (0.6 * length)), 0.0, 0.5);
 }
 
 } // namespace
@@ -67,11 +68,11 @@ FallingTree::FallingTree(const TreeForm& tree, unsigned unit, double moment, dou
     _push = moment / inertia;
     _drag = drag / inertia;
     if (units[unit].level == 0) { // a hinge above the ground lets the top swing below the hinge's level
-        _rest = glm::half_pi<double>() + std::asin(std::min(hinge.z / reach, 0.5)) -
+        _rest = glm::half_pi<double>() + math::asin(std::min(hinge.z / reach, 0.5)) -
                 crownSupportAngle(tree, reach);
         return;
     }
-    _lean += std::acos(std::clamp(direction.z, -1.0, 1.0));
+    _lean += math::acos(std::clamp(direction.z, -1.0, 1.0));
     _rest = std::max(hangingAngle - _lean, 0.0);
     const glm::dvec2 level(-direction.y, direction.x);
     if (glm::length(level) > 0.0)
@@ -79,15 +80,15 @@ FallingTree::FallingTree(const TreeForm& tree, unsigned unit, double moment, dou
 }
 
 double FallingTree::swayShare() const {
-    return isAtRest() ? 0.0 : std::cos(glm::half_pi<double>() * _angle / _rest);
+    return isAtRest() ? 0.0 : math::cos(glm::half_pi<double>() * _angle / _rest);
 }
 
 void FallingTree::step(double seconds) {
     const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longestStep)));
     const double step = seconds / steps;
     for (int i = 0; i < steps && !isAtRest(); ++i) {
-        const double upright = std::max(std::cos(_angle), 0.0);
-        const double pull = _push * upright * upright + _weight * std::sin(_angle + _lean);
+        const double upright = std::max(math::cos(_angle), 0.0);
+        const double pull = _push * upright * upright + _weight * math::sin(_angle + _lean);
         // Implicit drag, or a light crown would oscillate.
         _speed = (_speed + pull * step) / (1.0 + _drag * std::abs(_speed) * step);
         _angle = std::min(_angle + _speed * step, _rest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/FootLoad.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/damage/BreakableJoint.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
@@ -10,7 +11,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -55,14 +55,14 @@ TreeSway swayOf(const PlacedForest& forest, std::size_t slot, const ModalMotion&
     const Skeleton& skeleton = forest.modelOf(tree).skeleton;
     const std::size_t topUnit = highestUnit(skeleton);
     const glm::vec3 top = tree.scale.axes * skeleton.units[topUnit].tip, shifted = now[topUnit].apply(top);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     const auto inForest = [&](const glm::vec2& own) {
         return glm::vec2(rotateAboutZ(glm::vec3(own, 0.0f), sine, cosine));
     };
     TreeSway sway;
     sway.displacement = inForest(glm::vec2(shifted - top));
     sway.velocity = inForest(glm::vec2(next[topUnit].apply(top) - shifted) / instant);
-    sway.lean = std::atan2(glm::length(glm::cross(top, shifted)), glm::dot(top, shifted));
+    sway.lean = math::atan2(glm::length(glm::cross(top, shifted)), glm::dot(top, shifted));
     const double gain = exaggerationOf(forest);
     sway.weightMoment = glm::dvec2(inForest(glm::vec2(load.weightMoment(now)))) / gain;
     sway.windMoment =

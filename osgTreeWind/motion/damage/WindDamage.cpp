@@ -2,13 +2,13 @@
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
 #include <osgTreeWind/base/Jobs.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 #include <osgTreeWind/species/Season.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -39,8 +39,8 @@ glm::vec3 meanWind(const ModalMotion& sway, std::size_t slot, const PlacedTree& 
     const std::size_t patches = sway.model(slot).patches.size();
     for (std::size_t patch = 0; patch < patches; ++patch)
         sum += winds[patch];
-    return rotateAboutZ(sum / static_cast<float>(std::max<std::size_t>(patches, 1)), std::sin(tree.heading),
-                        std::cos(tree.heading));
+    return rotateAboutZ(sum / static_cast<float>(std::max<std::size_t>(patches, 1)), math::sin(tree.heading),
+                        math::cos(tree.heading));
 }
 
 } // namespace
@@ -170,11 +170,11 @@ void WindDamage::breakOff(const PlacedForest& forest, ModalMotion& sway, std::si
     const glm::vec2 lean = sway.lean(slot);
     const float length = glm::length(lean);
     const glm::vec2 direction = length > 0.0f ? lean / length : glm::vec2(1.0f, 0.0f);
-    const double angle = std::atan(static_cast<double>(length / std::max(forest.sizeOf(tree).height, 0.1f)));
+    const double angle = math::atan(static_cast<double>(length / std::max(forest.sizeOf(tree).height, 0.1f)));
     FallingTree body(makeModalTree(forest, tree).form, joint.base.unit, static_cast<double>(joint.base.limit),
                      isBough ? 0.0 : angle);
     const glm::vec2 leeward(
-        rotateAboutZ({-direction.y, direction.x, 0.0f}, -std::sin(tree.heading), std::cos(tree.heading)));
+        rotateAboutZ({-direction.y, direction.x, 0.0f}, -math::sin(tree.heading), math::cos(tree.heading)));
     TreeFall fall = sway.fall(slot) ? *sway.fall(slot) : TreeFall();
     fall.parts[fall.count].unit = joint.base.unit;
     fall.isDown = !isBough;

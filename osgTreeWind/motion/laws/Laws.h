@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -21,6 +23,12 @@ struct Laws {
     using real = float;
     static real every(float x) { return x; }
     static real halvings(real n) { return intBitsToFloat((127 - int(n)) << 23); }
+    static float sin(float angle) { return math::sin(angle); }
+    static float cos(float angle) { return math::cos(angle); }
+    static vec4 pow(const vec4& base, const vec4& exponent) {
+        return {math::pow(base.x, exponent.x), math::pow(base.y, exponent.y), math::pow(base.z, exponent.z),
+                math::pow(base.w, exponent.w)};
+    }
 
 #include <shaders/law/limits.glsl>
 

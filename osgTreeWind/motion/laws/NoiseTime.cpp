@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/forest/ForestKeys.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
@@ -29,8 +30,8 @@ NoiseTime NoiseTime::at(double time, float frequency, std::optional<float> expon
     if (!exponent || !std::isfinite(*exponent))
         return split(periods);
     NoiseTime now = split(periods * static_cast<double>(Laws().slowestOctave()));
-    now.gain = std::exp2(0.5f * (1.0f - std::clamp(*exponent, static_cast<float>(noiseExponents.min),
-                                                   static_cast<float>(noiseExponents.max))));
+    now.gain = math::pow(2.0f, 0.5f * (1.0f - std::clamp(*exponent, static_cast<float>(noiseExponents.min),
+                                                         static_cast<float>(noiseExponents.max))));
     return now;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/species/SpeciesKeys.h>
-
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -14,7 +13,7 @@ Reconfiguration::Reconfiguration(const Species& species) {
     streamlining = wood.streamlining;
     breezeStreamlining = wood.breezeStreamlining;
     streamlinedTo = wood.streamlinedTo;
-    maxPull = std::tan(clampedKeys(species.leaf).maxDownwind);
+    maxPull = math::tan(clampedKeys(species.leaf).maxDownwind);
 }
 
 glm::vec4 Reconfiguration::pull(const glm::vec3& wind) const {

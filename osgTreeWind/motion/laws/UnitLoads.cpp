@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
@@ -149,10 +150,10 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
     const auto diameter = static_cast<float>(breastDiameter(model, scale));
     const float height = scale.axes.z * model.skeleton.height();
-    const double modulus =
-        std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
+    const double modulus = math::pow(static_cast<double>(wood.underBark), 4.0) *
+                           stemModulus(wood, height / std::max(diameter, 1.0e-6f));
     const float area = leafArea(model, scale, species, share);
-    const float crown = isCrownMeasured ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) *
+    const float crown = isCrownMeasured ? share * wood.crownDrag * math::pow(10.0f, -wood.streamlining) *
                                               crownOutline(model, scale)
                                         : wood.leafDrag * area;
     std::vector<UnitLoad> loads(units.size());

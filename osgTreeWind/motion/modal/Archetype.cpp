@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/Archetype.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
@@ -52,13 +53,13 @@ SizePowers growthOf(const TreeForm& tree, float leaves) {
     const double diameter = std::max(breastDiameter(*tree.model, tree.scale), 1.0e-6);
     const glm::vec3& axes = tree.scale.axes;
     SizePowers logs;
-    logs.modulus = static_cast<float>(std::log(stemModulus(wood, height / diameter)));
+    logs.modulus = static_cast<float>(math::log(stemModulus(wood, height / diameter)));
     logs.branches =
         drawn > 0.0
-            ? static_cast<float>(std::log(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn))
+            ? static_cast<float>(math::log(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn))
             : 0.0f;
-    logs.width = std::log(relativeWidth(tree.scale));
-    logs.leaves = leaves > 0.0f ? std::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
+    logs.width = math::log(relativeWidth(tree.scale));
+    logs.leaves = leaves > 0.0f ? math::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
     return logs;
 }
 
@@ -70,7 +71,7 @@ void addStiffnessPowers(std::vector<ModalModel>& models, const JointTree& other,
     const std::vector<double> ratios = stiffnessRatios(models.front(), other);
     for (ModalModel& model : models)
         for (std::size_t k = 0; k < model.modes.size(); ++k)
-            model.modes[k].stiffness.*size = static_cast<float>(std::log(ratios[k]) / change);
+            model.modes[k].stiffness.*size = static_cast<float>(math::log(ratios[k]) / change);
 }
 
 void addPowers(std::vector<ModalModel>& models, const JointTree& other, double change,
@@ -79,7 +80,7 @@ void addPowers(std::vector<ModalModel>& models, const JointTree& other, double c
     const std::vector<double> ratios = massRatios(models.front(), other);
     for (ModalModel& model : models)
         for (std::size_t k = 0; k < model.modes.size(); ++k)
-            model.modes[k].mass.*size = static_cast<float>(std::log(ratios[k]) / change);
+            model.modes[k].mass.*size = static_cast<float>(math::log(ratios[k]) / change);
 }
 
 /// The joints of the tree with `factor` times as much wood in its branches.
@@ -105,12 +106,12 @@ JointTree withWidth(const TreeForm& tree, float factor) {
     TreeForm other = tree;
     other.scale.axes.x *= factor;
     other.scale.axes.y *= factor;
-    return withBranchWood(
-        other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
+    return withBranchWood(other, math::exp(static_cast<double>(growthOf(tree, 0.0f).branches -
+                                                               growthOf(other, 0.0f).branches)));
 }
 
 void addPowers(std::vector<ModalModel>& models, const TreeForm& tree) {
-    const double more = std::exp(logStep);
+    const double more = math::exp(logStep);
     Species other = *tree.species;
     other.wood.elasticModulus *= static_cast<float>(more);
     TreeForm changed = tree;
@@ -131,7 +132,7 @@ void addPowers(std::vector<ModalModel>& models, const TreeForm& tree) {
 
 /// Logarithm of weight times length over wood stiffness.
 float logSupport(const TreeScale& scale) {
-    return std::log(scale.axes.z) - 2.0f * std::log(relativeGirth(scale));
+    return math::log(scale.axes.z) - 2.0f * math::log(relativeGirth(scale));
 }
 
 } // namespace
@@ -139,22 +140,22 @@ float logSupport(const TreeScale& scale) {
 TreeSizeClass sizeClassOf(const TreeForm& tree) {
     return {tree.model,
             tree.species,
-            steps(std::log(tree.scale.axes.z), heightStep),
+            steps(math::log(tree.scale.axes.z), heightStep),
             steps(logSupport(tree.scale), supportStep),
-            steps(std::log(relativeWidth(tree.scale)), widthStep),
+            steps(math::log(relativeWidth(tree.scale)), widthStep),
             steps(tree.leaves, leavesStep)};
 }
 
 TreeForm typicalTree(const TreeSizeClass& sizeClass) {
     TreeForm tree{sizeClass.model, sizeClass.species, {}, leavesStep * static_cast<float>(sizeClass.leaves)};
-    tree.scale.axes.z = std::exp(heightStep * static_cast<float>(sizeClass.height));
+    tree.scale.axes.z = math::exp(heightStep * static_cast<float>(sizeClass.height));
     const float girth = // logarithm of girth over height
         0.5f * (heightStep * static_cast<float>(sizeClass.height) -
                 supportStep * static_cast<float>(sizeClass.support));
-    tree.scale.radius = tree.scale.axes.z * std::exp(girth);
+    tree.scale.radius = tree.scale.axes.z * math::exp(girth);
     tree.scale.axes.x = tree.scale.axes.y =
-        tree.scale.axes.z * std::exp(widthStep * static_cast<float>(sizeClass.width));
-    tree.scale.leaf = std::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
+        tree.scale.axes.z * math::exp(widthStep * static_cast<float>(sizeClass.width));
+    tree.scale.leaf = math::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
     return tree;
 }
 
@@ -179,8 +180,8 @@ Archetype::Archetype(const TreeForm& tree)
 TreeFactors Archetype::factors(const TreeForm& tree, float heading) const {
     const float l = tree.scale.axes.z / _scale.axes.z, r = tree.scale.radius / _scale.radius;
     TreeFactors f;
-    f.cosine = std::cos(heading);
-    f.sine = std::sin(heading);
+    f.cosine = math::cos(heading);
+    f.sine = math::sin(heading);
     f.length = l;
     f.omegaSquare = r * r / (l * l * l * l);
     const float leaves = leafArea(*tree.model, tree.scale, *tree.species, tree.leaves);
@@ -188,8 +189,8 @@ TreeFactors Archetype::factors(const TreeForm& tree, float heading) const {
     f.logs.modulus = logs.modulus - _logs.modulus;
     f.logs.branches = logs.branches - _logs.branches;
     f.logs.width = logs.width - _logs.width;
-    f.logs.support = std::log(l * l * l / (r * r)); // weight times length over wood stiffness
-    f.logs.roots = std::log(l * l / (r * r));       // weight over wood stiffness
+    f.logs.support = math::log(l * l * l / (r * r)); // weight times length over wood stiffness
+    f.logs.roots = math::log(l * l / (r * r));       // weight over wood stiffness
     f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
     f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _leaves > 0.0f

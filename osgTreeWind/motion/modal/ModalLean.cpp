@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/MeasureTree.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -77,7 +77,7 @@ std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale
     const std::vector<CrownPoint> crown = crownOf(model, scale);
     double shares = 1.0e-30;
     for (const CrownPoint& point : crown)
-        shares += std::pow(std::max(point.place.z / height, 0.0), static_cast<double>(leanPower));
+        shares += math::pow(std::max(point.place.z / height, 0.0), static_cast<double>(leanPower));
     const double mean = shares / static_cast<double>(std::max<std::size_t>(crown.size(), 1));
     const std::vector<glm::dvec2> displacements = crownDisplacements(crown, joints, modal);
     const double whole = staticCorrection(displacements, modal);

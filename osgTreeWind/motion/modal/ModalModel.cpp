@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalModel.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/modal/DragPatches.h>
 #include <osgTreeWind/motion/modal/TreeModes.h>
@@ -110,7 +111,7 @@ std::vector<std::size_t> sortedByEnergy(const std::vector<TreeMode>& modes,
                                         const std::vector<double>& energies) {
     std::vector<std::size_t> order(modes.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto swing = [&](std::size_t k) { return energies[k] * std::pow(modes[k].omega, -2.0 / 3.0); };
+    const auto swing = [&](std::size_t k) { return energies[k] * math::pow(modes[k].omega, -2.0 / 3.0); };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return swing(a) > swing(b); });
     return order;

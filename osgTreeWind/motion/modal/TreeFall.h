@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/RotationAbout.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
@@ -18,7 +20,7 @@ struct TreeFall {
 
         glm::quat rotation() const {
             const float angle = glm::length(turn);
-            return angle > 0.0f ? glm::angleAxis(angle, glm::vec3(turn / angle, 0.0f))
+            return angle > 0.0f ? rotationAbout(glm::vec3(turn / angle, 0.0f), angle)
                                 : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
         }
     };

@@ -200,7 +200,7 @@ std::vector<TreeMode> lowestModes(const JointTree& tree, std::size_t count) {
 
     Eigen::MatrixXd basis, images;
     krylovSpace(a, std::min(joints, std::max(smallestSpace, 9 * count / 4)), basis, images);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose() * images);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose().lazyProduct(images));
     const auto kept = static_cast<Eigen::Index>(count);
     const Eigen::VectorXd slowness = ritz.eigenvalues().tail(kept).reverse();
     Eigen::MatrixXd angles = basis * ritz.eigenvectors().rightCols(kept).rowwise().reverse();

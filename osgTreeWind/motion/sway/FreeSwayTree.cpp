@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/sway/FreeSwayTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/modal/ModalPoses.h>
 #include <osgTreeWind/species/ShapeCount.h>
@@ -44,8 +45,8 @@ public:
     /// From the logarithmic decrement of the peaks.
     double dampingRatio() const {
         const double decrement =
-            std::log(_peaks.front() / _peaks.back()) / static_cast<double>(_peaks.size() - 1);
-        return decrement / std::hypot(glm::pi<double>(), decrement);
+            math::log(_peaks.front() / _peaks.back()) / static_cast<double>(_peaks.size() - 1);
+        return decrement / math::hypot(glm::pi<double>(), decrement);
     }
 
 private:
