@@ -6,13 +6,14 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/SqlText.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <new>
 
 namespace osgTreeWind {
@@ -25,12 +26,6 @@ constexpr std::int64_t nanosecondsPerCheck = 2500000, maxExtraNanoseconds = 5000
 
 Diagnostic problemAt(std::size_t at, const std::string& message) {
     return {{}, 0, 0, {}, "at character " + std::to_string(at + 1) + ": " + message};
-}
-
-std::int64_t nanoseconds(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return std::int64_t(1000000000) * now.tv_sec + now.tv_nsec;
 }
 
 bool isInteger(const std::string& text) {
@@ -104,12 +99,13 @@ void giveCell(const RowCells& row, std::size_t column, bool asNumber, sqlite3_co
 /// Stops an expression that takes much more CPU time than its length explains.
 int checkTime(void* data) {
     auto& statement = *static_cast<Statement*>(data);
-    const std::int64_t now = nanoseconds(CLOCK_MONOTONIC);
+    const std::int64_t now =
+        std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
     const bool isSlow = now - statement.lastCheck > nanosecondsPerCheck;
     statement.lastCheck = now;
     if (statement.cpuChecks == 0 && !isSlow)
         return 0;
-    const std::int64_t cpuTime = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    const std::int64_t cpuTime = threadTime();
     if (statement.cpuChecks > 0)
         statement.extraTime +=
             std::max<std::int64_t>(cpuTime - statement.lastCpuTime - nanosecondsPerCheck, 0);

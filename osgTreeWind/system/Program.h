@@ -33,6 +33,9 @@ std::int64_t processId();
 /// Whether a process of this machine has ended.
 bool hasEnded(std::int64_t process);
 
+/// Nanoseconds for which this thread has computed. Windows counts in steps of 16 ms.
+std::int64_t threadTime();
+
 /// Keeps libraries from being loaded from the current folder. Call it first in main().
 void trustOwnLibraries();
 /// Runs another program in place of this one, with the same arguments. Returns only if that fails.

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include <dlfcn.h>
@@ -42,6 +43,12 @@ std::int64_t processId() {
 
 bool hasEnded(std::int64_t process) {
     return kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+}
+
+std::int64_t threadTime() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return std::int64_t(1000000000) * now.tv_sec + now.tv_nsec;
 }
 
 void trustOwnLibraries() {}

@@ -71,6 +71,15 @@ bool hasEnded(std::int64_t process) {
     return hasEnded;
 }
 
+std::int64_t threadTime() {
+    FILETIME start{}, end{}, inSystem{}, inProgram{};
+    GetThreadTimes(GetCurrentThread(), &start, &end, &inSystem, &inProgram);
+    const auto hundreds = [](const FILETIME& time) {
+        return std::int64_t(time.dwHighDateTime) << 32 | std::int64_t(time.dwLowDateTime);
+    };
+    return 100 * (hundreds(inSystem) + hundreds(inProgram));
+}
+
 void trustOwnLibraries() {
     SetDllDirectoryW(L"");
 }

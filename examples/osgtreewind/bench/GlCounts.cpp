@@ -15,7 +15,6 @@
 
 #include <atomic>
 #include <map>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -217,16 +216,6 @@ struct Counted<Called, Result(Arguments...)> {
         return Call::call arguments;                                                                         \
     }
 #include <examples/osgtreewind/bench/GlFunctions.def>
-
-void DrawWork::add(const DrawWork& other) {
-    draws += other.draws;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        counts[i] += other.counts[i];
-}
-
-std::uint64_t GlCounts::allCalls() const {
-    return std::accumulate(calls.begin(), calls.end(), std::uint64_t(0));
-}
 
 GlCounts countGlCalls(const std::function<void()>& run, bool withWork) {
     Counting here;

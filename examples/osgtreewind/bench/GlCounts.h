@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 
 /// Kinds of OpenGL calls.
 enum class GlCall {
@@ -47,7 +48,11 @@ struct DrawWork {
         "shadedFragments", "fragments",      "leastTextureFetches", "textureFetches"};
     std::uint64_t draws = 0;
     std::array<std::uint64_t, names.size()> counts{};
-    void add(const DrawWork& other);
+    void add(const DrawWork& other) {
+        draws += other.draws;
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            counts[i] += other.counts[i];
+    }
 };
 
 /// Calls that were counted.
@@ -57,7 +62,7 @@ struct GlCounts {
     std::array<DrawWork, drawnPartNames.size()> work{}; ///< By part.
 
     std::uint64_t of(GlCall kind) const { return calls[static_cast<std::size_t>(kind)]; }
-    std::uint64_t allCalls() const;
+    std::uint64_t allCalls() const { return std::accumulate(calls.begin(), calls.end(), std::uint64_t(0)); }
 };
 
 /// Runs a function and counts the OpenGL calls of the process meanwhile, without glFinish(), glGetString()
