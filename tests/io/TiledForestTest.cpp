@@ -20,7 +20,6 @@
 #include <random>
 #include <sstream>
 
-
 using namespace osgTreeWind;
 namespace fs = std::filesystem;
 
