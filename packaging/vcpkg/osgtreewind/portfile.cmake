@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # An overlay port that builds the checkout that contains it.
 #   vcpkg install osgtreewind --overlay-ports=packaging/vcpkg --triplet x64-linux-dynamic
+# On Windows, use --triplet x64-windows. That has not been run (docs/windows.md).
 vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY) # plugins and programs must share one library
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
