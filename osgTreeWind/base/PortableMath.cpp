@@ -20,6 +20,7 @@ struct Precise {
 };
 
 constexpr Precise pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}, halfPi{0.5 * pi.high, 0.5 * pi.low};
+constexpr double perHalfPi = 0.6366197723675814;
 constexpr Precise ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 
 /// a + b (Knuth).
@@ -190,9 +191,8 @@ struct Turn {
     Precise rest;
     int quadrant;
 };
-constexpr double small = 0.78; ///< Angles up to this need no reduction.
 Turn turnOf(double angle) {
-    if (std::fabs(angle) <= small)
+    if (std::fabs(angle) <= 0.78)
         return {{angle}, 0};
     if (std::fabs(angle) > 0x1p30)
         angle = std::fmod(angle, 2.0 * pi.high); // NaN if it is infinite
@@ -201,7 +201,7 @@ Turn turnOf(double angle) {
     // pi / 2 in parts of 23 bits, so that multiples of them are exact (Cody and Waite 1980), and the rest.
     constexpr double first = 0x1.921fb4p+0;
     constexpr double parts[] = {0x1.4442dp-24, 0x1.84698p-48, 0x1.3198ap-69, 0x1.701b839a25205p-92};
-    const double turns = nearest(angle / halfPi.high);
+    const double turns = nearest(angle * perHalfPi);
     Precise rest{angle - turns * first};
     for (const double part : parts) {
         const Precise next = sum(rest.high, -turns * part);
@@ -247,6 +247,20 @@ Precise cosineOf(const Turn& turn) {
     return sineOf({turn.rest, turn.quadrant + 1});
 }
 
+/// The sine of an angle and `quarters` right angles; in double, without its last bits.
+float floatSine(float angle, int quarters) {
+    constexpr double high = 0x1.921fb544p+0,
+                     low = 0x1.0b4611a626331p-34; // pi / 2, whose first multiples are exact
+    const double a = angle;
+    if (!(std::fabs(a) < 0x1p20))
+        return static_cast<float>(sineOf({turnOf(a).rest, turnOf(a).quadrant + quarters}).high);
+    const double turns = nearest(a * perHalfPi), r = (a - turns * high) - turns * low, z = r * r;
+    const int quadrant = static_cast<int>(turns) + quarters;
+    const double sine =
+        quadrant & 1 ? 1.0 - (0.5 * z - z * z * restOfCosine(z)) : r * (1.0 + z * restOfSine(z));
+    return static_cast<float>(quadrant & 2 ? -sine : sine);
+}
+
 /// The angles whose tangents are i / 16, by Euler's series.
 constexpr auto arcs = [] {
     std::array<Precise, 17> table{};
@@ -290,13 +304,11 @@ double cos(double angle) {
 }
 
 float sin(float angle) {
-    const double a = angle, z = a * a;
-    return static_cast<float>(std::fabs(a) <= small ? a + a * z * restOfSine(z) : sin(a));
+    return floatSine(angle, 0);
 }
 
 float cos(float angle) {
-    const double a = angle, z = a * a;
-    return static_cast<float>(std::fabs(a) <= small ? 1.0 - (0.5 * z - z * z * restOfCosine(z)) : cos(a));
+    return floatSine(angle, 1);
 }
 
 double tan(double angle) {

@@ -162,9 +162,9 @@ TEST(PortableMathErrors, OfPowersAndLogarithmsAreBelow052) {
     EXPECT_LT(errorOfSizes(math::cbrt, std::cbrt, -1074.0, 1023.0), 0.52);
 }
 
-TEST(PortableMathErrors, OfErfAreBelow1AndAHalf) {
-    EXPECT_LT(errorWithin(math::erf, std::erf, -7.0, 7.0), 1.5);
-    EXPECT_LT(errorOfSizes(math::erf, std::erf, -1020.0, 0.0), 1.5);
+TEST(PortableMathErrors, OfErfAreBelow2) {
+    EXPECT_LT(errorWithin(math::erf, std::erf, -7.0, 7.0), 2.0);
+    EXPECT_LT(errorOfSizes(math::erf, std::erf, -1020.0, 0.0), 2.0);
 }
 
 TEST(PortableMathErrors, OfTwoArgumentsAreBelow052) {
@@ -259,14 +259,18 @@ TEST(PortableMath, SpecialValuesAreThoseOfC) {
     EXPECT_TRUE(std::isnan(math::asin(1.0 + 1e-15)));
 }
 
-TEST(PortableMath, FloatsAreRoundedOnce) {
+TEST(PortableMath, FloatsAreRoundedDoubles) {
     Random random(3);
-    for (int i = 0; i < 1000; ++i) {
-        const float x = 10.0f * random.uniform(), y = random.symmetric();
-        EXPECT_EQ(math::sin(x), static_cast<float>(math::sin(static_cast<double>(x))));
-        EXPECT_EQ(math::pow(x, y),
-                  static_cast<float>(math::pow(static_cast<double>(x), static_cast<double>(y))));
+    for (int i = 0; i < 100000; ++i) {
+        const float size = i % 2 ? 1.0f : 1000.0f, x = size * random.symmetric(), y = random.symmetric();
+        const double wide = x;
+        EXPECT_EQ(math::sin(x), static_cast<float>(math::sin(wide)));
+        EXPECT_EQ(math::cos(x), static_cast<float>(math::cos(wide)));
+        EXPECT_EQ(math::pow(std::abs(x), y), static_cast<float>(math::pow(std::abs(wide), double(y))));
     }
+    EXPECT_EQ(math::sin(1e9f), static_cast<float>(math::sin(1e9)));
+    EXPECT_TRUE(std::signbit(math::sin(-0.0f)));
+    EXPECT_TRUE(std::isnan(math::cos(std::numeric_limits<float>::infinity())));
 }
 
 } // namespace
