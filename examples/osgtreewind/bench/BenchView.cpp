@@ -5,6 +5,7 @@
 #include <examples/osgtreewind/bench/BenchWood.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
@@ -56,8 +57,8 @@ osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, 
         return osg::Matrixd::lookAt(defaultEye(centre, bound.radius(), {benchFieldOfView, aspect}), centre,
                                     up);
     case BenchViewpoint::Home: { // osgGA::CameraManipulator::computeHomePosition()
-        const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
-        const double away = bound.radius() / std::sin(std::atan(side));
+        const double side = math::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
+        const double away = bound.radius() / math::sin(math::atan(side));
         return osg::Matrixd::lookAt(centre - osg::Vec3d(0.0, away, 0.0), centre, up);
     }
     case BenchViewpoint::Inside:

@@ -3,6 +3,7 @@
 
 #include <examples/osgtreewind/bench/BenchClock.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GLExtensions>
@@ -10,6 +11,8 @@
 #include <osg/Stats>
 
 #include <ctime>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -118,6 +121,6 @@ osg::Matrixd benchView(const PictureSize& size, const osg::BoundingSphere& bound
     const double halfAngle = osg::DegreesToRadians(0.5 * benchFieldOfView) * std::min(1.0, aspectOf(size));
     osg::Vec3d direction(-0.5, -1.0, 0.2);
     direction.normalize();
-    return osg::Matrixd::lookAt(bound.center() + direction * (0.62 * bound.radius() / std::sin(halfAngle)),
+    return osg::Matrixd::lookAt(bound.center() + direction * (0.62 * bound.radius() / math::sin(halfAngle)),
                                 bound.center(), osg::Z_AXIS);
 }

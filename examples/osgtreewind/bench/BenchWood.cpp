@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchWood.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
@@ -19,7 +20,7 @@ WindFieldPtr createSeries() {
     WindSeries series;
     for (int i = 0; i < 1000; ++i) {
         series.times.push_back(i);
-        series.velocities.emplace_back(5.0 + std::sin(0.1 * i), std::cos(0.1 * i), 0.0);
+        series.velocities.emplace_back(5.0 + math::sin(0.1 * i), math::cos(0.1 * i), 0.0);
     }
     series.profile = LogProfile{10.0, 0.5};
     return TimeSeriesWind::create(series).value();
@@ -39,7 +40,7 @@ ForestDescription createWood(std::size_t trees) {
         tree.position = placeInRows(i, trees, 4.0);
         tree.heading = 6.28f * random.uniform();
         tree.seed = static_cast<std::uint32_t>(i);
-        tree.size.height = 4.0f * std::pow(8.0f, random.uniform());
+        tree.size.height = 4.0f * math::pow(8.0f, random.uniform());
         tree.size.trunkDiameter = tree.size.height * (0.017f + 0.022f * random.uniform()); // as on the campus
         tree.size.crownWidth = tree.size.height * (0.25f + 0.5f * random.uniform());
         forest.trees.push_back(tree);

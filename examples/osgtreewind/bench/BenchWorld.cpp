@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/bench/BenchClock.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
@@ -41,8 +42,8 @@ public:
     osg::Matrixd view(double metres) const {
         const double angle = metres / std::sqrt(0.5 * (_half.x() * _half.x() + _half.y() * _half.y()));
         const osg::Vec3d eye = _middle +
-                               osg::Vec3d(_half.x() * std::cos(angle), _half.y() * std::sin(angle), 0.0),
-                         ahead(-_half.x() * std::sin(angle), _half.y() * std::cos(angle), 0.0);
+                               osg::Vec3d(_half.x() * math::cos(angle), _half.y() * math::sin(angle), 0.0),
+                         ahead(-_half.x() * math::sin(angle), _half.y() * math::cos(angle), 0.0);
         return osg::Matrixd::lookAt(eye, eye + ahead * (100.0 / ahead.length()) - osg::Vec3d(0.0, 0.0, 12.0),
                                     osg::Vec3d(0.0, 0.0, 1.0));
     }

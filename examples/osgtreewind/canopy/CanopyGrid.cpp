@@ -2,6 +2,7 @@
 #include <examples/osgtreewind/canopy/CanopyGrid.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <glm/common.hpp>
@@ -92,7 +93,7 @@ double CanopyGrid::groundHeight(int column, int row, const Ground* ground, doubl
 
 TreeBox treeBox(const PlacedForest& forest, const PlacedTree& tree) {
     const std::array<float, 5> reach = forest.modelOf(tree).extents.reach(tree.scale);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     glm::vec3 low(0.0f), high(0.0f, 0.0f, reach[4]);
     for (const float x : {reach[0], -reach[1]})
         for (const float y : {reach[2], -reach[3]}) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/StandFlow.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +15,9 @@ constexpr double karman = 0.4;
 /// length, and the part of the pressure term that the shear makes at once.
 constexpr double transport = 0.39, isotropy = 0.85, dissipation = 16.58, rapid = 0.077;
 /// Roughness length of the ground over h, for the drag of bare ground of Raupach 1994, u*^2 / U(h)^2 = 0.003.
-const double groundRoughness = std::exp(-karman / std::sqrt(0.003));
+const double groundRoughness = math::exp(-karman / std::sqrt(0.003));
 /// Variances over u*^2 where production is dissipation, in the surface layer: of all components, and upward.
-const double energyAbove = std::pow(dissipation, 2.0 / 3.0),
+const double energyAbove = math::pow(dissipation, 2.0 / 3.0),
              upAbove = energyAbove / 3.0 - 2.0 * isotropy * energyAbove / dissipation;
 
 using Numbers = std::vector<double>;
@@ -125,7 +127,7 @@ private:
     /// The budget of the stress gives it as a flux down the gradient and, since the divergence of the stress
     /// is the drag, a flux down the gradient of the drag times sqrt(energy).
     double findWind() {
-        const double toGround = karman / std::log(0.5 * _step / groundRoughness);
+        const double toGround = karman / math::log(0.5 * _step / groundRoughness);
         const auto transported = [this](std::size_t i) {
             return std::sqrt(_energy[i]) * transport * _length[i] * force(i) / _step;
         };

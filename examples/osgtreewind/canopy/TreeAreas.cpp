@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/TreeAreas.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 
@@ -74,7 +75,7 @@ const std::vector<TreeAreas::Point>& TreeAreas::pointsOf(const PlacedTree& tree)
         leaves += {load.leafArea, load.leafDrag};
     if (leaves.leaf > 0.0 || leaves.drag > 0.0)
         addLeaves(tree, leaves);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const float sine = math::sin(tree.heading), cosine = math::cos(tree.heading);
     for (Point& point : _points) {
         point.place = rotateAboutZ(point.place, sine, cosine);
         point.place.z = std::max(point.place.z, 0.0f); // leaves below the ground lie on it

@@ -7,6 +7,7 @@
 #include <examples/osgtreewind/scene/FeetGround.h>
 #include <examples/osgtreewind/scene/Setting.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/controls/ForestHandler.h>
 #include <osgTreeWind/controls/StatisticsLines.h>
 #include <osgTreeWind/drawing/BranchTransform.h>
@@ -55,8 +56,8 @@ public:
     void moveSun(double hours) {
         constexpr double latitude = 50.0; // of central Europe: the place of the forest is unknown
         constexpr double degreesPerHour = 15.0;
-        const osg::Vec3d pole(0.0, std::cos(osg::DegreesToRadians(latitude)),
-                              std::sin(osg::DegreesToRadians(latitude)));
+        const osg::Vec3d pole(0.0, math::cos(osg::DegreesToRadians(latitude)),
+                              math::sin(osg::DegreesToRadians(latitude)));
         const osg::Vec3 sun = osg::Quat(-osg::DegreesToRadians(degreesPerHour * hours), pole) * _light.toSun;
         if (sun.z() < 0.05f)
             return;

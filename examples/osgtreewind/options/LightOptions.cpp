@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/DateText.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/PortableMath.h>
 
 #include <CLI/CLI.hpp>
 
@@ -54,8 +55,8 @@ osg::Vec3 parseSun(const std::string& text) {
         throw CLI::ValidationError("--sun", "expected the sun above the horizon, found an elevation of " +
                                                 numberText(std::round(10.0 * sun->y) / 10.0) + " degrees");
     const double azimuth = osg::DegreesToRadians(sun->x), elevation = osg::DegreesToRadians(sun->y);
-    return osg::Vec3(osg::Vec3d(std::sin(azimuth) * std::cos(elevation),
-                                std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
+    return osg::Vec3(osg::Vec3d(math::sin(azimuth) * math::cos(elevation),
+                                math::cos(azimuth) * math::cos(elevation), math::sin(elevation)));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/pictures/Drawing.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/CommandError.h>
 
@@ -14,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -120,7 +124,7 @@ void Drawing::finish() {
 
 std::vector<double> ticksOf(double low, double high, int most) {
     const double rough = std::max((high - low) / most, 1e-12);
-    double step = std::pow(10.0, std::floor(std::log10(rough)));
+    double step = math::pow(10.0, std::floor(math::log10(rough)));
     for (const double factor : {2.0, 2.5, 2.0}) // 1, 2, 5, 10
         step *= step < rough ? factor : 1.0;
     std::vector<double> ticks;

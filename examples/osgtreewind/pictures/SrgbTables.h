@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <glm/gtc/color_space.hpp>
-#include <glm/vec3.hpp>
+#include <osgTreeWind/base/Srgb.h>
 
 #include <array>
 #include <cmath>
@@ -14,11 +13,10 @@ struct SrgbTables {
 
     SrgbTables() {
         for (std::size_t i = 0; i < linear.size(); ++i)
-            linear[i] = glm::convertSRGBToLinear(glm::vec3(static_cast<float>(i) / 255.0f)).x;
+            linear[i] = osgTreeWind::linearOfSrgb(static_cast<float>(i) / 255.0f);
         for (std::size_t i = 0; i < bytes.size(); ++i) {
             const float light = static_cast<float>(i) / static_cast<float>(bytes.size() - 1);
-            bytes[i] = static_cast<unsigned char>(
-                std::lround(255.0f * glm::convertLinearToSRGB(glm::vec3(light)).x));
+            bytes[i] = static_cast<unsigned char>(std::lround(255.0f * osgTreeWind::srgbOfLinear(light)));
         }
     }
     unsigned char byte(float light) const {

@@ -5,6 +5,7 @@
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 #include <examples/osgtreewind/scene/Setting.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -186,7 +187,7 @@ private:
         const auto& linear = srgbTables().linear;
         for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i) {
             const float sky = glm::clamp(linear[white->data()[i]] - linear[black->data()[i]], 0.0f, 1.0f);
-            white->data()[i] = static_cast<unsigned char>(std::lround(255.0f * std::pow(sky, outlineGamma)));
+            white->data()[i] = static_cast<unsigned char>(std::lround(255.0f * math::pow(sky, outlineGamma)));
         }
         put(*white, "outline, " + name, 4, row);
     }
@@ -195,7 +196,7 @@ private:
 
     void lookAtWhole(osg::Node* scene, const osg::Vec3d& toEye) {
         const double height = _size.height, size = std::max(height, static_cast<double>(_size.crownWidth));
-        const double distance = 0.51 * size / std::tan(osg::DegreesToRadians(0.5 * fieldOfView));
+        const double distance = 0.51 * size / math::tan(osg::DegreesToRadians(0.5 * fieldOfView));
         look(scene, toEye * (distance + 0.25 * static_cast<double>(_size.crownWidth)) + up(1.6),
              up(0.47 * height));
     }

@@ -3,6 +3,8 @@
 
 #include <examples/osgtreewind/portraits/CrownDrawing.h>
 #include <examples/osgtreewind/portraits/LeafMasks.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/Srgb.h>
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
 #include <osgTreeWind/drawing/impostors/TreeView.h>
@@ -14,12 +16,10 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/color_space.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace osgTreeWind {
@@ -99,9 +99,9 @@ float inclinationOf(float card, const LeafSpray& spray) {
         const double own = static_cast<double>(blade.length * blade.length);
         for (int i = 0; i < ways; ++i) {
             const float way = glm::two_pi<float>() * (static_cast<float>(i) + 0.5f) / ways;
-            const float up =
-                glm::cos(card) * glm::cos(blade.tilt) + glm::sin(card) * glm::sin(blade.tilt) * glm::cos(way);
-            sum += own * static_cast<double>(glm::acos(glm::clamp(glm::abs(up), 0.0f, 1.0f))) / ways;
+            const float up = math::cos(card) * math::cos(blade.tilt) +
+                             math::sin(card) * math::sin(blade.tilt) * math::cos(way);
+            sum += own * static_cast<double>(math::acos(glm::clamp(glm::abs(up), 0.0f, 1.0f))) / ways;
         }
         area += own;
     }
@@ -122,7 +122,7 @@ glm::vec2 quadsOf(const TreeModel& model, const LeafParameters& leaves, const Le
             normal = area * (model.leaves[cluster].orientation * glm::vec3(0, 1, 0));
         if (area > 0.0f)
             areas[static_cast<std::size_t>(glm::round(
-                steps * glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f)) / glm::half_pi<float>()))] +=
+                steps * math::acos(glm::min(glm::abs(normal.z) / area, 1.0f)) / glm::half_pi<float>()))] +=
                 area;
     });
     glm::vec2 sum(0.0f);
@@ -130,6 +130,11 @@ glm::vec2 quadsOf(const TreeModel& model, const LeafParameters& leaves, const Le
         sum += areas[i] * glm::vec2(1.0f, glm::degrees(inclinationOf(
                                               glm::half_pi<float>() * static_cast<float>(i) / steps, spray)));
     return sum;
+}
+
+glm::vec3 srgbOf(const glm::vec3& light) {
+    const glm::vec3 shown = glm::min(light, 1.0f);
+    return {srgbOfLinear(shown.r), srgbOfLinear(shown.g), srgbOfLinear(shown.b)};
 }
 
 /// Hue in degrees of a colour that is not grey.
@@ -170,8 +175,8 @@ struct LeafColors {
                 const glm::vec3 way = LightLobe::maxGradient * (2.0f * glm::vec3(light) - 1.0f);
                 const glm::vec3 sky = glm::mix(fromBelow, fromAbove, 0.5f + 0.5f * way.z);
                 const float sunny = 0.5f + 0.5f * glm::dot(way, toSun);
-                const glm::vec3 seen = glm::convertLinearToSRGB(
-                    glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f), 2.4f);
+                const glm::vec3 seen =
+                    srgbOf(glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f));
                 const float sum = seen.r + seen.g + seen.b;
                 if (seen.r == seen.g && seen.g == seen.b)
                     continue;

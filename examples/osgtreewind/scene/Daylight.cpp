@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Daylight.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <examples/osgtreewind/scene/Mix.h>
 
 #include <osg/Math>
 
 #include <algorithm>
 #include <cmath>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -17,12 +21,12 @@ struct ClearDay {
 
     explicit ClearDay(const osg::Vec3& toSun)
         : sine(std::clamp(static_cast<double>(toSun.z() / toSun.length()), 0.0, 1.0)),
-          degrees(osg::RadiansToDegrees(std::asin(sine))) {}
+          degrees(osg::RadiansToDegrees(math::asin(sine))) {}
 
     /// Kasten and Young 1989.
-    double airMass() const { return 1.0 / (sine + 0.50572 * std::pow(degrees + 6.07995, -1.6364)); }
+    double airMass() const { return 1.0 / (sine + 0.50572 * math::pow(degrees + 6.07995, -1.6364)); }
     double sky() const { return 0.8 + 15.5 * std::sqrt(sine); }
-    double ground() const { return 127.5 * std::exp(-0.21 * airMass()) * sine + sky(); }
+    double ground() const { return 127.5 * math::exp(-0.21 * airMass()) * sine + sky(); }
 };
 
 } // namespace
@@ -30,13 +34,13 @@ struct ClearDay {
 Daylight::Daylight(const osg::Vec3& direction, Weather weather) : toSun(direction) {
     const ClearDay usual(usualSun), day(direction);
     // The eye partly adapts to dimmer light.
-    const double exposure = std::pow(usual.ground() / day.ground(), 0.3),
+    const double exposure = math::pow(usual.ground() / day.ground(), 0.3),
                  more = day.airMass() - usual.airMass();
     const auto transmitted = [&](double opticalDepth) {
-        return static_cast<float>(exposure * std::exp(-opticalDepth * more));
+        return static_cast<float>(exposure * math::exp(-opticalDepth * more));
     };
     const auto skyLeft = static_cast<float>(exposure * day.sky() / usual.sky());
-    const float display = std::pow(skyLeft, 1.0f / 2.2f);
+    const float display = math::pow(skyLeft, 1.0f / 2.2f);
     if (weather == Weather::Overcast) {
         sun = osg::Vec3(0.06f, 0.06f, 0.06f) * transmitted(0.2);
         sky = osg::Vec3(0.88f, 0.85f, 0.80f) * skyLeft; // shaders/light.glsl makes it bluer from above

@@ -3,6 +3,7 @@
 
 #include <examples/osgtreewind/scene/Daylight.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
 
@@ -10,8 +11,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -57,8 +59,8 @@ std::vector<Tree> middleTrees(const Forest& forest) {
 class ViewRating {
 public:
     ViewRating(const Lens& lens)
-        : _tall(std::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView))), _wide(_tall * lens.aspect),
-          _highest(std::tan(std::atan(0.72 * _tall) + std::atan(0.55 * _tall))) {}
+        : _tall(math::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView))), _wide(_tall * lens.aspect),
+          _highest(math::tan(math::atan(0.72 * _tall) + math::atan(0.55 * _tall))) {}
 
     /// How well trees fill the picture; 0 if a tree is in the way or its top is cut off.
     /// @param eye z is the height of the ground.
@@ -95,8 +97,8 @@ public:
     /// Elevation to look at, as a tangent, so that the picture holds ground, trees up to `top` (a tangent)
     /// and sky.
     double pitch(double top) const {
-        const double middle = 0.5 * std::atan(top);
-        return std::clamp(std::tan(middle), 0.2 * _tall, 0.55 * _tall);
+        const double middle = 0.5 * math::atan(top);
+        return std::clamp(math::tan(middle), 0.2 * _tall, 0.55 * _tall);
     }
     /// Smallest distance from which a tree is not cut off.
     double distanceOf(const Tree& tree) const {
@@ -104,9 +106,9 @@ public:
     }
     /// Turns a direction. @param part of the horizontal angle of view, positive to the left.
     osg::Vec2d turned(const osg::Vec2d& way, double part) const {
-        const double angle = 2.0 * part * std::atan(_wide);
-        return {way.x() * std::cos(angle) - way.y() * std::sin(angle),
-                way.x() * std::sin(angle) + way.y() * std::cos(angle)};
+        const double angle = 2.0 * part * math::atan(_wide);
+        return {way.x() * math::cos(angle) - way.y() * math::sin(angle),
+                way.x() * math::sin(angle) + way.y() * math::cos(angle)};
     }
 
 private:
@@ -119,7 +121,7 @@ private:
 };
 
 osg::Vec2d toward(double azimuth) {
-    return {std::cos(azimuth), std::sin(azimuth)};
+    return {math::cos(azimuth), math::sin(azimuth)};
 }
 
 } // namespace
@@ -137,7 +139,7 @@ osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens)
     const double rise = radius < 15.0 ? 0.05 : radius < 100.0 ? 0.16 : 0.28;
     osg::Vec3d direction(-0.5, -1.0, rise);
     direction.normalize();
-    return centre + direction * (0.62 * radius / std::sin(halfAngle));
+    return centre + direction * (0.62 * radius / math::sin(halfAngle));
 }
 
 ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens, const osg::Vec3& toSun) {
@@ -192,7 +194,7 @@ ForestView viewOfOneTree(const Forest& forest, const Lens& lens) {
     if (trees.empty())
         return viewAtEyeLevel(forest, lens, Daylight::usualSun);
     const Tree& tree = trees.front();
-    const double half = std::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView)) * std::min(1.0, lens.aspect);
+    const double half = math::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView)) * std::min(1.0, lens.aspect);
     const double distance =
         0.57 * std::max(tree.height, 2.0 * tree.reach / std::max(1.0, lens.aspect)) / half + tree.reach;
     double clearest = -1e9;

@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/scene/Mix.h>
 #include <examples/osgtreewind/scene/SceneShaders.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -40,10 +43,9 @@ std::vector<float> paintedBlades() {
     for (int blade = 0; blade < texels * texels / 7; ++blade) {
         const float angle = between(random, 0.0f, 6.2832f), shade = between(random, 0.0f, 1.0f);
         const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
-        const float length = between(random, 6.0f, 20.0f);
+        const float length = between(random, 6.0f, 20.0f), cosine = math::cos(angle), sine = math::sin(angle);
         for (float along = 0.0f; along < length; along += 0.7f)
-            values[tiledIndex(x + along * std::cos(angle), y + along * std::sin(angle))] =
-                shade * (0.6f + 0.4f * along / length);
+            values[tiledIndex(x + along * cosine, y + along * sine)] = shade * (0.6f + 0.4f * along / length);
     }
     return values;
 }
@@ -57,11 +59,12 @@ std::vector<float> paintedLeaves() {
         const float angle = between(random, 0.0f, 6.2832f), own = between(random, 0.0f, 0.9f);
         const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
         const float length = between(random, 5.0f, 9.0f), width = between(random, 0.4f, 0.7f);
+        const float cosine = math::cos(angle), sine = math::sin(angle);
         for (int i = static_cast<int>(-length); i <= static_cast<int>(length); ++i)
             for (int j = static_cast<int>(-length); j <= static_cast<int>(length); ++j) {
                 const auto across = static_cast<float>(i), up = static_cast<float>(j);
-                const float along = (std::cos(angle) * across + std::sin(angle) * up) / length,
-                            beside = (std::cos(angle) * up - std::sin(angle) * across) / (width * length);
+                const float along = (cosine * across + sine * up) / length,
+                            beside = (cosine * up - sine * across) / (width * length);
                 if (std::abs(beside) < 1.0f - along * along)
                     values[tiledIndex(x + across, y + up)] = own;
             }
@@ -156,11 +159,11 @@ osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     for (int ring = 0; ring <= rings; ++ring) {
         const float away =
-            ring == 0 ? 0.0f : radius * std::pow(0.5f, 0.5f * static_cast<float>(rings - ring));
+            ring == 0 ? 0.0f : radius * math::pow(0.5f, 0.5f * static_cast<float>(rings - ring));
         for (int spoke = 0; spoke < spokes; ++spoke) {
             const double angle = 2.0 * osg::PI * spoke / spokes;
-            corners->push_back({away * static_cast<float>(std::cos(angle)),
-                                away * static_cast<float>(std::sin(angle)), 0.0f});
+            corners->push_back({away * static_cast<float>(math::cos(angle)),
+                                away * static_cast<float>(math::sin(angle)), 0.0f});
         }
     }
     osg::ref_ptr<osg::DrawElementsUShort> triangles = new osg::DrawElementsUShort(GL_TRIANGLES);

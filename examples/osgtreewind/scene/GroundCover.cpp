@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/GroundCover.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/MovingForest.h>
@@ -86,7 +87,7 @@ GroundCover::GroundCover(const Forest& forest) {
         });
         paint(*_image, 1, at, foot.trunk + 2.5, _cell, [&](double away) {
             const double beyond = std::max(away - foot.trunk, 0.0) / (0.2 + 1.5 * foot.trunk);
-            return 0.5 * std::exp(-beyond);
+            return 0.5 * math::exp(-beyond);
         });
     }
     _texture = new osg::Texture2D(_image);

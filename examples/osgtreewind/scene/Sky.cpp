@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/scene/Mix.h>
 #include <examples/osgtreewind/scene/SceneShaders.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
@@ -12,9 +13,10 @@
 #include <osg/Texture2D>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <vector>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -35,8 +37,8 @@ float smoothstep(float low, float high, float x) {
 }
 
 osg::Vec3 directionAt(float azimuth, float elevation) {
-    return {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
-            std::sin(elevation)};
+    return {math::cos(azimuth) * math::cos(elevation), math::sin(azimuth) * math::cos(elevation),
+            math::sin(elevation)};
 }
 
 /// Cumulus clouds at one height, lit from the side of the sun.
@@ -105,11 +107,11 @@ struct SkyRow {
     SkyRow(const Daylight& day, float part) {
         const auto radians = osg::DegreesToRadians(elevationAt(part));
         elevation = osg::RadiansToDegrees(radians);
-        level = std::cos(radians);
-        height = std::sin(radians);
+        level = math::cos(radians);
+        height = math::sin(radians);
         const float up = std::clamp(height, 0.0f, 1.0f);
-        clear = mix(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
-        hazy = std::pow(1.0f - up, 12.0f);
+        clear = mix(day.zenith, day.horizon, math::pow(1.0f - up, 3.0f));
+        hazy = math::pow(1.0f - up, 12.0f);
         cloudy = smoothstep(0.015f, 0.14f, height);
     }
 };
@@ -119,7 +121,7 @@ osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const SkyRow& row,
     const float toSun = std::max(direction * day.toSun, 0.0f);
     osg::Vec3 color = row.clear, light;
     if (toSun > 0.0f) {
-        light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
+        light = day.glow * (math::pow(toSun, 16.0f) + 1.3f * math::pow(toSun, 220.0f));
         color += light;
     }
     color = mix(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
@@ -138,7 +140,7 @@ osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
     std::vector<osg::Vec3> columns; // azimuth, and its cosine and sine
     for (int x = 0; x < texelsAround; ++x) {
         const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
-        columns.emplace_back(azimuth, std::cos(azimuth), std::sin(azimuth));
+        columns.emplace_back(azimuth, math::cos(azimuth), math::sin(azimuth));
     }
     osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
         const SkyRow common(day, (static_cast<float>(row) + 0.5f) / texelsUp);

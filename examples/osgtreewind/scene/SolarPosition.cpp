@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/SolarPosition.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
@@ -20,21 +22,21 @@ double refraction(double elevation) {
 SolarPosition::SolarPosition(double time, const glm::dvec2& longitudeLatitude) {
     const double days = (time - 946728000.0) / 86400.0; // since 2000-01-01T12:00Z
     const double anomaly = glm::radians(357.528 + 0.9856003 * days);
-    const double longitude = glm::radians(280.460 + 0.9856474 * days + 1.915 * std::sin(anomaly) +
-                                          0.020 * std::sin(2.0 * anomaly)); // along the ecliptic
+    const double longitude = glm::radians(280.460 + 0.9856474 * days + 1.915 * math::sin(anomaly) +
+                                          0.020 * math::sin(2.0 * anomaly)); // along the ecliptic
     const double obliquity = glm::radians(23.439 - 0.0000004 * days);
-    const double ascension = std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude));
-    const double declination = std::asin(std::sin(obliquity) * std::sin(longitude));
+    const double ascension = math::atan2(math::cos(obliquity) * math::sin(longitude), math::cos(longitude));
+    const double declination = math::asin(math::sin(obliquity) * math::sin(longitude));
 
     const double siderealTime = glm::radians(280.46062 + 360.9856474 * days + longitudeLatitude.x);
     const double hourAngle = siderealTime - ascension, latitude = glm::radians(longitudeLatitude.y);
-    const double north = std::sin(declination) * std::cos(latitude) -
-                         std::cos(declination) * std::sin(latitude) * std::cos(hourAngle),
-                 east = -std::cos(declination) * std::sin(hourAngle),
-                 up = std::sin(declination) * std::sin(latitude) +
-                      std::cos(declination) * std::cos(latitude) * std::cos(hourAngle);
-    azimuth = std::fmod(glm::degrees(std::atan2(east, north)) + 360.0, 360.0);
-    elevation = glm::degrees(std::atan2(up, std::hypot(north, east)));
+    const double north = math::sin(declination) * math::cos(latitude) -
+                         math::cos(declination) * math::sin(latitude) * math::cos(hourAngle),
+                 east = -math::cos(declination) * math::sin(hourAngle),
+                 up = math::sin(declination) * math::sin(latitude) +
+                      math::cos(declination) * math::cos(latitude) * math::cos(hourAngle);
+    azimuth = std::fmod(glm::degrees(math::atan2(east, north)) + 360.0, 360.0);
+    elevation = glm::degrees(math::atan2(up, math::hypot(north, east)));
     elevation += refraction(elevation);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/SunShadows.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <osg/ColorMask>
 #include <osg/PolygonOffset>
 #include <osg/Texture2D>
@@ -8,6 +10,8 @@
 #include <osgUtil/CullVisitor>
 
 #include <cmath>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -34,7 +38,7 @@ osg::BoundingSphered sphereOf(const osg::CullStack& view, double reach) {
     const double side = wide * wide + high * high; // squared half diagonal of the view at distance 1
     const double along = std::min(0.5 * (1.0 + side), 1.0);
     const osg::Vec3d middle(0.0, 0.0, -along * reach);
-    const double radius = reach * std::hypot(1.0 - along, std::sqrt(side));
+    const double radius = reach * math::hypot(1.0 - along, std::sqrt(side));
     return {middle * osg::Matrixd::inverse(*view.getModelViewMatrix()), radius};
 }
 

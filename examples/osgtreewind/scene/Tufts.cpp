@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/Ground.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/drawing/looks/SceneGeometry.h>
@@ -17,6 +18,8 @@
 #include <cmath>
 #include <cstdint>
 #include <vector>
+
+namespace math = osgTreeWind::math;
 
 namespace {
 
@@ -38,7 +41,7 @@ public:
         const float height = vigour * (0.10f + 0.18f * random.uniform()) * std::sqrt(_nearness);
         const float width =
             0.004f + 0.02f * (1.0f - _nearness); // wider in the distance, to cover some pixels
-        const osg::Vec3 way(std::cos(angle), std::sin(angle), 0.0f),
+        const osg::Vec3 way(math::cos(angle), math::sin(angle), 0.0f),
             side(-way.y() * width, way.x() * width, 0.0f);
         const osg::Vec3 foot = _foot + way * (0.07f * random.uniform());
         const float own = random.uniform();
@@ -68,7 +71,7 @@ public:
         for (int shoot = 0; shoot < shoots; ++shoot) {
             const float rise = 0.3f + 0.7f * static_cast<float>(shoot) / static_cast<float>(shoots);
             const float angle = 2.4f * static_cast<float>(shoot) + random.uniform();
-            const osg::Vec3 from = _foot + top * rise, way(std::cos(angle), std::sin(angle), 0.5f);
+            const osg::Vec3 from = _foot + top * rise, way(math::cos(angle), math::sin(angle), 0.5f);
             const float length = height * (1.2f - rise) * (0.25f + 0.2f * random.uniform());
             addStem(from, from + way * length, 0.003f, height);
             for (int leaf = 1; leaf <= leaves; ++leaf)
@@ -91,8 +94,8 @@ private:
     /// A pointed leaf. @param steepness rise over length. @param height of the plant, which sways.
     void addLeaf(const osg::Vec3& foot, float angle, float length, float steepness, float height,
                  Random& random) {
-        const osg::Vec3 way(std::cos(angle), std::sin(angle), steepness),
-            side = osg::Vec3(-std::sin(angle), std::cos(angle), 0.3f * random.uniform()) * (0.28f * length);
+        const osg::Vec3 way(math::cos(angle), math::sin(angle), steepness),
+            side = osg::Vec3(-math::sin(angle), math::cos(angle), 0.3f * random.uniform()) * (0.28f * length);
         const osg::Vec3 widest = foot + way * (0.55f * length),
                         tip = foot + (way - osg::Vec3(0, 0, 0.4f)) * length;
         const float own = 1.0f + 0.99f * random.uniform(), rise = (foot.z() - _foot.z()) / height;

@@ -4,10 +4,10 @@
 #include <examples/osgtreewind/output/CommandError.h>
 
 #include <osgTreeWind/base/Jobs.h>
+#include <osgTreeWind/base/RotationAbout.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/motion/MovingForest.h>
 #include <osgTreeWind/motion/damage/FootLoad.h>
-
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -34,7 +34,7 @@ const Skeleton& skeletonOf(const ForestSimulation& simulation, TreeId tree) {
 
 /// Where a point of a tree at rest is in the scene, metres. @param pose of its unit.
 glm::vec3 sceneOf(const PlacedTree& tree, const glm::vec3& rest, const UnitPose& pose = {}) {
-    const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0.0f, 0.0f, 1.0f));
+    const glm::quat heading = rotationAbout(up, tree.heading);
     return tree.position + heading * pose.apply(tree.scale.axes * rest);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,7 +23,7 @@ std::vector<Point> byDistance(const MomentsBySpeed& moments, double limit) {
     std::vector<Point> points;
     for (const auto& [speed, moment] : moments)
         if (limit > 0.0 && moment > 0.0)
-            points.push_back({std::log(speed), std::log(moment / limit)});
+            points.push_back({math::log(speed), math::log(moment / limit)});
     std::stable_sort(points.begin(), points.end(),
                      [](const Point& a, const Point& b) { return a.distance() < b.distance(); });
     return points;
@@ -33,7 +35,7 @@ double crossing(const std::vector<Point>& points) {
     if (points.size() > 1 && std::abs(points[1].speed - points[0].speed) > 0.01)
         power =
             std::clamp((points[1].ratio - points[0].ratio) / (points[1].speed - points[0].speed), 0.7, 3.0);
-    return std::exp(points[0].speed - points[0].ratio / power);
+    return math::exp(points[0].speed - points[0].ratio / power);
 }
 
 /// Simulates more storms until one is close to the limit.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/storm/SwayFeatures.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+
 #include <glm/gtc/constants.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace osgTreeWind {
 
@@ -16,6 +18,33 @@ namespace {
 constexpr double rate = 4.0; // Hz
 
 using Series = Eigen::VectorXd;
+
+/// The modified Bessel function of the first kind of order 0.
+double besselI0(double x) {
+    double sum = 1.0, term = 1.0;
+    for (int k = 1; k <= 30; ++k)
+        sum += term *= 0.25 * x * x / (k * k);
+    return sum;
+}
+
+using Spectrum = std::vector<std::complex<double>>;
+
+/// The discrete Fourier transform of every `stride`th of a power of two of samples (Cooley and Tukey 1965).
+Spectrum transformed(const double* samples, std::size_t size, std::size_t stride = 1) {
+    if (size == 1)
+        return {samples[0]};
+    const Spectrum even = transformed(samples, size / 2, 2 * stride),
+                   odd = transformed(samples + stride, size / 2, 2 * stride);
+    Spectrum result(size);
+    for (std::size_t k = 0; k < size / 2; ++k) {
+        const double angle = 2.0 * glm::pi<double>() * static_cast<double>(k) / static_cast<double>(size);
+        const std::complex<double> turned =
+            std::complex<double>(math::cos(angle), -math::sin(angle)) * odd[k];
+        result[k] = even[k] + turned;
+        result[k + size / 2] = even[k] - turned;
+    }
+    return result;
+}
 
 /// Keeps every `step`th sample after a low-pass filter: a Kaiser window with beta = 5 over ten steps to each
 /// side.
@@ -27,8 +56,7 @@ Series downsampled(const Series& x, int step) {
     for (int i = -half; i <= half; ++i) {
         const double at = glm::pi<double>() * i / step,
                      inside = 1.0 - static_cast<double>(i) * i / (half * half);
-        filter[i + half] =
-            (i == 0 ? 1.0 : std::sin(at) / at) * std::cyl_bessel_i(0.0, 5.0 * std::sqrt(inside));
+        filter[i + half] = (i == 0 ? 1.0 : math::sin(at) / at) * besselI0(5.0 * std::sqrt(inside));
     }
     filter /= filter.sum();
     Series result((x.size() + step - 1) / step);
@@ -42,7 +70,7 @@ Series downsampled(const Series& x, int step) {
 
 /// Removes drift by a high-pass Butterworth filter of second order at 600 s, forward and backward.
 Series withoutDrift(const Series& x) {
-    const double w = std::tan(glm::pi<double>() / 600.0 / rate), a0 = 1.0 + std::sqrt(2.0) * w + w * w;
+    const double w = math::tan(glm::pi<double>() / 600.0 / rate), a0 = 1.0 + std::sqrt(2.0) * w + w * w;
     const double a1 = 2.0 * (w * w - 1.0) / a0, a2 = (1.0 - std::sqrt(2.0) * w + w * w) / a0;
     constexpr Eigen::Index edge = 9; // mirrored about the ends
     Series y(x.size() + 2 * edge);
@@ -61,26 +89,26 @@ Series withoutDrift(const Series& x) {
     return y.segment(edge, x.size());
 }
 
-/// Power spectrum by Welch's method: Hann windows that overlap by half.
+/// Power spectrum by Welch's method: Hann windows that overlap by half. Their size is a power of two.
 struct PowerSpectrum {
     double step; ///< Hz
     Series power;
 
     PowerSpectrum(const Series& x, Eigen::Index size) : step(rate / static_cast<double>(size)) {
-        const Series window = (0.5 - 0.5 * (Series::LinSpaced(size, 0.0, static_cast<double>(size - 1)) *
-                                            (2.0 * glm::pi<double>() / static_cast<double>(size)))
-                                               .array()
-                                               .cos())
-                                  .matrix();
+        Series window(size);
+        for (Eigen::Index i = 0; i < size; ++i)
+            window[i] = 0.5 - 0.5 * math::cos(2.0 * glm::pi<double>() * static_cast<double>(i) /
+                                              static_cast<double>(size));
         power = Series::Zero(size / 2 + 1);
-        Eigen::FFT<double> transform;
         int count = 0;
         for (Eigen::Index at = 0; at + size <= x.size(); at += size / 2, ++count) {
             const Series part = x.segment(at, size);
             const Series shaped = ((part.array() - part.mean()) * window.array()).matrix();
-            Eigen::VectorXcd spectrum;
-            transform.fwd(spectrum, shaped);
-            power += spectrum.head(size / 2 + 1).cwiseAbs2();
+            const Spectrum spectrum = transformed(shaped.data(), static_cast<std::size_t>(size));
+            for (Eigen::Index i = 0; i < power.size(); ++i) {
+                const std::complex<double>& value = spectrum[static_cast<std::size_t>(i)];
+                power[i] += value.real() * value.real() + value.imag() * value.imag();
+            }
         }
         power *= 2.0 / (std::max(count, 1) * rate * window.squaredNorm());
     }
@@ -111,11 +139,11 @@ struct Oscillator {
     /// @param p ln A, b, ln f0 and ln zeta.
     Series residuals(const Eigen::Vector4d& p) const {
         Series r(static_cast<Eigen::Index>(logs.size()));
+        const double strength = math::exp(p[0]), f0 = math::exp(p[2]), damping = math::exp(p[3]);
         for (std::size_t i = 0; i < logs.size(); ++i) {
-            const double q = frequencies[i] / std::exp(p[2]), off = 1.0 - q * q,
-                         width = 2.0 * std::exp(p[3]) * q;
+            const double q = frequencies[i] / f0, off = 1.0 - q * q, width = 2.0 * damping * q;
             r[static_cast<Eigen::Index>(i)] =
-                logs[i] - std::log(std::exp(p[0]) * std::pow(q, p[1]) / (off * off + width * width) + noise);
+                logs[i] - math::log(strength * math::pow(q, p[1]) / (off * off + width * width) + noise);
         }
         return r;
     }
@@ -169,13 +197,14 @@ void addSway(const PowerSpectrum& spectrum, double frequency, SwayFeatures& foun
         const double f = spectrum.frequency(i);
         if (f > 0.55 * f0 && f < 1.7 * f0 && f < 1.9) {
             oscillator.frequencies.push_back(f);
-            oscillator.logs.push_back(std::log(spectrum.power[i]));
+            oscillator.logs.push_back(math::log(spectrum.power[i]));
         }
     }
-    const Eigen::Vector4d p = oscillator.fitted({std::log(0.02 * power), -2.0, std::log(f0), std::log(0.08)});
-    if (std::exp(p[2]) > 0.6 * f0 && std::exp(p[2]) < 1.6 * f0) {
-        found.frequency = std::exp(p[2]);
-        found.damping = std::exp(p[3]);
+    const Eigen::Vector4d p =
+        oscillator.fitted({math::log(0.02 * power), -2.0, math::log(f0), math::log(0.08)});
+    if (math::exp(p[2]) > 0.6 * f0 && math::exp(p[2]) < 1.6 * f0) {
+        found.frequency = math::exp(p[2]);
+        found.damping = math::exp(p[3]);
     }
 }
 
