@@ -26,7 +26,13 @@ public:
     int descriptor() const { return _descriptor; }
     std::int64_t length() const { return ::lseek(_descriptor, 0, SEEK_CUR); }
     void rewind() { ::lseek(_descriptor, 0, SEEK_SET); }
-    void truncate(std::int64_t length) { EXPECT_EQ(::ftruncate(_descriptor, static_cast<off_t>(length)), 0); }
+    void truncate(std::int64_t length) {
+#ifdef _WIN32
+        EXPECT_EQ(_chsize_s(_descriptor, length), 0);
+#else
+        EXPECT_EQ(::ftruncate(_descriptor, static_cast<off_t>(length)), 0);
+#endif
+    }
     /// Overwrites the byte at an offset.
     void overwrite(std::int64_t at, char byte) {
         ::lseek(_descriptor, static_cast<off_t>(at), SEEK_SET);
