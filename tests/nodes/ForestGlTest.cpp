@@ -57,11 +57,11 @@ TEST_F(ForestGlTest, FramesAreEqualWhilePaused) {
 }
 
 TEST_F(ForestGlTest, ThePictureIsTheSameFarFromTheWorldOrigin) {
-    ForestDescription near = smallForest(4), far = smallForest(4);
-    far.origin = {4.3e5, 4.5e6, 1402.0};
-    for (TreePlacement& tree : far.trees)
-        tree.position += far.origin;
-    osg::ref_ptr<osg::Image> here = picture(new Forest(near), 10), there = picture(new Forest(far), 10);
+    ForestDescription close = smallForest(4), distant = smallForest(4);
+    distant.origin = {4.3e5, 4.5e6, 1402.0};
+    for (TreePlacement& tree : distant.trees)
+        tree.position += distant.origin;
+    osg::ref_ptr<osg::Image> here = picture(new Forest(close), 10), there = picture(new Forest(distant), 10);
     EXPECT_GT(covered(*here), 0.05);
     EXPECT_EQ(difference(*here, *there).mean, 0.0);
 }

@@ -307,11 +307,11 @@ TEST(ForestTest, TreesOfASpeciesShareTheirShapes) {
 }
 
 TEST(ForestTest, MotionIsTheSameFarFromTheWorldOrigin) {
-    ForestDescription near = smallForest(3), far = smallForest(3);
-    far.origin = {4.3e5, 4.5e6, 1402.0};
-    for (TreePlacement& tree : far.trees)
-        tree.position += far.origin;
-    osg::ref_ptr<Forest> here = new Forest(near), there = new Forest(far);
+    ForestDescription close = smallForest(3), distant = smallForest(3);
+    distant.origin = {4.3e5, 4.5e6, 1402.0};
+    for (TreePlacement& tree : distant.trees)
+        tree.position += distant.origin;
+    osg::ref_ptr<Forest> here = new Forest(close), there = new Forest(distant);
     EXPECT_EQ(there->getOrigin(), osg::Vec3d(4.3e5, 4.5e6, 1402.0));
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);

@@ -76,11 +76,11 @@ TEST(ForestTreesTest, FindsATreeByName) {
 TEST(ForestTreesTest, BoundsFollowTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const osg::BoundingSphere before = forest->getBound();
-    const TreeId far = forest->addTree(treeAt(3000.0)).value();
+    const TreeId distant = forest->addTree(treeAt(3000.0)).value();
     EXPECT_GT(forest->getBound().radius(), 1400.0f);
-    EXPECT_TRUE(forest->changeTree(far, treeAt(6000.0)).empty());
+    EXPECT_TRUE(forest->changeTree(distant, treeAt(6000.0)).empty());
     EXPECT_GT(forest->getBound().radius(), 2900.0f);
-    EXPECT_TRUE(forest->removeTree(far).empty());
+    EXPECT_TRUE(forest->removeTree(distant).empty());
     EXPECT_NEAR(forest->getBound().radius(), before.radius(), 1e-3f);
     EXPECT_TRUE(forest->removeTree(TreeId(0)).empty());
     EXPECT_TRUE(forest->removeTree(TreeId(1)).empty());

@@ -134,9 +134,9 @@ TEST(TilePagerTest, ALoadedTreeSwaysAsIfItHadBeenThere) {
     Result<ForestFile> all = readForestFile(world.folder().path() + "/world.treewind");
     ASSERT_TRUE(loadTiles(all.value()));
     all.value().wind = gusts;
-    SimulationOptions far;
-    far.distant = true;
-    ForestSimulation whole(all.value(), far);
+    SimulationOptions options;
+    options.distant = true;
+    ForestSimulation whole(all.value(), options);
     for (int frame = 1; frame <= 505; ++frame)
         whole.advance(0.1 * frame);
     double difference = 0.0, sway = 0.0;

@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-const char* const near = "15/12"; // a tree of tile 5_4
+const char* const nearTree = "15/12"; // a tree of tile 5_4
 
 void unloadAndReload(TiledWorld& world) {
     world.frames(world.at(50.0, 50.0), settleFrames);
@@ -25,16 +25,16 @@ void unloadAndReload(TiledWorld& world) {
 TEST(TiledEditsTest, ARemovedTreeDoesNotComeBack) {
     TiledWorld world;
     world.frames(world.at(550.0, 450.0), settleFrames);
-    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(near)).empty());
+    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(nearTree)).empty());
     unloadAndReload(world);
     EXPECT_EQ(world.names().size(), 80u);
-    EXPECT_EQ(world.names().count(near), 0u);
-    EXPECT_FALSE(world.forest().findTree(near));
+    EXPECT_EQ(world.names().count(nearTree), 0u);
+    EXPECT_FALSE(world.forest().findTree(nearTree));
 }
 
 TEST(TiledEditsTest, FindsATreeInATileThatIsNotLoaded) {
     TiledWorld world;
-    const std::optional<TreeId> found = world.forest().findTree(near);
+    const std::optional<TreeId> found = world.forest().findTree(nearTree);
     ASSERT_TRUE(found);
     const TreeId tree = *found;
     EXPECT_EQ(world.names().size(), 9u) << "with its tile";
@@ -62,7 +62,7 @@ TEST(TiledEditsTest, FindsATreeWithoutANameByItsTile) {
 
 TEST(TiledEditsTest, AChangedTreeStaysChanged) {
     TiledWorld world;
-    const std::optional<TreeId> found = world.forest().findTree(near);
+    const std::optional<TreeId> found = world.forest().findTree(nearTree);
     ASSERT_TRUE(found);
     const TreeId tree = *found;
     TreePlacement taller = *world.forest().getPlacement(tree);
@@ -72,7 +72,8 @@ TEST(TiledEditsTest, AChangedTreeStaysChanged) {
     ASSERT_TRUE(world.forest().changeTree(tree, taller).empty());
     unloadAndReload(world);
     EXPECT_EQ(world.names().size(), 81u);
-    EXPECT_EQ(world.forest().findTree(near), tree) << "it belongs to the forest now, and is never unloaded";
+    EXPECT_EQ(world.forest().findTree(nearTree), tree)
+        << "it belongs to the forest now, and is never unloaded";
     EXPECT_NEAR(world.forest().getPlacement(tree)->size.height, 15.0f, 0.01f);
     EXPECT_EQ(world.forest().getNumTrees(), 81u) << "its tile does not add it again";
 }
@@ -81,9 +82,9 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
     TiledWorld world;
     Forest& forest = world.forest();
     ASSERT_TRUE(forest.removeTree(*forest.findTree("0/0")).empty());
-    TreePlacement moved = *forest.getPlacement(*forest.findTree(near));
+    TreePlacement moved = *forest.getPlacement(*forest.findTree(nearTree));
     moved.position.x += 5.0;
-    ASSERT_TRUE(forest.changeTree(*forest.findTree(near), moved).empty());
+    ASSERT_TRUE(forest.changeTree(*forest.findTree(nearTree), moved).empty());
     TreePlacement own = moved;
     own.position = {333.0, 333.0, 0.0};
     own.name = "mine";
@@ -95,13 +96,13 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
         ASSERT_TRUE(writeForestFile(forest.getSimulation().currentDescription(), file).empty());
         Result<ForestFile> edited = readForestFile(file);
         ASSERT_TRUE(edited) << edited.problems().front().text();
-        EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", near}));
+        EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", nearTree}));
         ASSERT_TRUE(loadTiles(edited.value()));
         EXPECT_EQ(edited.value().trees.size(), 900u) << "one removed, one added";
         EXPECT_TRUE(world.forest().setDescription(readForestFile(file).value()).empty());
         EXPECT_FALSE(world.forest().findTree("0/0"));
         EXPECT_TRUE(world.forest().findTree("mine"));
-        EXPECT_EQ(world.forest().getPlacement(*world.forest().findTree(near))->position, moved.position);
+        EXPECT_EQ(world.forest().getPlacement(*world.forest().findTree(nearTree))->position, moved.position);
     }
     std::ifstream written(world.folder().path() + "/edited.treewind");
     const std::string text{std::istreambuf_iterator<char>(written), {}};
@@ -111,7 +112,7 @@ TEST(TiledEditsTest, EditsAreWrittenAndReadAgain) {
 TEST(TiledEditsTest, ACopyHasTheEdits) {
     TiledWorld world;
     world.frames(world.at(550.0, 450.0), settleFrames);
-    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(near)).empty());
+    ASSERT_TRUE(world.forest().removeTree(*world.forest().findTree(nearTree)).empty());
     const osg::ref_ptr<Forest> copy = osg::clone(&world.forest(), osg::CopyOp::DEEP_COPY_ALL);
     world.frames(*copy, world.at(550.0, 450.0), settleFrames);
     EXPECT_EQ(TiledWorld::namesOf(*copy).size(), 80u);
@@ -121,7 +122,7 @@ TEST(TiledEditsTest, AnUnreadableTileGivesAWarningAndNoTree) {
     TiledWorld world;
     std::filesystem::remove(world.tile("5_4"));
     const ScopedMessages messages;
-    EXPECT_FALSE(world.forest().findTree(near));
+    EXPECT_FALSE(world.forest().findTree(nearTree));
     EXPECT_NE(messages.take().find("5_4.trees"), std::string::npos);
     for (const auto& file : std::filesystem::directory_iterator(world.folder().path() + "/tiles"))
         if (file.path().extension() == ".ids")
