@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
+
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -8,7 +11,7 @@
 /// Sets an environment variable of this process.
 inline void setEnvironment(const char* name, const char* value) {
 #ifdef _WIN32
-    _putenv_s(name, value);
+    _wputenv_s(osgTreeWind::toPath(name).c_str(), osgTreeWind::toPath(value).c_str());
 #else
     setenv(name, value, 1);
 #endif
@@ -26,9 +29,8 @@ inline void unsetEnvironment(const char* name) {
 /// Sets an environment variable during its lifetime.
 class EnvironmentVariable {
 public:
-    EnvironmentVariable(const char* name, const char* value) : _name(name) {
-        if (const char* former = std::getenv(name))
-            _former = former;
+    EnvironmentVariable(const char* name, const char* value)
+        : _name(name), _former(osgTreeWind::environmentVariable(name)) {
         setEnvironment(name, value);
     }
     ~EnvironmentVariable() {

@@ -42,7 +42,7 @@ private:
     int _descriptor = -1;
 };
 
-/// Status of a program that ends itself because its time is up, as limitTime() does on Windows.
-constexpr unsigned timeIsUpStatus = 142; // as shells report SIGALRM
+/// Status of a program that limitTime() or limitMemory() ends on Windows.
+constexpr unsigned timeIsUpStatus = 142, memoryIsUpStatus = 137; // as shells report SIGALRM and SIGKILL
 
 } // namespace osgTreeWind

@@ -151,6 +151,8 @@ ChildProcess::End ChildProcess::finish() {
     CloseHandle(process);
     if (status == timeIsUpStatus)
         return {false, "timed out"};
+    if (status == memoryIsUpStatus)
+        return {false, "ran out of memory"};
     constexpr DWORD firstException = 0xc0000000;
     return {status == 0, status >= firstException ? "ended with: " + exceptionText(status)
                                                   : "ended with status " + std::to_string(status)};

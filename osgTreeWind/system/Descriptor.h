@@ -16,6 +16,11 @@ std::ptrdiff_t writeSome(int descriptor, const void* bytes, std::size_t size);
 /// @return the descriptor of the former standard output.
 int takeStandardOutput();
 
+/// Waits until the other process has read what was written, if its data would be lost with the end of this
+/// one.
+/// @return whether it has.
+bool finishOutput(int descriptor);
+
 /// Whether a person types the standard input.
 bool isInputTyped();
 /// Whether a person sees the standard error.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/system/Descriptor.h>
+#include <osgTreeWind/system/Windows.h>
 
 #include <algorithm>
 
@@ -28,6 +29,11 @@ int takeStandardOutput() {
     _setmode(output, _O_BINARY);
     _dup2(standardError, standardOutput);
     return output;
+}
+
+bool finishOutput(int descriptor) {
+    const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(descriptor));
+    return GetFileType(handle) != FILE_TYPE_PIPE || FlushFileBuffers(handle);
 }
 
 bool isInputTyped() {

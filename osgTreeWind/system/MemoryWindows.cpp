@@ -30,7 +30,8 @@ std::uint64_t availableMemory() {
 }
 
 std::uint64_t addressSpace() {
-    return memoryCounters().PrivateUsage;
+    const PROCESS_MEMORY_COUNTERS_EX memory = memoryCounters();
+    return std::max(memory.PrivateUsage, memory.WorkingSetSize); // Wine does not count the first
 }
 
 double residentBytes() {

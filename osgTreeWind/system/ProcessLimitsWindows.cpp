@@ -4,42 +4,45 @@
 #include <osgTreeWind/system/ProcessLimits.h>
 #include <osgTreeWind/system/Windows.h>
 
+#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <limits>
 #include <thread>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// Ends the process when its time is up.
-class Timer {
+/// Ends the process when its time is up. Also when it uses too much memory, as Wine has no jobs with limits.
+class Watch {
 public:
-    Timer() {
+    Watch() {
         std::thread([this] {
-            std::unique_lock lock(_mutex);
             for (;;) {
-                if (_end == Clock::time_point::max())
-                    _changed.wait(lock);
-                else if (_changed.wait_until(lock, _end) == std::cv_status::timeout && Clock::now() >= _end)
+                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                if (Clock::now() >= _end.load())
                     TerminateProcess(GetCurrentProcess(), timeIsUpStatus);
+                if (addressSpace() > _mostMemory)
+                    TerminateProcess(GetCurrentProcess(), memoryIsUpStatus);
             }
         }).detach();
     }
-    void set(unsigned seconds) {
-        const std::lock_guard lock(_mutex);
+    void setTime(unsigned seconds) {
         _end = seconds > 0 ? Clock::now() + std::chrono::seconds(seconds) : Clock::time_point::max();
-        _changed.notify_one();
     }
+    void setMemory(std::uint64_t bytes) { _mostMemory = bytes; }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::mutex _mutex;
-    std::condition_variable _changed;
-    Clock::time_point _end = Clock::time_point::max();
+    std::atomic<Clock::time_point> _end{Clock::time_point::max()};
+    std::atomic<std::uint64_t> _mostMemory{std::numeric_limits<std::uint64_t>::max()};
 };
+
+Watch& watch() {
+    static Watch& watch = *new Watch; // its thread never ends
+    return watch;
+}
 
 } // namespace
 
@@ -48,15 +51,16 @@ void limitMemory(std::uint64_t bytes) {
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limit{};
     limit.BasicLimitInformation.LimitFlags =
         JOB_OBJECT_LIMIT_PROCESS_MEMORY | JOB_OBJECT_LIMIT_DIE_ON_UNHANDLED_EXCEPTION;
-    limit.ProcessMemoryLimit = static_cast<SIZE_T>(addressSpace() + bytes);
+    const std::uint64_t most = addressSpace() + bytes;
+    limit.ProcessMemoryLimit = static_cast<SIZE_T>(most);
     const HANDLE job = CreateJobObjectW(nullptr, nullptr); // open until the process ends
     SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limit, sizeof limit);
     AssignProcessToJobObject(job, GetCurrentProcess());
+    watch().setMemory(most);
 }
 
 void limitTime(unsigned seconds) {
-    static Timer& timer = *new Timer; // its thread never ends
-    timer.set(seconds);
+    watch().setTime(seconds);
 }
 
 } // namespace osgTreeWind

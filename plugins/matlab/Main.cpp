@@ -22,7 +22,7 @@ int output = -1;
 
 /// Exits without cleaning up, which could crash on damaged data.
 [[noreturn]] void sendAndExit(Result<ScanFile> scan) {
-    exitNow(Wire::send(output, scan) ? 0 : 1);
+    exitNow(Wire::send(output, scan) && finishOutput(output) ? 0 : 1);
 }
 
 void fail(const std::string& reason) {

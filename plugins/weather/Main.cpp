@@ -74,5 +74,7 @@ int main(int argc, char** argv) {
     limitResources({arguments[1], request.secondFile}, std::size_t(1) << 30, 10);
     const int output = takeStandardOutput();
     Result<WindContent> content = readWeather(arguments[1], request);
-    exitNow(Wire::send(output, content) ? 0 : 1); // skips destructors, which could crash after damage
+    exitNow(Wire::send(output, content) && finishOutput(output)
+                ? 0
+                : 1); // skips destructors, which could crash after damage
 }

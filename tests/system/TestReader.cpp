@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     }
     if (task == "memory") {
         Result<std::size_t> answer(allocateAll());
-        exitNow(Wire::send(connection, answer) ? 0 : 1);
+        exitNow(Wire::send(connection, answer) && finishOutput(connection) ? 0 : 1);
     }
     if (task == "time") {
         limitTime(1);
