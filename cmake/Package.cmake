@@ -36,7 +36,7 @@ install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder} CO
 install(FILES examples/thesis.treewind examples/forest.treewind examples/helicopter.treewind examples/lorry.treewind examples/explosion.treewind DESTINATION ${data_folder}/examples
     COMPONENT tool)
 find_program(help2man help2man)
-if(help2man AND TARGET osgtreewind)
+if(help2man AND TARGET osgtreewind AND NOT CMAKE_CROSSCOMPILING)
     install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/script/man-pages\" \"$<TARGET_FILE:osgtreewind>\" ${PROJECT_VERSION}
         \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT tool)
 endif()

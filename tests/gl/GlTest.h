@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tests/MessageCollector.h>
+#include <tests/gl/LaterOpenGL.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 

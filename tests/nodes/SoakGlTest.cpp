@@ -17,7 +17,9 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#ifdef __GLIBC__
 #include <malloc.h>
+#endif
 #include <numeric>
 #include <random>
 #include <sstream>
@@ -193,7 +195,9 @@ protected:
         setForest(new Forest(smallForest(8)));
         for (int i = 0; i < 20; ++i)
             frame(time += 1.0 / 60.0);
+#ifdef __GLIBC__
         malloc_trim(0);
+#endif
         return residentMemory();
     }
 
