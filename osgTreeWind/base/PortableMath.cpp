@@ -96,10 +96,11 @@ constexpr auto powersOfTwo = [] {
     return powers;
 }();
 
+constexpr double stepHigh = 0x1.62e42feep-7, stepLow = 0x1.a39ef35793c76p-39; // ln 2 / 64
+
 double exponential(const Precise& x) {
     if (!(std::fabs(x.high) < 1000.0))
         return x.high > 0.0 ? infinity : x.high < 0.0 ? 0.0 : x.high;
-    constexpr double stepHigh = 0x1.62e42feep-7, stepLow = 0x1.a39ef35793c76p-39; // ln 2 / 64
     const double steps = nearest(x.high * (stepsPerOctave / ln2.high));
     const double r = (x.high - steps * stepHigh) + (x.low - steps * stepLow), r2 = r * r;
     const double more =
@@ -119,6 +120,7 @@ struct TableLog {
     double inverse;
     Precise log;
 };
+constexpr double lowestLog = 181.0 / 256.0;
 constexpr int firstLog = 90, lastLog = 181;
 constexpr auto logs = [] {
     std::array<TableLog, lastLog - firstLog + 1> table{};
@@ -154,9 +156,9 @@ Divided divided(double x) {
         x *= 0x1p54;
         exponent = -54;
     }
-    const std::uint64_t bits = bitsOf(x), above = bits - bitsOf(181.0 / 256.0);
+    const std::uint64_t bits = bitsOf(x), above = bits - bitsOf(lowestLog);
     exponent += static_cast<int>(static_cast<std::int64_t>(above) >> 52);
-    const double z = fromBits(bits - (above & 0xfffull << 52)); // in [181/256, 181/128)
+    const double z = fromBits(bits - (above & 0xfffull << 52)); // in [lowestLog, 2 lowestLog)
     const TableLog& entry = logs[static_cast<std::size_t>(static_cast<int>(128.0 * z + 0.5) - firstLog)];
     const double high = fromBits((bitsOf(z) + 0x4000000) & ~0x7ffffffull); // 26 bits, rounded
     return {static_cast<double>(exponent), entry, high * entry.inverse - 1.0, (z - high) * entry.inverse};
@@ -301,6 +303,32 @@ double sin(double angle) {
 
 double cos(double angle) {
     return cosineOf(turnOf(angle)).high;
+}
+
+float exp(float x) {
+    const double wide = x;
+    if (!(std::fabs(wide) < 200.0))
+        return static_cast<float>(exp(wide));
+    const double steps = nearest(wide * (stepsPerOctave / ln2.high));
+    const double r = (wide - steps * stepHigh) - steps * stepLow, r2 = r * r;
+    const double more = r + r2 * (0.5 + r * (1.0 / 6.0) + r2 * (1.0 / 24.0 + r * (1.0 / 120.0)));
+    const int whole = static_cast<int>(steps), i = whole & (stepsPerOctave - 1);
+    const double power = powersOfTwo[static_cast<std::size_t>(i)].high;
+    const auto exponent = static_cast<std::uint64_t>(1023 + (whole - i) / stepsPerOctave);
+    return static_cast<float>((power + power * more) * fromBits(exponent << 52));
+}
+
+float log(float x) {
+    if (!(x > 0.0f && x < std::numeric_limits<float>::infinity()))
+        return static_cast<float>(log(static_cast<double>(x)));
+    const std::uint64_t bits = bitsOf(x), above = bits - bitsOf(lowestLog);
+    const double z = fromBits(bits - (above & 0xfffull << 52));
+    const TableLog& entry = logs[static_cast<std::size_t>(static_cast<int>(128.0 * z + 0.5) - firstLog)];
+    const double r = z * entry.inverse - 1.0, r2 = r * r;
+    const double more =
+        r + r2 * ((-1.0 / 2.0 + r * (1.0 / 3.0)) + r2 * (-1.0 / 4.0 + r * (1.0 / 5.0) + r2 * (-1.0 / 6.0)));
+    const auto exponent = static_cast<double>(static_cast<std::int64_t>(above) >> 52);
+    return static_cast<float>(exponent * ln2.high + (entry.log.high + (entry.log.low + more)));
 }
 
 float sin(float angle) {

@@ -32,6 +32,8 @@ double erf(double x);
 // Those of floats compute in double and round once.
 float sin(float angle);
 float cos(float angle);
+float exp(float x);
+float log(float x);
 inline float tan(float angle) {
     return static_cast<float>(tan(static_cast<double>(angle)));
 }
@@ -46,12 +48,6 @@ inline float atan(float x) {
 }
 inline float atan2(float y, float x) {
     return static_cast<float>(atan2(static_cast<double>(y), static_cast<double>(x)));
-}
-inline float exp(float x) {
-    return static_cast<float>(exp(static_cast<double>(x)));
-}
-inline float log(float x) {
-    return static_cast<float>(log(static_cast<double>(x)));
 }
 inline float log2(float x) {
     return static_cast<float>(log2(static_cast<double>(x)));

@@ -266,6 +266,8 @@ TEST(PortableMath, FloatsAreRoundedDoubles) {
         const double wide = x;
         EXPECT_EQ(math::sin(x), static_cast<float>(math::sin(wide)));
         EXPECT_EQ(math::cos(x), static_cast<float>(math::cos(wide)));
+        EXPECT_EQ(math::exp(x), static_cast<float>(math::exp(wide)));
+        EXPECT_EQ(math::log(std::abs(x)), static_cast<float>(math::log(std::abs(wide))));
         EXPECT_EQ(math::pow(std::abs(x), y), static_cast<float>(math::pow(std::abs(wide), double(y))));
     }
     EXPECT_EQ(math::sin(1e9f), static_cast<float>(math::sin(1e9)));
