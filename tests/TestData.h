@@ -15,7 +15,7 @@ inline std::string realData(const std::string& name) {
     const char* folder = std::getenv("OSGTREEWIND_DATA");
     const std::filesystem::path path =
         std::filesystem::path(folder ? folder : OSGTREEWIND_SOURCE_DIR "/../shared/data") / name;
-    return std::filesystem::exists(path) ? path.string() : std::string();
+    return std::filesystem::exists(path) ? path.generic_string() : std::string();
 }
 
 /// Skips the running test, with a message, if the file of real input does not exist.

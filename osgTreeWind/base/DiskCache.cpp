@@ -98,14 +98,17 @@ std::optional<std::string> DiskCache::find(const std::string& key) const {
 
 void DiskCache::store(const std::string& key, const std::string& bytes) const {
     std::error_code problem;
-    if (_path.empty() || bytes.size() > _maxBytes)
+    const std::string content = fileContent(key, bytes), path = filePath(key);
+    if (_path.empty() || content.size() > _maxBytes)
         return;
     files::create_directories(toPath(_path), problem);
-    if (!problem && writeFileAtomically(filePath(key), fileContent(key, bytes)).empty())
-        evictOldest();
+    if (!problem && writeFileAtomically(path, content).empty())
+        evictOldestBut(path);
 }
 
-void DiskCache::evictOldest() const {
+// The times of files may be whole seconds, so that the new file may seem as old as others.
+void DiskCache::evictOldestBut(const std::string& kept) const {
+    const files::path keptName = toPath(kept).filename();
     struct File {
         files::path path;
         std::uint64_t size;
@@ -125,7 +128,8 @@ void DiskCache::evictOldest() const {
         if (ignored)
             continue;
         sum += size;
-        all.push_back({path, size, {}});
+        if (path.filename() != keptName)
+            all.push_back({path, size, {}});
     }
     if (sum <= _maxBytes)
         return;

@@ -23,7 +23,7 @@ public:
 
 private:
     std::string filePath(const std::string& key) const;
-    void evictOldest() const;
+    void evictOldestBut(const std::string& kept) const;
 
     std::string _path;
     std::uint64_t _maxBytes;

@@ -41,7 +41,11 @@ std::string toUtf8(std::wstring_view wide) {
 }
 
 std::string messageOf(unsigned long error) {
-    return std::system_category().message(static_cast<int>(error));
+    // The texts of POSIX where it knows the error, as on other systems; Windows' own are in the user's
+    // language.
+    const std::error_condition generic =
+        std::system_category().default_error_condition(static_cast<int>(error));
+    return generic.message();
 }
 
 std::filesystem::path toPath(const std::string& text) {

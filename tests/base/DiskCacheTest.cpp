@@ -106,11 +106,11 @@ TEST(DiskCache, IgnoresTheFileOfAnotherKey) {
     const DiskCache cache(folder.path(), plenty);
     cache.store("one", "1");
     const files::path first = entriesOf(folder.path()).front();
-    files::copy_file(first, folder.path() + "/kept");
+    const std::string content = bytesOf(first.string());
     cache.store("two", "2");
     for (const files::path& file : entriesOf(folder.path()))
-        if (file != first && file.extension() == first.extension())
-            files::copy_file(folder.path() + "/kept", file, files::copy_options::overwrite_existing);
+        if (file != first)
+            std::ofstream(file, std::ios::binary) << content;
     EXPECT_FALSE(cache.find("two")) << "the hashes of two keys may collide";
     EXPECT_EQ(cache.find("one"), "1");
 }

@@ -155,6 +155,13 @@ TEST(RowExpression, TakesColumnsByTheirExactNames) {
         EXPECT_TRUE(hasPart(value(none), "no column")) << none;
 }
 
+// Processor time, but on Windows the time of day, which other programs lengthen.
+#ifdef _WIN32
+static constexpr std::clock_t soon = 30 * CLOCKS_PER_SEC;
+#else
+static constexpr std::clock_t soon = CLOCKS_PER_SEC;
+#endif
+
 TEST(RowExpression, RefusesAllButExpressions) {
     const std::clock_t start = std::clock();
     for (const char* const text :
@@ -195,7 +202,7 @@ TEST(RowExpression, RefusesAllButExpressions) {
           "`height` > 3",
           "raise(ABORT, 'x')"})
         EXPECT_FALSE(condition(text)) << text;
-    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
+    EXPECT_LT(std::clock() - start, soon);
 }
 
 /// Memory of the process, MB: at its peak, or on Windows now.
@@ -230,7 +237,7 @@ TEST(RowExpression, LimitsDepthLengthAndTime) {
     const auto growing = RowExpression::parse(bomb, columns, file);
     ASSERT_TRUE(growing);
     EXPECT_TRUE(hasPart(firstProblem(growing.value().evaluate(row)), "texts of at most 32768 bytes"));
-    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
+    EXPECT_LT(std::clock() - start, soon);
     EXPECT_LT(peakMegabytes() - before, 100.0);
 }
 
@@ -247,7 +254,7 @@ TEST(RowExpression, StopsSlowEvaluations) {
     for (int i = 0; i < 1000 && result; ++i)
         result = filter.value().matches(row);
     EXPECT_TRUE(hasPart(firstProblem(result), "takes too long"));
-    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
+    EXPECT_LT(std::clock() - start, soon);
 }
 
 TEST(RowExpression, SelectsFromLongLists) {

@@ -2,24 +2,26 @@
 #include <tests/EnvironmentVariable.h>
 
 #include <osgTreeWind/base/UserCache.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <gtest/gtest.h>
 
 namespace osgTreeWind {
 
 TEST(UserCache, FolderFollowsTheEnvironment) {
+    const std::string drive = listSeparator == ';' ? "C:" : ""; // of Windows
     {
         const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", "off");
         EXPECT_EQ(userCacheFolder(), "");
     }
     const EnvironmentVariable none("OSGTREEWIND_FORM_CACHE", "");
-    const EnvironmentVariable home("HOME", "/home/user");
+    const EnvironmentVariable home("HOME", (drive + "/home/user").c_str());
     {
-        const EnvironmentVariable caches("XDG_CACHE_HOME", "/var/caches");
-        EXPECT_EQ(userCacheFolder(), "/var/caches/osgtreewind");
+        const EnvironmentVariable caches("XDG_CACHE_HOME", (drive + "/var/caches").c_str());
+        EXPECT_EQ(userCacheFolder(), drive + "/var/caches/osgtreewind");
     }
     const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
-    EXPECT_EQ(userCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
+    EXPECT_EQ(userCacheFolder(), drive + "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
     const EnvironmentVariable noHome("HOME", "");
     const EnvironmentVariable local("LOCALAPPDATA", "");
     EXPECT_EQ(userCacheFolder(), "");

@@ -216,9 +216,12 @@ TEST(TiledForestTest, rewritingRemovesTheOldTilesHoweverTheFolderIsNamed) {
     const TemporaryFolder folder;
     const std::string world = folder.path() + "/world", link = folder.path() + "/link";
     ASSERT_TRUE(writeTiledForest(variedForest(20), world, ofSize(300.0)));
+    std::vector<std::string> names = {world, world + '/'};
+#ifndef _WIN32 // where links need a right, and the temporary folder may be on another drive
     fs::create_directory_symlink(world, link);
-    for (const std::string& name :
-         {world, fs::relative(world).string(), link, world + '/', fs::relative(link).string() + '/'}) {
+    names.insert(names.end(), {fs::relative(world).string(), link, fs::relative(link).string() + '/'});
+#endif
+    for (const std::string& name : names) {
         SCOPED_TRACE(name);
         ASSERT_TRUE(writeTiledForest(variedForest(20), name, ofSize(300.0)));
         const std::string used = readForestFile(world + "/world.treewind").value().tiles->folder;
