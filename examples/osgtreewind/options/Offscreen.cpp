@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Offscreen.h>
 
+#include <osgTreeWind/offscreen/OffscreenContext.h>
 #include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/system/Program.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <regex>
+#include <string>
+#include <vector>
 
 PictureSize parsePictureSize(const std::string& text, int largest) {
     static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
@@ -21,11 +24,14 @@ PictureSize parsePictureSize(const std::string& text, int largest) {
 }
 
 void addBackendOption(CLI::App& command, std::string& backend) {
-    command
-        .add_option("--backend", backend,
-                    "Source of OpenGL: osmesa (software) or egl (graphics card if there is one); default: "
-                    "osmesa if it was built")
-        ->check(CLI::IsMember({"osmesa", "egl"}));
+    std::string help =
+        "osmesa (software) or egl (graphics card if there is one); default: osmesa if it was built";
+    std::vector<std::string> choices{"osmesa", "egl"};
+    if (osgTreeWind::offscreenBackendName() == std::string("wgl")) { // the only one of Windows
+        help = "wgl (the driver of the graphics card)";
+        choices = {"wgl"};
+    }
+    command.add_option("--backend", backend, "Source of OpenGL: " + help)->check(CLI::IsMember(choices));
 }
 
 void addProfileOption(CLI::App& command, osgTreeWind::ContextProfile& profile) {
