@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/TemporaryPath.h>
 
+#include <osgTreeWind/system/File.h>
 #include <osgTreeWind/system/Path.h>
 
 #include <filesystem>
@@ -57,7 +58,7 @@ bool TemporaryPath::moveTo(const std::string& path) {
 void TemporaryPath::removeAll() {
     registry().mutex.lock();
     for (const std::string& path : registry().paths)
-        remove(path);
+        removeUnfinished(path);
 }
 
 } // namespace osgTreeWind

@@ -13,10 +13,16 @@ namespace {
 
 void (*cleanUpProgram)() = nullptr;
 
+DWORD WINAPI cleanUpInThread(void*) {
+    cleanUpProgram();
+    return 0;
+}
+
 /// Windows calls it in a thread of its own.
 BOOL WINAPI endProgram(DWORD) {
     constexpr UINT interrupted = 130; // as on Linux after SIGINT
-    cleanUpProgram();
+    constexpr DWORD longest = 4000;   // ms; after 5 s, Windows itself would end it
+    WaitForSingleObject(CreateThread(nullptr, 0, cleanUpInThread, nullptr, 0, nullptr), longest);
     TerminateProcess(GetCurrentProcess(), interrupted);
     return TRUE;
 }

@@ -20,6 +20,10 @@ FilePointer openVanishingFile(const std::string& path);
 /// Moves to a place in a file, also beyond 2 GB. @return whether that succeeded.
 bool seekFile(std::FILE* file, std::int64_t offset);
 
+/// Removes a file or folder, with its contents, even while this process writes into it. Call it only before
+/// the process exits: on Windows it closes these files.
+void removeUnfinished(const std::string& path);
+
 /// Whether this process may create files in a folder.
 bool mayWriteInto(const std::string& folder);
 /// Whether a program holds a file open in a way that keeps it from being replaced; never on Linux.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/system/File.h>
 
+#include <filesystem>
+
 #include <unistd.h>
 
 namespace osgTreeWind {
@@ -18,6 +20,11 @@ FilePointer openVanishingFile(const std::string& path) {
 
 bool seekFile(std::FILE* file, std::int64_t offset) {
     return fseeko(file, offset, SEEK_SET) == 0;
+}
+
+void removeUnfinished(const std::string& path) {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
 }
 
 bool mayWriteInto(const std::string& folder) {

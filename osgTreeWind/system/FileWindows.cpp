@@ -19,6 +19,25 @@ DWORD errorOfOpening(const std::string& path, DWORD access) {
     return 0;
 }
 
+/// Closes the files of this process with this path, or in this folder.
+void closeFilesIn(const std::wstring& path) {
+    DWORD left = 0;
+    GetProcessHandleCount(GetCurrentProcess(), &left);
+    constexpr std::uintptr_t step = 4, end = std::uintptr_t(1) << 20; // values of handles
+    for (std::uintptr_t value = step; left > 0 && value < end; value += step) {
+        const auto handle = reinterpret_cast<HANDLE>(value);
+        DWORD ignored = 0;
+        if (!GetHandleInformation(handle, &ignored))
+            continue;
+        --left;
+        if (GetFileType(handle) != FILE_TYPE_DISK)
+            continue;
+        const std::wstring name = pathOfFile(handle);
+        if (name == path || name.rfind(path + L'\\', 0) == 0)
+            CloseHandle(handle);
+    }
+}
+
 } // namespace
 
 FilePointer openFile(const std::string& path, const char* mode) {
@@ -31,6 +50,13 @@ FilePointer openVanishingFile(const std::string& path) {
 
 bool seekFile(std::FILE* file, std::int64_t offset) {
     return _fseeki64(file, offset, SEEK_SET) == 0;
+}
+
+void removeUnfinished(const std::string& path) {
+    std::error_code ignored;
+    if (const std::filesystem::path own = resolved(toPath(path)); !own.empty())
+        closeFilesIn(own.native());
+    std::filesystem::remove_all(toPath(path), ignored);
 }
 
 bool mayWriteInto(const std::string& folder) {

@@ -58,18 +58,23 @@ std::string toText(const std::filesystem::path& path) {
     return text;
 }
 
+std::wstring pathOfFile(HANDLE file) {
+    std::wstring name(32768, L'\0'); // the longest path
+    name.resize(GetFinalPathNameByHandleW(file, name.data(), static_cast<DWORD>(name.size()), 0));
+    constexpr std::wstring_view verbatim = L"\\\\?\\", server = L"\\\\?\\UNC\\";
+    if (name.rfind(server, 0) == 0)
+        return L"\\\\" + name.substr(server.size());
+    return name.rfind(verbatim, 0) == 0 ? name.substr(verbatim.size()) : name;
+}
+
 std::filesystem::path resolved(const std::filesystem::path& path) {
     const HANDLE file = CreateFileW(path.c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
                                     nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
     if (file == INVALID_HANDLE_VALUE)
         return {};
-    std::wstring name(32768, L'\0'); // the longest path
-    name.resize(GetFinalPathNameByHandleW(file, name.data(), static_cast<DWORD>(name.size()), 0));
+    const std::wstring name = pathOfFile(file);
     CloseHandle(file);
-    constexpr std::wstring_view verbatim = L"\\\\?\\", server = L"\\\\?\\UNC\\";
-    if (name.rfind(server, 0) == 0)
-        return L"\\\\" + name.substr(server.size());
-    return name.rfind(verbatim, 0) == 0 ? name.substr(verbatim.size()) : name;
+    return name;
 }
 
 std::string problemOfName(const std::string& text) {

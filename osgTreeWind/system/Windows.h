@@ -20,6 +20,9 @@ namespace osgTreeWind {
 std::wstring toWide(std::string_view utf8);
 std::string toUtf8(std::wstring_view wide);
 
+/// Absolute path of an open file or folder, without links and a prefix for long paths; empty if it has none.
+std::wstring pathOfFile(HANDLE file);
+
 /// What an error of GetLastError() means.
 std::string messageOf(unsigned long error);
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace osgTreeWind {
 
 TEST(File, VanishesWhenItIsClosed) {
@@ -29,6 +32,17 @@ TEST(File, IsReadBeyondTwoGigabytes) {
     ASSERT_EQ(std::fputc('x', file.get()), 'x');
     ASSERT_TRUE(seekFile(file.get(), far));
     EXPECT_EQ(std::fgetc(file.get()), 'x');
+}
+
+TEST(File, IsRemovedWhileItIsWritten) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/лес.part", world = folder.path() + "/мир";
+    std::filesystem::create_directory(toPath(world));
+    std::ofstream one(toPath(file)), other(toPath(world + "/tile"));
+    one << "half" << std::flush;
+    removeUnfinished(file);
+    removeUnfinished(world);
+    EXPECT_EQ(folder.countFiles(), 0u);
 }
 
 TEST(File, IsWrittenIntoFolders) {
