@@ -21,15 +21,9 @@ DWORD errorOfOpening(const std::string& path, DWORD access) {
 
 /// Closes the files of this process with this path, or in this folder.
 void closeFilesIn(const std::wstring& path) {
-    DWORD left = 0;
-    GetProcessHandleCount(GetCurrentProcess(), &left);
-    constexpr std::uintptr_t step = 4, end = std::uintptr_t(1) << 20; // values of handles
-    for (std::uintptr_t value = step; left > 0 && value < end; value += step) {
+    constexpr std::uintptr_t step = 4, end = std::uintptr_t(1) << 16; // values of handles
+    for (std::uintptr_t value = step; value < end; value += step) {
         const auto handle = reinterpret_cast<HANDLE>(value);
-        DWORD ignored = 0;
-        if (!GetHandleInformation(handle, &ignored))
-            continue;
-        --left;
         if (GetFileType(handle) != FILE_TYPE_DISK)
             continue;
         const std::wstring name = pathOfFile(handle);
