@@ -212,7 +212,7 @@ public:
     void commit() {
         _new->keep();
         std::error_code error;
-        if (fs::equivalent(_old.parent_path(), toPath(_folder), error))
+        if (fs::equivalent(_old.parent_path(), toPath(_tiles).parent_path(), error))
             remove(toText(_old));
     }
 
