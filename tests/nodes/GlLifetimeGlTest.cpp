@@ -79,6 +79,9 @@ TEST_F(GlLifetimeGlTest, ReleasingOneForestKeepsOthersThatShareItsParts) {
     EXPECT_EQ(difference(*both, image()).mean, 0.0);
 }
 
+// On Windows a program cannot ask for the managers of OSG: osg::get() finds them by the address of a
+// type_info, of which each DLL has its own.
+#ifndef _WIN32
 TEST_F(GlLifetimeGlTest, ReleasingFreesAllBuffersAndTextures) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     render(forest, width, height, 1);
@@ -138,3 +141,4 @@ TEST_F(GlLifetimeGlTest, AHundredForestsLeakNothing) {
     EXPECT_LE(poolSize(), settledPool + settledPool / 10);
     EXPECT_LT(residentMemory(), settledMemory + keptMemory) << "50 forests of about 1 MB came and went";
 }
+#endif
