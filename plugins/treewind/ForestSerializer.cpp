@@ -78,16 +78,28 @@ void readForestInto(Forest& forest, const std::string& source, const osgTreeWind
     report(description ? forest.setDescription(std::move(description.value())) : description.problems());
 }
 
+/// Reads a text with a name. @return false if something else is there: in a damaged file, readWrappedString()
+/// of OSG might not end.
+bool readText(osgDB::InputStream& input, const char* name, std::string& text) {
+    osgDB::ObjectProperty property(name);
+    input >> property;
+    if (property._name != name || input.getException())
+        return false;
+    input.readWrappedString(text);
+    return true;
+}
+
 bool readDocument(osgDB::InputStream& input, Forest& forest) {
     osgTreeWind::ForestFileOptions where;
     std::string source;
+    bool isComplete = false;
     const bool isRead = guarded([&] {
-        input >> input.BEGIN_BRACKET >> input.PROPERTY("Folder");
-        input.readWrappedString(where.folder);
-        input >> input.PROPERTY("Source");
-        input.readWrappedString(source);
-        input >> input.END_BRACKET;
-    });
+                            input >> input.BEGIN_BRACKET;
+                            isComplete =
+                                readText(input, "Folder", where.folder) && readText(input, "Source", source);
+                            input >> input.END_BRACKET;
+                        }) &&
+                        isComplete;
     if (isRead)
         guarded([&] { readForestInto(forest, source, where); });
     return isRead;
