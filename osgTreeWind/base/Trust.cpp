@@ -22,6 +22,17 @@ bool isInAnyFolder(const std::vector<std::string>& folders, const fs::path& path
     });
 }
 
+/// Whether one of the folders is on the machine of a path that leavesTheMachine(), so that looking there
+/// tells it nothing new.
+bool isOnTrustedMachine(const std::vector<std::string>& folders, const std::string& path) {
+    const auto machineOf = [](const std::string& name) {
+        return foldedName(name.substr(2, name.find_first_of("/\\", 2) - 2));
+    };
+    return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+        return leavesTheMachine(folder) && machineOf(folder) == machineOf(path);
+    });
+}
+
 /// Libraries also open siblings with the same base name: parts of a shapefile, the world file of a raster.
 bool hasSiblingOutside(const fs::path& file, const std::vector<std::string>& folders) {
     const std::string stem = foldedName(toText(file.stem()));
@@ -42,7 +53,8 @@ std::string problemOfTrust(const std::string& path, const std::vector<std::strin
         return {};
     if (trust != "folder")
         return "is not opened: expected OSGTREEWIND_TRUST to be \"folder\" or empty";
-    if (leavesTheMachine(path) || !isInAnyFolder(folders, toPath(path)))
+    if ((leavesTheMachine(path) && !isOnTrustedMachine(folders, path)) ||
+        !isInAnyFolder(folders, toPath(path)))
         return "is not opened: it lies outside the folders that OSGTREEWIND_TRUST=folder trusts";
     return hasSiblingOutside(toPath(path), folders)
                ? "is not opened: a symbolic link next to it leads out of the folders that "
