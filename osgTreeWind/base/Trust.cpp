@@ -47,6 +47,11 @@ bool hasSiblingOutside(const fs::path& file, const std::vector<std::string>& fol
 
 } // namespace
 
+std::string problemOfNaming(const std::string& name, const std::vector<std::string>& folders) {
+    const std::string problem = problemOfName(name);
+    return problem.empty() && leavesTheMachine(name) ? problemOfTrust(name, folders) : problem;
+}
+
 std::string problemOfTrust(const std::string& path, const std::vector<std::string>& folders) {
     const std::string trust = environmentVariable("OSGTREEWIND_TRUST").value_or("");
     if (trust.empty())

@@ -16,16 +16,19 @@ std::vector<std::string> hostFolders() {
 }
 
 std::string InputFolders::problemOfName(const std::string& name) const {
-    const std::string problem = osgTreeWind::problemOfName(name);
-    return problem.empty() && leavesTheMachine(name) ? problemOfTrust(name) : problem;
+    return problemOfNaming(name, trusted());
 }
 
 std::string InputFolders::problemOfTrust(const std::string& path) const {
-    std::vector<std::string> trusted = hostFolders();
-    trusted.push_back(ofDocument());
+    return osgTreeWind::problemOfTrust(path, trusted());
+}
+
+std::vector<std::string> InputFolders::trusted() const {
+    std::vector<std::string> folders = hostFolders();
+    folders.push_back(ofDocument());
     if (const auto data = environmentVariable("OSGTREEWIND_DATA"))
-        trusted.push_back(*data);
-    return osgTreeWind::problemOfTrust(path, trusted);
+        folders.push_back(*data);
+    return folders;
 }
 
 std::optional<InputFolders::File> InputFolders::open(TableReader& table, const std::string& key) const {

@@ -38,6 +38,9 @@ public:
     std::optional<File> open(TableReader& table, const std::string& key, const std::string& name) const;
 
 private:
+    /// The folders of the document, its host and OSG.
+    std::vector<std::string> trusted() const;
+
     std::vector<std::string> _folders; ///< In the order of the search.
 };
 

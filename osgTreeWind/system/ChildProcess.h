@@ -42,7 +42,4 @@ private:
     int _descriptor = -1;
 };
 
-/// Status of a program that limitTime() or limitMemory() ends on Windows.
-constexpr unsigned timeIsUpStatus = 142, memoryIsUpStatus = 137; // as shells report SIGALRM and SIGKILL
-
 } // namespace osgTreeWind

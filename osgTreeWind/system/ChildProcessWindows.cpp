@@ -50,7 +50,7 @@ public:
         _handle = CreateFileW(file, access, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherit, OPEN_EXISTING, 0,
                               nullptr);
     }
-    /// A copy of a standard handle; that of NUL if the process has none.
+    /// Copies a standard handle, or opens NUL if the process has no such handle.
     explicit InheritedHandle(DWORD standard) : InheritedHandle(L"NUL", GENERIC_WRITE) {
         HANDLE copy = nullptr;
         const HANDLE own = GetStdHandle(standard);

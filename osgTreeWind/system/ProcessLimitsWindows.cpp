@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/system/ChildProcess.h>
 #include <osgTreeWind/system/Memory.h>
 #include <osgTreeWind/system/ProcessLimits.h>
 #include <osgTreeWind/system/Windows.h>

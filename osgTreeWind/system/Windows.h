@@ -17,10 +17,14 @@
 
 namespace osgTreeWind {
 
+/// Status of a program that limitTime() or limitMemory() ends.
+constexpr unsigned timeIsUpStatus = 142, memoryIsUpStatus = 137; // as shells report SIGALRM and SIGKILL
+
 std::wstring toWide(std::string_view utf8);
 std::string toUtf8(std::wstring_view wide);
 
-/// Absolute path of an open file or folder, without links and a prefix for long paths; empty if it has none.
+/// The absolute path of an open file or folder, without links and without the prefix of long paths. Empty if
+/// Windows knows no path.
 std::wstring pathOfFile(HANDLE file);
 
 /// What an error of GetLastError() means.

@@ -93,11 +93,8 @@ private:
         const std::string folder = folderOf(_path),
                           path = isRelative ? toText(toPath(folder) / toPath(name)) : name,
                           named = "its source " + inQuotes(name) + ' ';
-        if (const std::string problem = problemOfName(name); !problem.empty())
+        if (const std::string problem = problemOfNaming(name, {folder}); !problem.empty())
             return named + problem;
-        if (leavesTheMachine(name)) // looking for it would reach the other machine
-            if (const std::string problem = problemOfTrust(name, {folder}); !problem.empty())
-                return named + problem;
         const std::string file = findContainingFile(path);
         if (file.empty())
             return named + "is not a file";

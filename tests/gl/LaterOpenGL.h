@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osg/GL>
+#include <osgTreeWind/gpu/OpenGLProfile.h>
 
-// Constants of OpenGL after 1.1, the version of Windows' headers, that OSG does not define either.
-#ifndef GL_ACTIVE_TEXTURE
-#define GL_ACTIVE_TEXTURE 0x84E0
-#endif
-#ifndef GL_VERTEX_ARRAY_BINDING
-#define GL_VERTEX_ARRAY_BINDING 0x85B5
-#endif
+// More constants of OpenGL after 1.1, the version of Windows' headers, that OSG does not define either.
 #ifndef GL_PRIMITIVES_GENERATED
 #define GL_PRIMITIVES_GENERATED 0x8C87
 #endif
