@@ -34,9 +34,9 @@ GustyWind::GustyWind(WindFieldPtr mean, WindFieldPtr turbulence, const WindGusts
     : _mean(std::move(mean)), _turbulence(std::move(turbulence)), _clock(clock) {
     const WindGusts gusts = clampedKeys(given);
     const LogProfile terrain = profile.value_or(terrainOf(gusts.intensity));
-    _roughness = terrain.roughness;
-    _lowest = lowestHeight(terrain);
-    _timesLog = gusts.intensity * math::log(terrain.height / terrain.roughness);
+    _logRoughness = static_cast<float>(math::log(terrain.roughness));
+    _lowest = static_cast<float>(lowestHeight(terrain));
+    _timesLog = static_cast<float>(gusts.intensity * math::log(terrain.height / terrain.roughness));
     _travel = hourlyMean(*_mean, static_cast<float>(terrain.height));
     _along = HorizontalWind(_travel).along;
     _noise.emplace(gusts.seed, gusts.lengthScale, _along,
@@ -60,8 +60,7 @@ void GustyWind::sample(const WindPlace* places, std::size_t count, double time, 
         for (std::size_t n = 0; n < size; ++n) {
             const float height = places[first + n].height;
             if (n == 0 || height != places[first + n - 1].height)
-                intensity = static_cast<float>(
-                    _timesLog / math::log(std::max(_lowest, static_cast<double>(height)) / _roughness));
+                intensity = _timesLog / (math::log(std::max(_lowest, height)) - _logRoughness);
             glm::vec3& wind = out[first + n];
             if (wind != given) {
                 given = wind;

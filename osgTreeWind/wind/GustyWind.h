@@ -31,10 +31,10 @@ public:
 private:
     WindFieldPtr _mean, _turbulence;
     WindClock _clock;
-    double _roughness;  ///< Of the ground, metres.
-    double _lowest;     ///< Height below which the intensity is constant, metres.
-    double _timesLog;   ///< Intensity times ln(height / roughness), at any height above.
-    glm::dvec3 _travel; ///< Velocity with which the gusts travel, m/s.
+    float _logRoughness; ///< ln of that of the ground in metres.
+    float _lowest;       ///< Height below which the intensity is constant, metres.
+    float _timesLog;     ///< Intensity times ln(height / roughness), at any height above.
+    glm::dvec3 _travel;  ///< Velocity with which the gusts travel, m/s.
     glm::vec3 _along; ///< Its direction, which gusts of known turbulence have at every place, even in a calm.
     std::optional<GustNoise> _noise; ///< Never empty.
 };

@@ -40,9 +40,13 @@ vec3 branchAxis3(vec3 direction) { return cross(branchAxis1(direction), directio
 vec4 swungRotation(float angle1, float angle3, vec3 direction) {
     vec3 turn =
         angle1 * cross(direction, branchAxis1(direction)) + angle3 * cross(direction, branchAxis3(direction));
-    float angle = length(turn);
-    if (angle < 1.0e-12f) return vec4(0.0f, 0.0f, 0.0f, 1.0f);
-    return turnAbout(turn / angle, angle);
+    float z = 0.25f * dot(turn, turn); // h^2, with h = half the angle
+    if (z > 1.0f) return turnAbout(normalize(turn), length(turn));
+    // Taylor's series of sin(h) / h and cos(h)
+    float sine = (((2.7557319e-6f * z - 1.9841270e-4f) * z + 8.3333333e-3f) * z - 0.16666667f) * z + 1.0f;
+    float cosine =
+        ((((-2.7557319e-7f * z + 2.4801587e-5f) * z - 1.3888889e-3f) * z + 4.1666667e-2f) * z - 0.5f) * z + 1.0f;
+    return vec4(0.5f * sine * turn, cosine);
 }
 
 /// Rotation of a leaf in the leaf frame, with the petiole along +Z (thesis Y), before its rest orientation (Figs 3.11,
