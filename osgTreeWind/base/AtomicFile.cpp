@@ -23,11 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr char temporaryExtension[] = ".part";
 
-/// A hash of the host name. Machines and containers that share a folder may have processes with equal ids.
+/// A hash of the host and its system. Machines, containers and a Linux within Windows that share a folder may
+/// have processes with equal ids.
 const std::string& machine() {
     static const std::string hash = [] {
         char text[9];
-        std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(hashOf(hostName())));
+        std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(hashOf(hostName() + programSuffix)));
         return std::string(text);
     }();
     return hash;
@@ -68,9 +69,8 @@ std::string nonEmptyFolderOf(const std::string& path) {
 }
 
 std::string targetOf(const std::string& path) {
-    std::error_code problem;
-    const fs::path target = fs::canonical(toPath(path), problem);
-    return problem ? path : toText(target);
+    const fs::path target = resolved(toPath(path));
+    return target.empty() ? path : toText(target);
 }
 
 bool isSpecialFile(const std::string& path) {

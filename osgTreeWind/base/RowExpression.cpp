@@ -47,7 +47,7 @@ struct RowExpression::Statement {
     std::vector<std::size_t> columns;
     const RowCells* row = nullptr; ///< Null: all cells are empty.
     std::int64_t lastCheck = 0, extraTime = 0;
-    std::int64_t lastCpuTime = 0;
+    std::int64_t allowedCpuTime = 0; ///< That a quick expression would have at this check.
     int cpuChecks = 0,
         cells = 0; ///< Checks left that read the CPU time, because its clock is slow; cells read.
 };
@@ -106,10 +106,11 @@ int checkTime(void* data) {
     if (statement.cpuChecks == 0 && !isSlow)
         return 0;
     const std::int64_t cpuTime = threadTime();
-    if (statement.cpuChecks > 0)
-        statement.extraTime +=
-            std::max<std::int64_t>(cpuTime - statement.lastCpuTime - nanosecondsPerCheck, 0);
-    statement.lastCpuTime = cpuTime;
+    // Of the clock's next step, an unknown part was spent before.
+    std::int64_t& allowed = statement.allowedCpuTime;
+    allowed = statement.cpuChecks > 0 ? allowed + nanosecondsPerCheck : cpuTime;
+    statement.extraTime += std::max<std::int64_t>(cpuTime - allowed, 0);
+    allowed = std::clamp(allowed, cpuTime, cpuTime + threadTimeStep);
     statement.cpuChecks = isSlow ? checksAfterSlow : statement.cpuChecks - 1;
     return statement.extraTime > maxExtraNanoseconds;
 }

@@ -31,9 +31,9 @@ unsigned defaultThreadCount() {
 /// A pool until the end of the process.
 class ProcessPool {
 public:
-    ProcessPool() { keepLibraryLoaded(); }
+    ProcessPool() = default;
     ~ProcessPool() {
-        if (!endsThreadsFirst())
+        if (!_endsThreadsFirst)
             delete _pool;
     }
     ProcessPool(const ProcessPool&) = delete;
@@ -41,6 +41,7 @@ public:
     ThreadPool& get() const { return *_pool; }
 
 private:
+    const bool _endsThreadsFirst = endsThreadsFirst();
     ThreadPool* _pool = new ThreadPool;
 };
 

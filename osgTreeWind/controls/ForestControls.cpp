@@ -26,11 +26,9 @@ constexpr double stepTime = 1.0 / 30.0, minClockRate = 1.0 / 64.0; // seconds; s
 /// The date of a season (Season.h).
 std::string dateText(float season) {
     const std::string date = isoTimeText(86400.0 * dayOfSeason(season)); // in 1970
-    std::tm month{};
-    month.tm_mon = std::stoi(date.substr(5, 2)) - 1;
-    char name[32];
-    std::strftime(name, sizeof name, "%B", &month);
-    return std::to_string(std::stoi(date.substr(8, 2))) + ' ' + name;
+    constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                      "July",    "August",   "September", "October", "November", "December"};
+    return std::to_string(std::stoi(date.substr(8, 2))) + ' ' + months[std::stoi(date.substr(5, 2)) - 1];
 }
 
 /// Whether two winds have the same field, adjustment and gusts.

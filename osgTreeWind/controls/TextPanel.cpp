@@ -2,6 +2,7 @@
 #include <osgTreeWind/controls/TextPanel.h>
 
 #include <osgTreeWind/system/Path.h>
+#include <osgTreeWind/system/Program.h>
 
 #include <osg/Depth>
 #include <osg/Fog>
@@ -16,9 +17,9 @@ namespace {
 
 constexpr float linesPerScreen = 48.0f, minCharacterSize = 12.0f; // pixels
 
-/// DejaVu Sans Mono if installed, else OSG's built-in font, which is small and not monospace.
+/// That of the system if there is one, else OSG's built-in font, which is small and not monospace.
 osg::ref_ptr<osgText::Font> monospaceFont() {
-    constexpr const char* file = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
+    const std::string file = monospaceFontFile();
     std::error_code error;
     osg::ref_ptr<osgText::Font> font =
         std::filesystem::exists(toPath(file), error) ? osgText::readRefFontFile(file) : nullptr;

@@ -112,11 +112,12 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles) {
            << "\nrange = " << tomlText(tiles.range) << "\nin_forest = " << tomlText(tiles.inForest)
            << "\nin_open = " << tomlText(tiles.inOpen);
     if (tiles.idFiles > 0)
-        output << "\nid_files = " << tiles.idFiles;
+        output << "\nid_files = " << std::to_string(tiles.idFiles);
     if (!tiles.removed.empty())
         output << "\nremoved = "
                << tomlText(std::vector<std::string>(tiles.removed.begin(), tiles.removed.end()));
-    output << "\ncolumns = " << tiles.columns << "\nrows = " << tiles.rows() << '\n';
+    output << "\ncolumns = " << std::to_string(tiles.columns) << "\nrows = " << std::to_string(tiles.rows())
+           << '\n';
     using Tile = ForestTiles::Tile;
     writeGrid(output, "trees", tiles, [](const Tile& tile) { return tile.trees; });
     writeGrid(output, "low", tiles, [](const Tile& tile) { return tile.low; });

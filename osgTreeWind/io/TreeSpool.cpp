@@ -55,7 +55,7 @@ std::string serialize(const TreeSpool::Trees& trees, const std::vector<std::size
 } // namespace
 
 bool TreeSpool::useFile(const std::string& folder, std::size_t maxInMemory) {
-    _file = openVanishingFile(folder + "/trees.part");
+    _file = openVanishingFile(folder);
     _maxInMemory = maxInMemory;
     return _file != nullptr;
 }

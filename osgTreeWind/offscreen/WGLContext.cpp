@@ -87,7 +87,7 @@ private:
         form.lpfnWndProc = DefWindowProcW;
         form.hInstance = GetModuleHandleW(nullptr);
         form.lpszClassName = className;
-        return RegisterClassW(&form) != 0;
+        return RegisterClassW(&form) != 0 || GetLastError() == ERROR_CLASS_ALREADY_EXISTS; // by another DLL
     }
 
     const HDC _deviceBefore = wglGetCurrentDC();
@@ -197,7 +197,7 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
     const HiddenWindow window;
     const int format = window ? choosePbufferFormat(window) : 0;
     if (format == 0)
-        return fileProblem({}, "OpenGL draws only into windows; expected a graphics driver with "
+        return fileProblem({}, "OpenGL can draw only into windows; expected a graphics driver with "
                                "WGL_ARB_pbuffer, WGL_ARB_pixel_format and WGL_ARB_create_context_profile");
     auto pbuffer = std::make_unique<Pbuffer>(window, format, width, height);
     if (!pbuffer->device)

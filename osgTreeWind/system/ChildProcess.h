@@ -34,10 +34,18 @@ public:
     int descriptor() const { return _descriptor; }
     /// Closes the connection, which ends a program that reads or writes it, and waits for its end.
     End finish();
-    /// Ends the program at once and waits for its end. Another thread may be in finish().
+    /// Ends the program at once and waits for its end.
     void kill();
+    /// Calls kill() for all programs, also while other threads are in functions of these, and lets no other
+    /// start. Call it only before this process ends.
+    static void killAll();
 
 private:
+    std::string startProgram(const std::string& program, const std::vector<std::string>& arguments,
+                             Connection connection);
+    void awaitEnd();
+    End takeEnd(); ///< Releases the process.
+
     std::intptr_t _process = -1;
     int _descriptor = -1;
 };

@@ -14,8 +14,19 @@
 
 namespace osgTreeWind {
 
-std::string ChildProcess::start(const std::string& program, const std::vector<std::string>& arguments,
-                                Connection connection) {
+namespace {
+
+/// Does not release the process, so that no other process gets its number.
+void awaitEndOf(std::intptr_t process) {
+    siginfo_t end;
+    while (waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOWAIT) != 0 && errno == EINTR)
+        ;
+}
+
+} // namespace
+
+std::string ChildProcess::startProgram(const std::string& program, const std::vector<std::string>& arguments,
+                                       Connection connection) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return std::generic_category().message(errno);
@@ -46,18 +57,17 @@ std::string ChildProcess::start(const std::string& program, const std::vector<st
     return {};
 }
 
-ChildProcess::End ChildProcess::finish() {
-    if (_descriptor < 0)
-        return {};
+void ChildProcess::awaitEnd() {
     close(_descriptor);
     _descriptor = -1;
+    awaitEndOf(_process);
+}
+
+ChildProcess::End ChildProcess::takeEnd() {
     const auto process = static_cast<pid_t>(_process);
+    _process = -1;
     int status = 0;
-    pid_t waited = 0;
-    do
-        waited = waitpid(process, &status, 0);
-    while (waited < 0 && errno == EINTR);
-    if (waited != process) // the host reaped it
+    if (waitpid(process, &status, 0) != process) // the host reaped it
         return {false, "ended early"};
     if (!WIFSIGNALED(status))
         return {status == 0, "ended with status " + std::to_string(WEXITSTATUS(status))};
@@ -70,9 +80,8 @@ ChildProcess::End ChildProcess::finish() {
 void ChildProcess::kill() {
     if (_process < 0)
         return;
-    const auto process = static_cast<pid_t>(_process);
-    ::kill(process, SIGKILL);
-    waitpid(process, nullptr, 0);
+    ::kill(static_cast<pid_t>(_process), SIGKILL);
+    awaitEndOf(_process);
 }
 
 } // namespace osgTreeWind

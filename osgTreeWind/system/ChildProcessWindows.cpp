@@ -3,8 +3,10 @@
 #include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/system/Windows.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <random>
+#include <system_error>
 
 #include <fcntl.h>
 #include <io.h>
@@ -54,8 +56,9 @@ public:
     explicit InheritedHandle(DWORD standard) : InheritedHandle(L"NUL", GENERIC_WRITE) {
         HANDLE copy = nullptr;
         const HANDLE own = GetStdHandle(standard);
-        if (own && DuplicateHandle(GetCurrentProcess(), own, GetCurrentProcess(), &copy, 0, TRUE,
-                                   DUPLICATE_SAME_ACCESS)) {
+        if (own && own != INVALID_HANDLE_VALUE &&
+            DuplicateHandle(GetCurrentProcess(), own, GetCurrentProcess(), &copy, 0, TRUE,
+                            DUPLICATE_SAME_ACCESS)) {
             CloseHandle(_handle);
             _handle = copy;
         }
@@ -108,8 +111,8 @@ HANDLE startProcess(const std::wstring& program, std::wstring line, HANDLE input
 
 } // namespace
 
-std::string ChildProcess::start(const std::string& program, const std::vector<std::string>& arguments,
-                                Connection connection) {
+std::string ChildProcess::startProgram(const std::string& program, const std::vector<std::string>& arguments,
+                                       Connection connection) {
     const bool isTwoWay = connection == Connection::InputAndOutput;
     const std::wstring name = L"\\\\.\\pipe\\osgTreeWind-" + std::to_wstring(GetCurrentProcessId()) + L"-" +
                               std::to_wstring(std::random_device()());
@@ -133,18 +136,25 @@ std::string ChildProcess::start(const std::string& program, const std::vector<st
         CloseHandle(ours);
         return problem;
     }
-    _process = reinterpret_cast<std::intptr_t>(process);
     _descriptor = _open_osfhandle(reinterpret_cast<std::intptr_t>(ours), _O_BINARY | _O_RDWR);
+    if (_descriptor < 0) { // too many files are open
+        TerminateProcess(process, 1);
+        CloseHandle(process);
+        CloseHandle(ours);
+        return std::generic_category().message(EMFILE);
+    }
+    _process = reinterpret_cast<std::intptr_t>(process);
     return {};
 }
 
-ChildProcess::End ChildProcess::finish() {
-    if (_descriptor < 0)
-        return {};
+void ChildProcess::awaitEnd() {
     _close(_descriptor);
     _descriptor = -1;
+    WaitForSingleObject(reinterpret_cast<HANDLE>(_process), INFINITE);
+}
+
+ChildProcess::End ChildProcess::takeEnd() {
     const auto process = reinterpret_cast<HANDLE>(_process);
-    WaitForSingleObject(process, INFINITE);
     DWORD status = 0;
     GetExitCodeProcess(process, &status);
     _process = -1;

@@ -3,6 +3,7 @@
 #include <osgTreeWind/system/Windows.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include <fcntl.h>
 #include <io.h>
@@ -12,6 +13,13 @@ namespace osgTreeWind {
 namespace {
 
 void (*cleanUpProgram)() = nullptr;
+
+UINT codePageBefore = 0; // of the console, which other programs use later
+
+void restoreCodePage() {
+    if (codePageBefore != 0)
+        SetConsoleOutputCP(codePageBefore);
+}
 
 DWORD WINAPI cleanUpInThread(void*) {
     cleanUpProgram();
@@ -23,6 +31,7 @@ BOOL WINAPI endProgram(DWORD) {
     constexpr UINT interrupted = 130; // as on Linux after SIGINT
     constexpr DWORD longest = 4000;   // ms; after 5 s, Windows itself would end it
     WaitForSingleObject(CreateThread(nullptr, 0, cleanUpInThread, nullptr, 0, nullptr), longest);
+    restoreCodePage();
     TerminateProcess(GetCurrentProcess(), interrupted);
     return TRUE;
 }
@@ -35,7 +44,9 @@ void exitOnInterrupt(void (*cleanUp)()) {
 }
 
 void useUtf8Console() {
+    codePageBefore = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
+    std::atexit(restoreCodePage);
     for (std::FILE* stream : {stdout, stderr})
         _setmode(_fileno(stream), _O_BINARY);
 }

@@ -16,9 +16,8 @@ std::ptrdiff_t writeSome(int descriptor, const void* bytes, std::size_t size);
 /// @return the descriptor of the former standard output.
 int takeStandardOutput();
 
-/// Waits until the other process has read what was written, if its data would be lost with the end of this
-/// one.
-/// @return whether it has.
+/// Waits until the other process has read what was written, on systems where unread data is lost when this
+/// process ends. @return whether it has.
 bool finishOutput(int descriptor);
 
 /// Whether a person types the standard input.

@@ -17,10 +17,14 @@ constexpr std::size_t mostBytes = 1 << 20; // of one call
 } // namespace
 
 std::ptrdiff_t readSome(int descriptor, void* bytes, std::size_t size) {
+    if (descriptor < 0) // runtimes may end the process
+        return -1;
     return _read(descriptor, bytes, static_cast<unsigned>(std::min(size, mostBytes)));
 }
 
 std::ptrdiff_t writeSome(int descriptor, const void* bytes, std::size_t size) {
+    if (descriptor < 0)
+        return -1;
     return _write(descriptor, bytes, static_cast<unsigned>(std::min(size, mostBytes)));
 }
 

@@ -15,8 +15,10 @@ using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
 /// As std::fopen(), with any name. @param path UTF-8. @return null on failure.
 FilePointer openFile(const std::string& path, const char* mode);
-/// Opens a new file for reading and writing, which vanishes when it is closed or the process ends.
-FilePointer openVanishingFile(const std::string& path);
+/// Opens a new file in a folder for reading and writing, which vanishes when it is closed or the process
+/// ends.
+/// @return null on failure.
+FilePointer openVanishingFile(const std::string& folder);
 /// Moves to a place in a file, also beyond 2 GB. @return whether that succeeded.
 bool seekFile(std::FILE* file, std::int64_t offset);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/system/File.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <unistd.h>
@@ -11,11 +12,13 @@ FilePointer openFile(const std::string& path, const char* mode) {
     return FilePointer(std::fopen(path.c_str(), mode));
 }
 
-FilePointer openVanishingFile(const std::string& path) {
-    FilePointer file = openFile(path, "w+b");
-    if (file)
-        std::remove(path.c_str());
-    return file;
+FilePointer openVanishingFile(const std::string& folder) {
+    std::string path = folder + "/osgTreeWind-XXXXXX";
+    const int file = mkstemp(path.data());
+    if (file < 0)
+        return nullptr;
+    unlink(path.c_str());
+    return FilePointer(fdopen(file, "w+b"));
 }
 
 bool seekFile(std::FILE* file, std::int64_t offset) {

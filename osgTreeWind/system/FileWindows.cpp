@@ -38,8 +38,11 @@ FilePointer openFile(const std::string& path, const char* mode) {
     return FilePointer(_wfopen(toPath(path).c_str(), toWide(mode).c_str()));
 }
 
-FilePointer openVanishingFile(const std::string& path) {
-    return openFile(path, "w+bTD"); // an open file cannot be removed
+FilePointer openVanishingFile(const std::string& folder) {
+    wchar_t path[MAX_PATH + 1]; // of a new, empty file
+    if (GetTempFileNameW(toPath(folder).c_str(), L"otw", 0, path) == 0)
+        return nullptr;
+    return FilePointer(_wfopen(path, L"w+bTD")); // an open file cannot be removed
 }
 
 bool seekFile(std::FILE* file, std::int64_t offset) {

@@ -6,8 +6,8 @@
 namespace osgTreeWind {
 
 FolderLock::FolderLock(const std::string& folder) {
-    // A file in the folder that nobody else may open. Windows removes it when its handle is closed, also by a
-    // crash.
+    // A file in the folder that nobody else may open. Windows removes it when its handle is closed, even
+    // after a crash.
     const HANDLE file =
         CreateFileW((toPath(folder) / "writing.lock").c_str(), GENERIC_WRITE | DELETE, 0, nullptr,
                     OPEN_ALWAYS, FILE_ATTRIBUTE_HIDDEN | FILE_FLAG_DELETE_ON_CLOSE, nullptr);

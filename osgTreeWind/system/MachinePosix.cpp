@@ -18,8 +18,9 @@ std::string hostName() {
 std::string processorName() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);)
-        if (line.rfind("model name", 0) == 0)
-            return line.substr(line.find(':') + 2);
+        if (const std::size_t colon = line.find(": ");
+            line.rfind("model name", 0) == 0 && colon != std::string::npos)
+            return line.substr(colon + 2);
     return "unknown processor";
 }
 

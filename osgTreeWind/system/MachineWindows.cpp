@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/system/Machine.h>
-#include <osgTreeWind/system/Program.h>
 #include <osgTreeWind/system/Windows.h>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// A text of the registry for the machine.
+std::optional<std::string> registryText(const wchar_t* key, const wchar_t* name) {
+    wchar_t text[256] = {};
+    DWORD bytes = sizeof text;
+    if (RegGetValueW(HKEY_LOCAL_MACHINE, key, name, RRF_RT_REG_SZ, nullptr, text, &bytes) != ERROR_SUCCESS)
+        return std::nullopt;
+    return toUtf8(text);
+}
+
+} // namespace
 
 std::string hostName() {
     wchar_t name[256] = {};
@@ -12,11 +24,14 @@ std::string hostName() {
 }
 
 std::string processorName() {
-    return environmentVariable("PROCESSOR_IDENTIFIER").value_or("unknown processor");
+    return registryText(L"HARDWARE\\DESCRIPTION\\System\\CentralProcessor\\0", L"ProcessorNameString")
+        .value_or("unknown processor");
 }
 
 std::string systemName() {
-    return "Windows " + environmentVariable("PROCESSOR_ARCHITECTURE").value_or("");
+    const wchar_t key[] = L"SOFTWARE\\Microsoft\\Windows NT\\CurrentVersion";
+    return registryText(key, L"ProductName").value_or("Windows") + ' ' +
+           registryText(key, L"CurrentBuildNumber").value_or("");
 }
 
 std::optional<double> machineLoad() {

@@ -29,8 +29,8 @@ std::filesystem::path resolved(const std::filesystem::path& path);
 /// devices such as NUL and COM1, streams such as `a.csv:b`, and paths such as `C:x` that depend on hidden
 /// folders.
 std::string problemOfName(const std::string& text);
-/// Whether a text is a path to another machine or past the usual rules for names, `\\server\share` or `\\?\`.
-/// Opening the first sends the user's name to that machine. Never on Linux.
+/// Whether a text is a path to another machine or one that Windows takes literally, `\\server\share` or
+/// `\\?\`. Opening the first sends the user's name to that machine. Never on Linux.
 bool leavesTheMachine(const std::string& text);
 
 } // namespace osgTreeWind

@@ -83,7 +83,12 @@ std::string problemOfName(const std::string& text) {
     const bool hasDrive = name.size() > 1 && name[1] == L':' && std::iswalpha(name[0]);
     if (hasDrive && (name.size() < 3 || name[2] != L'\\'))
         return "depends on the current folder of a drive; expected a path such as C:/folder/file";
-    if (name.find(L':', hasDrive ? 2 : 0) != std::wstring::npos && name.rfind(L"\\\\?\\", 0) != 0)
+    const auto begins = [&](const wchar_t* text) { return name.rfind(text, 0) == 0; };
+    if (begins(L"\\\\.\\") || begins(L"\\??\\"))
+        return "names a device; expected a file";
+    const std::size_t drive = begins(L"\\\\?\\") ? 4 : 0, colon = name.find(L':', drive);
+    if (colon != std::wstring::npos &&
+        (colon != drive + 1 || name.find(L':', colon + 1) != std::wstring::npos))
         return "names a stream of a file; expected a file";
     for (std::size_t begin = 0; begin < name.size();) { // a device in any folder is the device
         const std::size_t end = std::min(name.find(L'\\', begin), name.size());
@@ -96,7 +101,7 @@ std::string problemOfName(const std::string& text) {
 
 bool leavesTheMachine(const std::string& text) {
     const auto isSlash = [](char c) { return c == '/' || c == '\\'; };
-    return text.size() > 1 && isSlash(text[0]) && isSlash(text[1]);
+    return text.size() > 1 && isSlash(text[0]) && (isSlash(text[1]) || text[1] == '?');
 }
 
 } // namespace osgTreeWind

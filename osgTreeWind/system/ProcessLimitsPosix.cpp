@@ -17,7 +17,7 @@ void limitMemory(std::uint64_t bytes) {
 }
 
 void limitTime(unsigned seconds) {
-    [[maybe_unused]] static const bool isHeard = [] { // the parent process may have blocked SIGALRM
+    [[maybe_unused]] static const bool isUnblocked = [] { // the parent process may have blocked SIGALRM
         sigset_t all;
         sigfillset(&all);
         signal(SIGALRM, SIG_DFL);

@@ -12,7 +12,8 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Ends the process when its time is up. Also when it uses too much memory, as Wine has no jobs with limits.
+/// Ends the process when its time is up, or when it uses too much memory, because Wine has no jobs with
+/// limits.
 class Watch {
 public:
     Watch() {

@@ -21,6 +21,10 @@ std::string findProgram(const std::string& name);
 
 /// The arguments of main() in UTF-8, the name of the program first.
 std::vector<std::string> programArguments(int argc, char** argv);
+/// The folder in which programs of this user keep files that can be made again; empty if there is none.
+std::filesystem::path cacheFolder();
+/// A file of a font whose characters are of equal width; it may be missing.
+std::string monospaceFontFile();
 /// The value of an environment variable in UTF-8; empty if it is not set.
 std::optional<std::string> environmentVariable(const char* name);
 /// What separates folders in environment variables: `:`, or `;` on Windows.
@@ -33,8 +37,9 @@ std::int64_t processId();
 /// Whether a process of this machine has ended.
 bool hasEnded(std::int64_t process);
 
-/// Nanoseconds for which this thread has computed. Windows counts in steps of 16 ms.
+/// Nanoseconds for which this thread has computed, and the steps in which the system counts them.
 std::int64_t threadTime();
+extern const std::int64_t threadTimeStep;
 
 /// Keeps libraries from being loaded from the current folder. Call it first in main().
 void trustOwnLibraries();
@@ -46,10 +51,9 @@ void runInstead(const std::filesystem::path& program);
 /// A function of a library that the program has loaded; null if there is none.
 void* findFunction(const char* name);
 
-/// Whether the system ends all threads of a program before it destroys the static objects of its libraries,
-/// which then may not wait for their threads.
+/// If the system ends all threads of a program before it destroys the static objects of its libraries, keeps
+/// the library that contains this function in the process until then. @return whether it does, so that these
+/// objects may not wait for their threads.
 bool endsThreadsFirst();
-/// Keeps the library that contains this function in the process until it ends, as its threads run on.
-void keepLibraryLoaded();
 
 } // namespace osgTreeWind

@@ -14,6 +14,7 @@ namespace osgTreeWind {
 
 const char programSuffix[] = "";
 const char listSeparator = ':';
+const std::int64_t threadTimeStep = 0;
 
 std::filesystem::path programPath() {
     std::error_code ignored;
@@ -35,6 +36,19 @@ std::vector<std::string> programArguments(int argc, char** argv) {
 std::optional<std::string> environmentVariable(const char* name) {
     const char* const value = std::getenv(name);
     return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+std::filesystem::path cacheFolder() {
+    // Relative folders would depend on the current one.
+    if (std::filesystem::path caches = environmentVariable("XDG_CACHE_HOME").value_or("");
+        caches.is_absolute())
+        return caches;
+    const std::filesystem::path home = environmentVariable("HOME").value_or("");
+    return home.is_absolute() ? home / ".cache" : std::filesystem::path();
+}
+
+std::string monospaceFontFile() {
+    return "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
 }
 
 std::int64_t processId() {
@@ -76,7 +90,5 @@ void* findFunction(const char* name) {
 bool endsThreadsFirst() {
     return false;
 }
-
-void keepLibraryLoaded() {}
 
 } // namespace osgTreeWind

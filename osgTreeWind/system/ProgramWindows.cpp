@@ -31,6 +31,7 @@ HMODULE ownModule(DWORD flags) {
 
 const char programSuffix[] = ".exe";
 const char listSeparator = ';';
+const std::int64_t threadTimeStep = 15'625'000;
 
 std::filesystem::path programPath() {
     return pathOf(nullptr);
@@ -40,7 +41,7 @@ std::filesystem::path libraryPath() {
     return pathOf(ownModule(GET_MODULE_HANDLE_EX_FLAG_UNCHANGED_REFCOUNT));
 }
 
-std::vector<std::string> programArguments(int, char**) { // which have lost what the code page lacks
+std::vector<std::string> programArguments(int, char**) { // argv lacks characters outside of the code page
     int count = 0;
     wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
     std::vector<std::string> arguments;
@@ -56,6 +57,14 @@ std::optional<std::string> environmentVariable(const char* name) {
     value.resize(
         GetEnvironmentVariableW(toWide(name).c_str(), value.data(), static_cast<DWORD>(value.size())));
     return GetLastError() == ERROR_ENVVAR_NOT_FOUND ? std::nullopt : std::optional(toUtf8(value));
+}
+
+std::filesystem::path cacheFolder() {
+    return toPath(environmentVariable("LOCALAPPDATA").value_or(""));
+}
+
+std::string monospaceFontFile() {
+    return environmentVariable("SystemRoot").value_or("") + "/Fonts/consola.ttf";
 }
 
 std::int64_t processId() {
@@ -84,19 +93,7 @@ void trustOwnLibraries() {
     SetDllDirectoryW(L"");
 }
 
-void runInstead(const std::filesystem::path& program) {
-    std::wstring line = GetCommandLineW();
-    STARTUPINFOW startup{};
-    startup.cb = sizeof startup;
-    PROCESS_INFORMATION process{};
-    if (!CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &startup,
-                        &process))
-        return;
-    WaitForSingleObject(process.hProcess, INFINITE);
-    DWORD status = 0;
-    GetExitCodeProcess(process.hProcess, &status);
-    exitNow(static_cast<int>(status));
-}
+void runInstead(const std::filesystem::path&) {} // one program has all backends
 
 void exitNow(int status) {
     TerminateProcess(GetCurrentProcess(), static_cast<UINT>(status));
@@ -114,11 +111,8 @@ void* findFunction(const char* name) {
 }
 
 bool endsThreadsFirst() {
-    return true;
-}
-
-void keepLibraryLoaded() {
     ownModule(GET_MODULE_HANDLE_EX_FLAG_PIN);
+    return true;
 }
 
 } // namespace osgTreeWind

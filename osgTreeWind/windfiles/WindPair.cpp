@@ -94,7 +94,7 @@ Result<WindContent> readPair(const std::string& path, const char* format,
     if (end != "_vel" && end != "_ang")
         return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
                                      ", a pair of speed and direction");
-    const std::string begin = (folder.empty() ? "" : folder + '/') + stem.substr(0, stem.size() - 4);
+    const std::string begin = toText(toPath(folder) / toPath(stem.substr(0, stem.size() - 4)));
     RasterBand cells[2];
     const char* const ends[] = {"_vel", "_ang"};
     for (int i = 0; i < 2; ++i) {

@@ -36,12 +36,13 @@ void fail(const std::string& reason) {
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
     trustOwnLibraries();
-    if (argc != 3) {
+    const std::vector<std::string> arguments = programArguments(argc, argv);
+    if (arguments.size() != 3) {
         std::cerr << "usage: osgtreewind-matlab FILE trees\n"
                      "Reads .mat files for osgTreeWind. Its output is binary.\n";
         return 2;
     }
-    path = programArguments(argc, argv)[1];
+    path = arguments[1];
     output = takeStandardOutput();
     limitResources({path}, std::size_t(1) << 26, 10);
     try {

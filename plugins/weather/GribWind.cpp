@@ -7,6 +7,7 @@
 #include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/base/DateText.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/system/Path.h>
@@ -19,6 +20,7 @@
 #include <cpl_vsi.h>
 
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -291,7 +293,7 @@ private:
     std::optional<Diagnostic> _problem;
 };
 
-/// A memory-mapped file.
+/// A file, memory-mapped where GDAL can.
 class MappedFile {
 public:
     explicit MappedFile(const std::string& path)
@@ -303,12 +305,17 @@ public:
                 CPLVirtualMemFileMapNew(_file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr));
         if (_memory)
             _bytes = {static_cast<const char*>(CPLVirtualMemGetAddr(_memory.get())), size};
+        else if (Result<std::string> read = readBytes(path)) {
+            _read = std::move(read.value());
+            _bytes = _read;
+        }
     }
     std::string_view bytes() const { return _bytes; } ///< Empty if it cannot be read.
 
 private:
     std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> _file;
     std::unique_ptr<CPLVirtualMem, decltype(&CPLVirtualMemFree)> _memory;
+    std::string _read;
     std::string_view _bytes;
 };
 
@@ -318,7 +325,7 @@ Result<WindContent> readGribWind(const std::string& path, const WindRequest& req
     std::vector<std::string> paths = {path};
     if (!request.secondFile.empty())
         paths.push_back(request.secondFile);
-    std::vector<MappedFile> files; // must outlive the fields
+    std::deque<MappedFile> files; // must outlive the fields
     std::vector<GribField> fields;
     double size = 0.0;
     for (const std::string& each : paths) {

@@ -41,7 +41,7 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
     }
 }
 
-constexpr int requiredArguments = 9;
+constexpr std::size_t requiredArguments = 9;
 
 WindRequest parseRequest(const std::vector<std::string>& arguments) {
     WindRequest request;
@@ -62,14 +62,14 @@ WindRequest parseRequest(const std::vector<std::string>& arguments) {
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
     trustOwnLibraries();
-    if (argc < requiredArguments) {
+    const std::vector<std::string> arguments = programArguments(argc, argv);
+    if (arguments.size() < requiredArguments) {
         std::cerr
             << "usage: osgtreewind-weather FILE SECOND grid|stored all|CRS X0 Y0 X1 Y1 [VARIABLE]...\n"
                "Used by osgTreeWind to read NetCDF and GRIB; the output is binary. To inspect a file, use "
                "`osgtreewind wind`.\n";
         return 2;
     }
-    const std::vector<std::string> arguments = programArguments(argc, argv);
     const WindRequest request = parseRequest(arguments);
     limitResources({arguments[1], request.secondFile}, std::size_t(1) << 30, 10);
     const int output = takeStandardOutput();

@@ -9,21 +9,25 @@
 namespace osgTreeWind {
 
 TEST(UserCache, FolderFollowsTheEnvironment) {
-    const std::string drive = listSeparator == ';' ? "C:" : ""; // of Windows
     {
         const EnvironmentVariable cache("OSGTREEWIND_FORM_CACHE", "off");
         EXPECT_EQ(userCacheFolder(), "");
     }
     const EnvironmentVariable none("OSGTREEWIND_FORM_CACHE", "");
-    const EnvironmentVariable home("HOME", (drive + "/home/user").c_str());
-    {
-        const EnvironmentVariable caches("XDG_CACHE_HOME", (drive + "/var/caches").c_str());
-        EXPECT_EQ(userCacheFolder(), drive + "/var/caches/osgtreewind");
+    if (listSeparator == ';') { // Windows
+        const EnvironmentVariable caches("LOCALAPPDATA", "C:\\Caches");
+        EXPECT_EQ(userCacheFolder(), "C:/Caches/osgtreewind");
     }
-    const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
-    EXPECT_EQ(userCacheFolder(), drive + "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
-    const EnvironmentVariable noHome("HOME", "");
-    const EnvironmentVariable local("LOCALAPPDATA", "");
+    const EnvironmentVariable home("HOME", "/home/user"), local("LOCALAPPDATA", "");
+    if (listSeparator == ':') {
+        {
+            const EnvironmentVariable caches("XDG_CACHE_HOME", "/var/caches");
+            EXPECT_EQ(userCacheFolder(), "/var/caches/osgtreewind");
+        }
+        const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
+        EXPECT_EQ(userCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
+    }
+    const EnvironmentVariable noCaches("XDG_CACHE_HOME", ""), noHome("HOME", "");
     EXPECT_EQ(userCacheFolder(), "");
 }
 

@@ -14,19 +14,21 @@ namespace osgTreeWind {
 
 TEST(File, VanishesWhenItIsClosed) {
     const TemporaryFolder folder;
-    FilePointer file = openVanishingFile(folder.path() + "/лес.part");
-    ASSERT_TRUE(file);
+    FilePointer file = openVanishingFile(folder.path()), other = openVanishingFile(folder.path());
+    ASSERT_TRUE(file && other);
     EXPECT_EQ(std::fputs("text", file.get()) >= 0, true);
     ASSERT_TRUE(seekFile(file.get(), 1));
     EXPECT_EQ(std::fgetc(file.get()), 'e');
+    EXPECT_EQ(std::fgetc(other.get()), EOF) << "each is a file of its own";
     file.reset();
+    other.reset();
     EXPECT_EQ(folder.countFiles(), 0u);
-    EXPECT_FALSE(openVanishingFile(folder.path() + "/missing/file"));
+    EXPECT_FALSE(openVanishingFile(folder.path() + "/missing"));
 }
 
 TEST(File, IsReadBeyondTwoGigabytes) {
     const TemporaryFolder folder;
-    const FilePointer file = openVanishingFile(folder.path() + "/large");
+    const FilePointer file = openVanishingFile(folder.path());
     constexpr std::int64_t far = std::int64_t(3) << 30; // the hole takes no room on the disk
     ASSERT_TRUE(file && seekFile(file.get(), far));
     ASSERT_EQ(std::fputc('x', file.get()), 'x');

@@ -57,16 +57,18 @@ TEST(Path, IsResolved) {
 
 TEST(Path, OnWindowsRefusesNamesOfDevicesAndStreams) {
     for (const std::string name : {"NUL", "nul.csv", "trees/COM1", "com1 .txt", "C:/folder/Aux.trees",
-                                   "CONIN$", "LPT9", "a.csv:stream", "C:/a.csv:b", "C:trees.csv", "c:"})
+                                   "CONIN$", "LPT9", "a.csv:stream", "C:/a.csv:b", "C:trees.csv", "c:",
+                                   "\\\\?\\C:\\a.csv:b", "\\\\.\\pipe\\x", "//./COM10", "\\??\\C:\\a.csv"})
         EXPECT_EQ(problemOfName(name).empty(), !isWindows) << name;
-    for (const std::string name : {"C:/trees.csv", "c:\\trees.csv", "../trees.csv", "COMMON.csv", "null.csv",
-                                   "com.csv", "/absolute/path", "COM10", "//server/share/a.csv"})
+    for (const std::string name :
+         {"C:/trees.csv", "c:\\trees.csv", "../trees.csv", "COMMON.csv", "null.csv", "com.csv",
+          "/absolute/path", "COM10", "//server/share/a.csv", "\\\\?\\C:\\a.csv"})
         EXPECT_EQ(problemOfName(name), "") << name;
 }
 
 TEST(Path, OnWindowsTellsOtherMachines) {
-    for (const std::string name :
-         {"//server/share/a.csv", "\\\\server\\share\\a.csv", "\\\\?\\C:\\a.csv", "/\\server\\share"})
+    for (const std::string name : {"//server/share/a.csv", "\\\\server\\share\\a.csv", "\\\\?\\C:\\a.csv",
+                                   "/\\server\\share", "\\??\\UNC\\server\\share"})
         EXPECT_EQ(leavesTheMachine(name), isWindows) << name;
     for (const std::string name : {"C:/a.csv", "/a.csv", "a//b.csv", ""})
         EXPECT_FALSE(leavesTheMachine(name)) << name;

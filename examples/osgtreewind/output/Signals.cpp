@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/output/Signals.h>
 
-#include <examples/osgtreewind/pictures/VideoWriter.h>
-
 #include <osgTreeWind/base/TemporaryPath.h>
+#include <osgTreeWind/system/ChildProcess.h>
 #include <osgTreeWind/system/Console.h>
+
+#include <chrono>
 
 namespace {
 
-std::mutex& rowMutex() {
-    static std::mutex& mutex =
-        *new std::mutex; // never destroyed: the thread of exitOnSignals() may outlive main()
+std::timed_mutex& rowMutex() {
+    static std::timed_mutex& mutex =
+        *new std::timed_mutex; // never destroyed: the thread of exitOnSignals() may outlive main()
     return mutex;
 }
 
@@ -18,8 +19,8 @@ std::mutex& rowMutex() {
 
 void exitOnSignals() {
     osgTreeWind::exitOnInterrupt([] {
-        rowMutex().lock();
-        VideoWriter::endAll();
+        (void)rowMutex().try_lock_for(std::chrono::seconds(2)); // whoever reads the rows may have stopped
+        osgTreeWind::ChildProcess::killAll();
         osgTreeWind::TemporaryPath::removeAll();
     });
 }

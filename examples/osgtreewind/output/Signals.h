@@ -13,5 +13,5 @@ public:
     WholeRow();
 
 private:
-    std::unique_lock<std::mutex> _lock;
+    std::unique_lock<std::timed_mutex> _lock;
 };

@@ -6,63 +6,21 @@
 #include <osgTreeWind/system/Descriptor.h>
 #include <osgTreeWind/system/Program.h>
 
-#include <mutex>
-#include <set>
-
-namespace {
-
-struct Running {
-    std::mutex mutex;
-    std::set<osgTreeWind::ChildProcess*> programs;
-};
-
-Running& running() {
-    static Running& all = *new Running; // endAll() may be called after main()
-    return all;
-}
-
-} // namespace
-
 bool VideoWriter::available() {
     return !osgTreeWind::findProgram("ffmpeg").empty();
 }
 
-void VideoWriter::endAll() {
-    running().mutex.lock(); // never unlocked, so that no other ffmpeg starts
-    for (osgTreeWind::ChildProcess* program : running().programs)
-        program->kill();
-}
-
 VideoWriter::VideoWriter(const std::string& path, int width, int height, double fps) {
-    const std::lock_guard lock(running().mutex);
-    const std::string problem = _ffmpeg.start(osgTreeWind::findProgram("ffmpeg"),
-                                              {"-loglevel",
-                                               "error",
-                                               "-y",
-                                               "-f",
-                                               "rawvideo",
-                                               "-pix_fmt",
-                                               "rgba",
-                                               "-s",
-                                               std::to_string(width) + 'x' + std::to_string(height),
-                                               "-r",
-                                               osgTreeWind::numberText(fps),
-                                               "-i",
-                                               "-",
-                                               "-vf",
-                                               "vflip,scale=trunc(iw/2)*2:trunc(ih/2)*2",
-                                               "-c:v",
-                                               "libx264",
-                                               "-crf",
-                                               "18",
-                                               "-pix_fmt",
-                                               "yuv420p",
-                                               "-f",
-                                               "mp4",
-                                               "file:" + path},
-                                              osgTreeWind::ChildProcess::Connection::Input);
-    if (problem.empty())
-        running().programs.insert(&_ffmpeg);
+    const std::string size = std::to_string(width) + 'x' + std::to_string(height);
+    // clang-format off
+    const std::vector<std::string> arguments = {
+        "-loglevel", "error", "-y",
+        "-f", "rawvideo", "-pix_fmt", "rgba", "-s", size, "-r", osgTreeWind::numberText(fps), "-i", "-",
+        "-vf", "vflip,scale=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p",
+        "-f", "mp4", "file:" + path};
+    // clang-format on
+    _ffmpeg.start(osgTreeWind::findProgram("ffmpeg"), arguments,
+                  osgTreeWind::ChildProcess::Connection::Input);
 }
 
 VideoWriter::~VideoWriter() {
@@ -82,8 +40,5 @@ bool VideoWriter::write(const osg::Image& image) {
 }
 
 bool VideoWriter::close() {
-    const bool isGood = _ffmpeg.finish().isSuccess;
-    const std::lock_guard lock(running().mutex);
-    running().programs.erase(&_ffmpeg);
-    return isGood;
+    return _ffmpeg.finish().isSuccess;
 }

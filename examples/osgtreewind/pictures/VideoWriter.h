@@ -12,8 +12,6 @@ class VideoWriter {
 public:
     /// Whether ffmpeg is on the PATH.
     static bool available();
-    /// Kills the ffmpeg of every writer; their files stay unfinished.
-    static void endAll();
 
     VideoWriter(const std::string& path, int width, int height, double fps);
     ~VideoWriter();
