@@ -4,6 +4,8 @@
 #include <tests/Folders.h>
 #include <tests/io/TemporaryFolder.h>
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <iterator>
 #include <string>
