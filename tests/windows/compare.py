@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compares the tool under Wine with the native one, on three examples: texts and motion must be equal, and pictures of
-which at most 0.01 % of the bytes may differ, by at most 9 of 255. Without a native tool, the commands must only succeed.
+"""Compares the tool under Wine with the native one, on three examples and on a forest whose files have names outside of
+any code page: texts, motion and tiles must be equal, and pictures of which at most 0.01 % of the bytes may differ, by at
+most 9 of 255. Without a native tool, the commands must only succeed.
 
 Usage: compare.py SOURCE_FOLDER WINDOWS_TOOL [NATIVE_TOOL]      (under Xvfb, with WINEPREFIX set)
 """
@@ -79,6 +80,52 @@ def compare_text(name, arguments):
         report(name, here == there, f"{len(here.splitlines())} lines, {lines} differ")
 
 
+def compare_pictures(name, ours, theirs):
+    here, there = pixels(ours), pixels(theirs)
+    off = [abs(a - b) for a, b in zip(here, there) if a != b]
+    share, largest = len(off) / len(there), max(off, default=0)
+    report(name, len(here) == len(there) and share <= MAX_SHARE and largest <= MAX_DIFFERENCE,
+           f"{100 * (1 - share):.4f} % of the bytes are equal, the largest difference is {largest} of 255")
+
+
+# Each key that names a file without a reader program has a path from the root, on Windows with a drive.
+NAMED_FOREST = """version = 1
+[wind]
+kind = "series"
+file = 'FOLDER/ветер.csv'
+columns = { time = "t", speed = "s", direction_from = "d" }
+[[species]]
+name = "linde"
+scan = ['FOLDER/стволы.swc']
+[species.appearance]
+bark_image = 'FOLDER/кора.png'
+[inventory]
+file = 'FOLDER/деревья.csv'
+columns = { x = "x", y = "y", height = "h" }
+"""
+
+
+def use_names(root, tool):
+    """All that the tool tells and writes for a forest with names in Cyrillic, with blanks and of 250 characters."""
+    is_windows = tool.endswith(".exe")
+    folder = pathlib.Path(root) / ("windows" if is_windows else "native") / "Лес и ветер" / ("long" * 60)
+    folder.mkdir(parents=True)
+    given = ("Z:" if is_windows else "") + str(folder)
+    (folder / "лес.treewind").write_text(NAMED_FOREST.replace("FOLDER", given), encoding="utf-8")
+    (folder / "ветер.csv").write_text("t,s,d\n0,3,200\n10,7,220\n20,4,210\n")
+    (folder / "деревья.csv").write_text("x,y,h\n0,0,5\n8,3,6\n-4,9,4.5\n")
+    (folder / "стволы.swc").write_bytes(pathlib.Path(source, "tests/data/scan/sapling.swc").read_bytes())
+    (folder / "кора.png").write_bytes(pathlib.Path(source, "docs/habit/internode.png").read_bytes())
+    forest = f"{given}/лес.treewind"
+    texts = [run(tool, ["validate", forest]), run(tool, ["info", forest]),
+             run(tool, ["simulate", forest, "--duration", "1", "-o", f"{given}/движение.csv"]),
+             run(tool, ["render", forest, "--size", "320x180", "-o", f"{given}/вид.png"]),
+             run(tool, ["tile", forest, "-o", f"{given}/мир"])]
+    texts += [path.name.encode() + path.read_bytes() for path in sorted(folder.rglob("*"))
+              if path.is_file() and path.suffix not in (".png", ".swc")]
+    return b"\n".join(texts).replace(given.encode(), b"FOLDER"), folder / "вид.png"
+
+
 with tempfile.TemporaryDirectory() as folder:
     for example in ("thesis", "forest", "helicopter"):
         file = f"examples/{example}.treewind"
@@ -93,10 +140,11 @@ with tempfile.TemporaryDirectory() as folder:
             here, there = (pathlib.Path(f"{folder}/{name}.csv").read_bytes().splitlines() for name in ("windows", "native"))
             count = sum(a != b for a, b in zip(here, there))
             report(f"simulate {example}", here == there, f"{count} of {len(there)} rows differ")
-            here, there = (pixels(f"{folder}/{name}.png") for name in ("windows", "native"))
-            off = [abs(a - b) for a, b in zip(here, there) if a != b]
-            share, largest = len(off) / len(there), max(off, default=0)
-            report(f"render {example}", len(here) == len(there) and share <= MAX_SHARE and largest <= MAX_DIFFERENCE,
-                   f"{100 * (1 - share):.4f} % of the bytes are equal, the largest difference is {largest} of 255")
+            compare_pictures(f"render {example}", f"{folder}/windows.png", f"{folder}/native.png")
+    here, picture = use_names(folder, windows_tool)
+    if native_tool:
+        there, other = use_names(folder, native_tool)
+        report("files with any names", here == there, f"{len(here)} bytes")
+        compare_pictures("render with any names", picture, other)
     compare_text("sway", ["sway", "--species", "oak", "--dbh", "40", "--height", "18"])
 sys.exit(failed)
