@@ -55,6 +55,16 @@ Result<std::string> readBytes(std::ifstream& file, const std::string& path) {
     return bytes;
 }
 
+Result<std::string> readHead(const std::string& path, std::size_t size) {
+    Result<std::ifstream> input = openInput(path);
+    if (!input)
+        return input.problems();
+    std::string head = readHead(input.value(), size);
+    if (head.empty())
+        return fileProblem(path, "the file is empty");
+    return head;
+}
+
 std::string readHead(std::istream& file, std::size_t size) {
     std::string head(size, '\0');
     file.read(head.data(), static_cast<std::streamsize>(size));

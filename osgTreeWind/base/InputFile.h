@@ -22,6 +22,8 @@ Result<std::string> readBytes(const std::string& path);
 /// @param path for messages.
 Result<std::string> readBytes(std::ifstream& file, const std::string& path);
 
+/// The first bytes of a file, at most `size`. An empty file is an error.
+Result<std::string> readHead(const std::string& path, std::size_t size);
 /// The next bytes of a file, at most `size`.
 std::string readHead(std::istream& file, std::size_t size);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFormats.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/windfiles/WeatherHead.h>
-#include <osgTreeWind/windfiles/WindInput.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 /// Arguments of a reader.
 struct ReaderInput {
-    WindInput& input;
+    const std::string& path;
     const WindRequest& request;
 };
 
@@ -41,20 +41,20 @@ bool contains(std::string_view text, std::string_view part) {
 /// Adapts a reader of bytes, with some members of the request, to Format::read.
 template <auto Read, auto... Options>
 Result<WindContent> readAll(const ReaderInput& source) {
-    const Result<std::string> bytes = source.input.bytes();
-    return bytes ? Read(bytes.value(), source.input.path(), source.request.*Options...) : bytes.problems();
+    const Result<std::string> bytes = readBytes(source.path);
+    return bytes ? Read(bytes.value(), source.path, source.request.*Options...) : bytes.problems();
 }
 
 const Format windFormats[] = {
     {"ESRI ASCII", ".asc",
      [](std::string_view head) { return lower(std::string(head.substr(0, 5))) == "ncols"; },
-     [](const ReaderInput& source) { return readEsriPair(source.input.path()); }},
+     [](const ReaderInput& source) { return readEsriPair(source.path); }},
     {"GeoTIFF", nullptr,
      [](std::string_view head) {
          using namespace std::string_view_literals;
          return startsWith(head, "II*\0"sv) || startsWith(head, "MM\0*"sv) || startsWith(head, "II+\0"sv);
      },
-     [](const ReaderInput& source) { return readTiffPair(source.input.path()); }},
+     [](const ReaderInput& source) { return readTiffPair(source.path); }},
     {"VTK", nullptr, [](std::string_view head) { return startsWith(head, "# vtk DataFile"); },
      readAll<readVtkLegacy, &WindRequest::variable>, true},
     {"VTK", nullptr, [](std::string_view head) { return contains(head, "<VTKFile"); },
@@ -64,9 +64,9 @@ const Format windFormats[] = {
      readAll<readToa5, &WindRequest::columns>},
     {"EPW", nullptr, [](std::string_view head) { return startsWith(head, "LOCATION,"); }, readAll<readEpw>},
     {"NetCDF", nullptr, isNetCdf,
-     [](const ReaderInput& source) { return readNetCdf(source.input.path(), source.request); }, true},
-    {"GRIB", nullptr, isGrib,
-     [](const ReaderInput& source) { return readGrib(source.input.path(), source.request); }, true},
+     [](const ReaderInput& source) { return readNetCdf(source.path, source.request); }, true},
+    {"GRIB", nullptr, isGrib, [](const ReaderInput& source) { return readGrib(source.path, source.request); },
+     true},
     {"QES sensor XML", ".xml", [](std::string_view head) { return contains(head, "<timeSeries"); },
      readAll<readQesSensor>},
     {".csv", ".csv", nullptr, readAll<readWindCsv, &WindRequest::columns>}};
@@ -96,8 +96,7 @@ std::string formatNames() {
 } // namespace
 
 Result<WindContent> readWindContent(const std::string& path, const WindRequest& request) {
-    WindInput input(path);
-    const Result<std::string> head = input.head();
+    const Result<std::string> head = readHead(path, 1024);
     if (!head)
         return head.problems();
     const Format* format = findFormat(path, head.value(), request.columns);
@@ -106,7 +105,7 @@ Result<WindContent> readWindContent(const std::string& path, const WindRequest& 
     if (!request.variable.empty() && !format->hasVariables)
         return keyProblem("variable",
                           std::string("a file of the format ") + format->name + " has only one wind");
-    return format->read({input, request});
+    return format->read({path, request});
 }
 
 } // namespace osgTreeWind

@@ -3,7 +3,7 @@
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
-#include <osgTreeWind/windfiles/WindInput.h>
+#include <osgTreeWind/base/InputFile.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>

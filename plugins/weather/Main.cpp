@@ -5,13 +5,13 @@
 #include <plugins/weather/GribWind.h>
 #include <plugins/weather/NetCdfFile.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/system/Descriptor.h>
 #include <osgTreeWind/system/Program.h>
 #include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/windfiles/WindContent.h>
-#include <osgTreeWind/windfiles/WindInput.h>
 
 #include <cpl_error.h>
 
@@ -27,7 +27,7 @@ namespace {
 Result<WindContent> readWeather(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
-        const Result<std::string> head = WindInput(path).head();
+        const Result<std::string> head = readHead(path, 1024);
         if (head && !isNetCdf(head.value()) && isGrib(head.value()))
             return readGribWind(path, request);
         NetCdfFile file(path, request.secondFile);

@@ -8,7 +8,7 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/windfiles/WeatherHead.h>
-#include <osgTreeWind/windfiles/WindInput.h>
+#include <osgTreeWind/base/InputFile.h>
 
 #include <cpl_error.h>
 
@@ -43,7 +43,7 @@ void readGribMessages(const std::string& bytes) {
 
 void readFile() {
     try {
-        if (const auto head = WindInput(fuzzFile()).head(); head && isGrib(head.value()))
+        if (const auto head = readHead(fuzzFile(), 1024); head && isGrib(head.value()))
             return requireValid(readGribWind(fuzzFile(), {}));
         NetCdfFile file(fuzzFile(), {});
         if (file.good())
