@@ -9,21 +9,24 @@
 
 namespace osgTreeWind {
 
-/// LogProfile::factor() for many heights.
+/// LogProfile::factor() for many heights, as floats.
 class LogFactor {
 public:
     /// @param profile valid.
     explicit LogFactor(const LogProfile& profile)
-        : _roughness(profile.roughness), _logOfHeight(math::log(profile.height / profile.roughness)) {}
+        : _roughness(static_cast<float>(profile.roughness)),
+          _logRoughness(static_cast<float>(math::log(profile.roughness))),
+          _logRatio(static_cast<float>(math::log(profile.height / profile.roughness))) {}
 
-    double operator()(double z) const {
+    float operator()(float z) const {
         if (!(z > _roughness))
-            return 0.0;
-        return math::log(std::min(z / _roughness, std::numeric_limits<double>::max())) / _logOfHeight;
+            return 0.0f;
+        const float log = math::log(std::min(z, std::numeric_limits<float>::max()));
+        return std::max((log - _logRoughness) / _logRatio, 0.0f);
     }
 
 private:
-    double _roughness, _logOfHeight;
+    float _roughness, _logRoughness, _logRatio;
 };
 
 } // namespace osgTreeWind

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/LogProfile.h>
 
-#include <osgTreeWind/wind/LogFactor.h>
+#include <osgTreeWind/base/PortableMath.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace osgTreeWind {
 
@@ -12,7 +14,10 @@ bool LogProfile::valid() const {
 }
 
 double LogProfile::factor(double z) const {
-    return LogFactor(*this)(z);
+    if (!(z > roughness))
+        return 0.0;
+    const double ratio = std::min(z / roughness, std::numeric_limits<double>::max());
+    return math::log(ratio) / math::log(height / roughness);
 }
 
 } // namespace osgTreeWind

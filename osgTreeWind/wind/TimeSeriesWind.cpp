@@ -89,7 +89,7 @@ void TimeSeriesWind::sample(const WindPlace* places, std::size_t count, double t
     }
     const LogFactor factor(*_series.profile);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = clampedVelocity(now * factor(places[i].height));
+        out[i] = clampedVelocity(now * static_cast<double>(factor(places[i].height)));
 }
 
 } // namespace osgTreeWind

@@ -11,10 +11,10 @@ namespace osgTreeWind {
 UniformWind::UniformWind(const glm::vec3& velocity, const std::optional<LogProfile>& profile)
     : _velocity(calmUnlessFinite(velocity)), _profile(profile && profile->valid() ? profile : std::nullopt) {}
 
-glm::vec3 UniformWind::velocity(const WindPlace& place, double) const {
-    if (!_profile)
-        return _velocity;
-    return clampedVelocity(glm::dvec3(_velocity) * _profile->factor(static_cast<double>(place.height)));
+glm::vec3 UniformWind::velocity(const WindPlace& place, double time) const {
+    glm::vec3 result;
+    sample(&place, 1, time, &result);
+    return result;
 }
 
 void UniformWind::sample(const WindPlace* places, std::size_t count, double, glm::vec3* out) const {
@@ -26,7 +26,7 @@ void UniformWind::sample(const WindPlace* places, std::size_t count, double, glm
     for (std::size_t i = 0; i < count; ++i)
         out[i] = i > 0 && places[i].height == places[i - 1].height
                      ? out[i - 1]
-                     : clampedVelocity(glm::dvec3(_velocity) * factor(places[i].height));
+                     : clampedVelocity(glm::dvec3(_velocity) * static_cast<double>(factor(places[i].height)));
 }
 
 } // namespace osgTreeWind

@@ -66,13 +66,13 @@ TEST_P(ExampleMotion, HasTheBitsOfEverySystem) {
 }
 
 const Example examples[] = {
-    {"forest", {}, "b8a227eb92d06f34348639aa1b7a07fb"},
+    {"forest", {}, "301c2a052dc8f044d33bd871d30c9313"},
     {"forest",
      {"wind.strength=5", "wind.intensity=0.3", "motion.damage=true"},
-     "9cc58e47a22568f4375f39d8b4772745"},
+     "f05dea50265ddad346fc9ce445aa993a"},
     {"forest",
      {"season=autumn", "wind.intensity=0.2", "wind.canopy=given"},
-     "8d61a29b4e5b3272e92a03bec5b0c046"},
+     "14f683db636ebd91f7180b3a29507c32"},
     {"explosion", {}, "94b190b7ae129e4b4fa43a6bac84a767"},
     {"helicopter", {}, "5212789b3fcc033f85b5be2b5dd4ba58"},
     {"lorry", {}, "e56f26bf8721716f0b5d20b51e25dd15"},
