@@ -69,7 +69,7 @@ std::string nonEmptyFolderOf(const std::string& path) {
 }
 
 std::string targetOf(const std::string& path) {
-    const fs::path target = resolved(toPath(path));
+    const fs::path target = isLink(path) ? resolved(toPath(path)) : fs::path();
     return target.empty() ? path : toText(target);
 }
 

@@ -25,6 +25,9 @@ std::string pathIn(const std::string& folder, const std::string& path);
 /// none.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
+/// Whether a path is a link to a file or folder.
+bool isLink(const std::string& path);
+
 /// Why a text cannot name an ordinary file, judged without opening anything; empty if it can. Windows has
 /// devices such as NUL and COM1, streams such as `a.csv:b`, and paths such as `C:x` that depend on hidden
 /// folders.

@@ -17,6 +17,11 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
     return problem ? std::filesystem::path() : result;
 }
 
+bool isLink(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_symlink(path, ignored);
+}
+
 std::string problemOfName(const std::string&) {
     return {};
 }

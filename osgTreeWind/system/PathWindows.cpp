@@ -77,6 +77,11 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
     return name;
 }
 
+bool isLink(const std::string& path) {
+    const DWORD attributes = GetFileAttributesW(toPath(path).c_str());
+    return attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0;
+}
+
 std::string problemOfName(const std::string& text) {
     std::wstring name = toWide(text);
     std::replace(name.begin(), name.end(), L'/', L'\\');

@@ -62,8 +62,8 @@ TEST(Trust, FolderModeOpensOnlyFilesInTrustedFolders) {
 TEST(Trust, OnWindowsRefusesNamesThatAreNoFiles) {
     const TemporaryFolder folder;
     const bool isWindows = listSeparator == ';';
-    for (const std::string name :
-         {"NUL", "data/com1.csv", "wind.csv:stream", "C:wind.csv", "CONIN$", "data/AUX "}) {
+    for (const std::string name : {"NUL", "data/com1.csv", "wind.csv:stream", "C:wind.csv", "CONIN$",
+                                   "data/AUX ", R"(\\\\.\\pipe\\wind)"}) {
         const std::string problem = problemOfWindFile(folder, name);
         EXPECT_NE(problem.find(isWindows ? "expected a" : "no file"), std::string::npos) << problem;
     }
@@ -74,8 +74,8 @@ TEST(Trust, OnWindowsFolderModeLooksForNoOtherMachine) {
     folder.write("wind.csv", record);
     const EnvironmentVariable trust("OSGTREEWIND_TRUST", "folder");
     const auto start = std::chrono::steady_clock::now();
-    for (const std::string name : {"//192.0.2.1/share/wind.csv", R"(\\\\192.0.2.1\\share\\wind.csv)",
-                                   R"(\\\\?\\C:\\wind.csv)", R"(\\\\.\\pipe\\wind)"}) {
+    for (const std::string name :
+         {"//192.0.2.1/share/wind.csv", R"(\\\\192.0.2.1\\share\\wind.csv)", R"(\\\\?\\C:\\wind.csv)"}) {
         const std::string problem = problemOfWindFile(folder, name);
         EXPECT_NE(problem.find(listSeparator == ';' ? "is not opened: it lies outside" : "no file"),
                   std::string::npos)
