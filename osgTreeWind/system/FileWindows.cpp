@@ -3,6 +3,8 @@
 #include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/system/Windows.h>
 
+#include <random>
+
 namespace osgTreeWind {
 
 namespace {
@@ -39,10 +41,9 @@ FilePointer openFile(const std::string& path, const char* mode) {
 }
 
 FilePointer openVanishingFile(const std::string& folder) {
-    wchar_t path[MAX_PATH + 1]; // of a new, empty file
-    if (GetTempFileNameW(toPath(folder).c_str(), L"otw", 0, path) == 0)
-        return nullptr;
-    return FilePointer(_wfopen(path, L"w+bTD")); // an open file cannot be removed
+    std::random_device random; // GetTempFileName() knows no long paths
+    const std::string name = "osgTreeWind-" + std::to_string(random()) + std::to_string(random());
+    return openFile(folder + '/' + name, "w+bTD"); // an open file cannot be removed
 }
 
 bool seekFile(std::FILE* file, std::int64_t offset) {
