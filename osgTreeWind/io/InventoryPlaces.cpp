@@ -296,10 +296,6 @@ Result<VectorPlace> InventoryPlaces::placeOf(const TreeRows& rows, const Invento
     return place;
 }
 
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure) {
-    return readMetres(rows, measure, rows.number(*measure.column));
-}
-
 Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
                           const std::optional<double>& number) {
     const double metres = number.value_or(0.0) * measure.unit;

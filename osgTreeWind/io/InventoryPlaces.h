@@ -37,8 +37,7 @@ private:
 };
 
 /// A measure of the current row in metres.
-Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure);
-/// Converts a number that was read from the row.
+/// @param number read from the row.
 Result<double> readMetres(const TreeRows& rows, const MeasureColumn& measure,
                           const std::optional<double>& number);
 

@@ -43,7 +43,7 @@ std::vector<Tree> middleTrees(const Forest& forest) {
                              0.5 * size.crownWidth, !forest.getGround()});
         }
     const auto sortFrom = [&trees](const osg::Vec3d& place) {
-        std::sort(trees.begin(), trees.end(), [&](const Tree& a, const Tree& b) {
+        std::stable_sort(trees.begin(), trees.end(), [&](const Tree& a, const Tree& b) {
             return (a.foot - place).length2() < (b.foot - place).length2();
         });
     };

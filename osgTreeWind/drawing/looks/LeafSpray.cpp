@@ -94,8 +94,8 @@ public:
                 spray.twigs.push_back({shoot.at(from), shoot.at(to), shoot.width * (1.0f - 0.6f * from),
                                        shoot.width * (1.0f - 0.6f * to)});
             }
-        std::sort(_leaves.begin(), _leaves.end(),
-                  [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
+        std::stable_sort(_leaves.begin(), _leaves.end(),
+                         [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
         SprayCoverage cover;
         spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
         // Leaves grow toward the light: first those with the most free space.
