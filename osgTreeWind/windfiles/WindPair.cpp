@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/system/Path.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
-#include <osgTreeWind/base/InputFile.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>

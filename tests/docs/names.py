@@ -13,7 +13,7 @@ tool = os.path.abspath(sys.argv[1])
 os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../.."))
 # Of the thesis, of OpenGL, of how names are made, and of what others write.
 elsewhere = {"texCoord", "updateBranch", "GL_MAX_VERTEX_UNIFORM_COMPONENTS", "PascalCase", "camelCase", "_member", "axisX", "grib_ls",
-             "height_ft", "lonlat", "E6100000", "OSG_USE_UTF8_FILENAME"}
+             "height_ft", "lonlat", "E6100000", "OSG_USE_UTF8_FILENAME", "strftime"}
 problems = []
 
 

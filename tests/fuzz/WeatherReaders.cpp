@@ -7,8 +7,8 @@
 #include <plugins/weather/GribWind.h>
 #include <plugins/weather/NetCdfFile.h>
 
-#include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/windfiles/WeatherHead.h>
 
 #include <cpl_error.h>
 
