@@ -133,6 +133,7 @@ int main(int argc, char** argv) {
     osgTreeWind::useUtf8Console();
     CLI::App app{"Inspect, check, draw and simulate forests in a wind field (.treewind files)."};
     app.name("osgtreewind");
+    app.allow_windows_style_options(false); // a path may begin with /
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
