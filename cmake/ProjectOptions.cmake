@@ -27,7 +27,9 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# One seed gives one tree and one motion, bit for bit, on all processors: no fused multiply-add.
+# One seed gives one tree and one motion, bit for bit, on all processors: no fused multiply-add. Versions of Eigen add up
+# the lanes of vectors in different orders.
+add_compile_definitions(EIGEN_DONT_VECTORIZE)
 if(MSVC)
     add_compile_options(/fp:precise /utf-8)
 else()

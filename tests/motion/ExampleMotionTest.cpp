@@ -66,14 +66,14 @@ TEST_P(ExampleMotion, HasTheBitsOfEverySystem) {
 }
 
 const Example examples[] = {
-    {"forest", {}, "301c2a052dc8f044d33bd871d30c9313"},
+    {"forest", {}, "43d33212fec5c41481ef4eac100e0bb5"},
     {"forest",
      {"wind.strength=5", "wind.intensity=0.3", "motion.damage=true"},
      "f05dea50265ddad346fc9ce445aa993a"},
     {"forest",
      {"season=autumn", "wind.intensity=0.2", "wind.canopy=given"},
-     "14f683db636ebd91f7180b3a29507c32"},
-    {"explosion", {}, "94b190b7ae129e4b4fa43a6bac84a767"},
+     "2c16b8cd4dc66244a44970c35de4ed5a"},
+    {"explosion", {}, "15e9485847d1df44c929df8286ebd572"},
     {"helicopter", {}, "5212789b3fcc033f85b5be2b5dd4ba58"},
     {"lorry", {}, "e56f26bf8721716f0b5d20b51e25dd15"},
     {"thesis", {}, "98aa83fc580ab5b145dcf442ba9ca182"},
