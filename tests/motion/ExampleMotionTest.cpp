@@ -73,7 +73,7 @@ const Example examples[] = {
     {"forest",
      {"season=autumn", "wind.intensity=0.2", "wind.canopy=given"},
      "2c16b8cd4dc66244a44970c35de4ed5a"},
-    {"explosion", {}, "15e9485847d1df44c929df8286ebd572"},
+    {"explosion", {}, "29604355291b8ae050e846b65c77fca9"},
     {"helicopter", {}, "5212789b3fcc033f85b5be2b5dd4ba58"},
     {"lorry", {}, "e56f26bf8721716f0b5d20b51e25dd15"},
     {"thesis", {}, "98aa83fc580ab5b145dcf442ba9ca182"},

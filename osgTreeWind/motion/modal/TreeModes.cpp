@@ -76,12 +76,49 @@ std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& a
     return shares;
 }
 
+using MatrixOfRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// to += factor * from. Compilers use vectors for this sum, whose order they may not change.
+void addMultiple(double* to, double factor, const double* from, Eigen::Index size) {
+    for (Eigen::Index i = 0; i < size; ++i)
+        to[i] += factor * from[i];
+}
+
+/// A basis by columns and by rows.
+struct Basis {
+    Eigen::MatrixXd columns;
+    MatrixOfRows rows;
+
+    /// Subtracts from a vector its projection onto the first columns.
+    void removeFrom(Eigen::VectorXd& vector, Eigen::Index count) const {
+        Eigen::VectorXd parts = Eigen::VectorXd::Zero(count);
+        for (Eigen::Index i = 0; i < vector.size(); ++i)
+            addMultiple(parts.data(), vector[i], rows.row(i).data(), count);
+        for (Eigen::Index j = 0; j < count; ++j)
+            addMultiple(vector.data(), -parts[j], columns.col(j).data(), vector.size());
+    }
+    void set(Eigen::Index column, const Eigen::VectorXd& vector) {
+        columns.col(column) = vector;
+        rows.col(column) = vector;
+    }
+    /// The lower half of its transpose times a matrix.
+    Eigen::MatrixXd transposeTimes(const Eigen::MatrixXd& matrix) const {
+        const Eigen::Index size = columns.cols();
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
+        for (Eigen::Index j = 0; j < size; ++j)
+            for (Eigen::Index i = 0; i < columns.rows(); ++i)
+                addMultiple(&result(j, j), matrix(i, j), &rows(i, j), size - j);
+        return result;
+    }
+};
+
 /// An orthonormal basis of the Krylov space of `a`, and its images under `a`.
-void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::MatrixXd& basis,
+void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Basis& basis,
                  Eigen::MatrixXd& images) {
     const Eigen::Index n = a.rows(), m = static_cast<Eigen::Index>(size);
     Random random(1);
-    basis.resize(n, m);
+    basis.columns.resize(n, m);
+    basis.rows.resize(n, m);
     images.resize(n, m);
     for (Eigen::Index filled = 0, worked = 0; worked < m;) {
         if (filled < m) {
@@ -93,15 +130,14 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
                 next = images.col(filled - static_cast<Eigen::Index>(startVectors));
             double norm = next.norm();
             for (;;) {
-                const auto known = basis.leftCols(filled);
-                next -= known * (known.transpose() * next);
+                basis.removeFrom(next, filled);
                 double left = next.norm();
                 if (left < 0.5 * norm) { // orthogonalize again against rounding (Kahan: twice is enough)
-                    next -= known * (known.transpose() * next);
+                    basis.removeFrom(next, filled);
                     left = next.norm();
                 }
                 if (left > 1e-10 * norm && left > 0.0) {
-                    basis.col(filled) = next / left;
+                    basis.set(filled, next / left);
                     break;
                 }
                 for (Eigen::Index i = 0; i < n; ++i) // the space is exhausted: continue with a random vector
@@ -111,7 +147,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
             ++filled;
         }
         if (filled == m || filled - worked >= static_cast<Eigen::Index>(startVectors)) {
-            images.col(worked) = a * basis.col(worked);
+            images.col(worked) = a * basis.columns.col(worked);
             ++worked;
         }
     }
@@ -198,12 +234,13 @@ std::vector<TreeMode> lowestModes(const JointTree& tree, std::size_t count) {
     Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(joints));
     a.setFromTriplets(entries.begin(), entries.end());
 
-    Eigen::MatrixXd basis, images;
+    Basis basis;
+    Eigen::MatrixXd images;
     krylovSpace(a, std::min(joints, std::max(smallestSpace, 9 * count / 4)), basis, images);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose().lazyProduct(images));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transposeTimes(images));
     const auto kept = static_cast<Eigen::Index>(count);
     const Eigen::VectorXd slowness = ritz.eigenvalues().tail(kept).reverse();
-    Eigen::MatrixXd angles = basis * ritz.eigenvectors().rightCols(kept).rowwise().reverse();
+    Eigen::MatrixXd angles = basis.columns * ritz.eigenvectors().rightCols(kept).rowwise().reverse();
     Eigen::VectorXd energies(kept); // 2 U of each mode
     for (Eigen::Index k = 0; k < kept; ++k) {
         angles.col(k) = root.cwiseProduct(angles.col(k)) / std::sqrt(slowness[k]);
