@@ -27,8 +27,8 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# One seed gives one tree and one motion, bit for bit, on all processors: no fused multiply-add. Versions of Eigen add up
-# the lanes of vectors in different orders.
+# One seed gives one tree and one motion, bit for bit, on all processors: no fused multiply-add, and no vectors in Eigen,
+# whose versions add up the elements of a vector in different orders.
 add_compile_definitions(EIGEN_DONT_VECTORIZE)
 if(MSVC)
     add_compile_options(/fp:precise /utf-8)

@@ -19,7 +19,7 @@ std::string userCacheFolder() {
         !wanted.empty())
         return wanted == "off" ? std::string() : wanted;
     const std::filesystem::path caches = cacheFolder();
-    return caches.empty() ? std::string() : toText(caches / "osgtreewind");
+    return caches.is_absolute() ? toText(caches / "osgtreewind") : std::string(); // not in the current folder
 }
 
 DiskCache userCache() {

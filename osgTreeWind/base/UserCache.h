@@ -8,7 +8,8 @@
 namespace osgTreeWind {
 
 /// Folder of the user's cache: the environment variable OSGTREEWIND_FORM_CACHE, or `osgtreewind` in
-/// `XDG_CACHE_HOME` or `~/.cache`. Empty if the variable is `off` or there is no such folder.
+/// `XDG_CACHE_HOME` or `~/.cache`, or in `LOCALAPPDATA` on Windows. Empty if the variable is `off` or there
+/// is no such folder.
 std::string userCacheFolder();
 
 /// The cache in this folder, of at most 256 MB, for grown forms and painted pictures of all programs.

@@ -43,8 +43,8 @@ public:
 private:
     std::string startProgram(const std::string& program, const std::vector<std::string>& arguments,
                              Connection connection);
-    void awaitEnd();
-    End takeEnd(); ///< Releases the process.
+    void awaitEnd(); ///< Closes the connection first.
+    End takeEnd();   ///< Releases the process.
 
     std::intptr_t _process = -1;
     int _descriptor = -1;

@@ -21,7 +21,7 @@ std::string findProgram(const std::string& name);
 
 /// The arguments of main() in UTF-8, the name of the program first.
 std::vector<std::string> programArguments(int argc, char** argv);
-/// The folder in which programs of this user keep files that can be made again; empty if there is none.
+/// The folder for the caches of the user's programs. Not absolute if the environment names none.
 std::filesystem::path cacheFolder();
 /// A file of a font whose characters are of equal width; it may be missing.
 std::string monospaceFontFile();

@@ -39,12 +39,10 @@ std::optional<std::string> environmentVariable(const char* name) {
 }
 
 std::filesystem::path cacheFolder() {
-    // Relative folders would depend on the current one.
     if (std::filesystem::path caches = environmentVariable("XDG_CACHE_HOME").value_or("");
         caches.is_absolute())
         return caches;
-    const std::filesystem::path home = environmentVariable("HOME").value_or("");
-    return home.is_absolute() ? home / ".cache" : std::filesystem::path();
+    return std::filesystem::path(environmentVariable("HOME").value_or("")) / ".cache";
 }
 
 std::string monospaceFontFile() {

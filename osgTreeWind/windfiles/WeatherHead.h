@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 /// Recognizes files of weather services by their first bytes.
 namespace osgTreeWind {
+
+/// Number of first bytes by which formats are recognised.
+constexpr std::size_t headSize = 1024;
 
 /// Whether a file is NetCDF, classic or HDF5.
 inline bool isNetCdf(std::string_view head) {
@@ -12,7 +16,8 @@ inline bool isNetCdf(std::string_view head) {
     return starts("CDF") || starts("\x89HDF");
 }
 
-/// Whether a file is GRIB, edition 1 or 2; a bulletin heading may come first. @param head its first kilobyte.
+/// Whether a file is GRIB, edition 1 or 2; a bulletin heading may come first. @param head its first headSize
+/// bytes.
 inline bool isGrib(std::string_view head) {
     constexpr std::size_t editionAt = 7;
     for (std::size_t at = head.find("GRIB"); at != std::string_view::npos; at = head.find("GRIB", at + 1))

@@ -96,7 +96,7 @@ std::string formatNames() {
 } // namespace
 
 Result<WindContent> readWindContent(const std::string& path, const WindRequest& request) {
-    const Result<std::string> head = readHead(path, 1024);
+    const Result<std::string> head = readHead(path, headSize);
     if (!head)
         return head.problems();
     const Format* format = findFormat(path, head.value(), request.columns);

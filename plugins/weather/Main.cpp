@@ -27,7 +27,7 @@ namespace {
 Result<WindContent> readWeather(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
-        const Result<std::string> head = readHead(path, 1024);
+        const Result<std::string> head = readHead(path, headSize);
         if (head && !isNetCdf(head.value()) && isGrib(head.value()))
             return readGribWind(path, request);
         NetCdfFile file(path, request.secondFile);

@@ -17,6 +17,8 @@ TEST(UserCache, FolderFollowsTheEnvironment) {
     if (listSeparator == ';') { // Windows
         const EnvironmentVariable caches("LOCALAPPDATA", "C:\\Caches");
         EXPECT_EQ(userCacheFolder(), "C:/Caches/osgtreewind");
+        const EnvironmentVariable relative("LOCALAPPDATA", "here");
+        EXPECT_EQ(userCacheFolder(), "") << "a relative folder is ignored";
     }
     const EnvironmentVariable home("HOME", "/home/user"), local("LOCALAPPDATA", "");
     if (listSeparator == ':') {
@@ -27,7 +29,9 @@ TEST(UserCache, FolderFollowsTheEnvironment) {
         const EnvironmentVariable relative("XDG_CACHE_HOME", "here");
         EXPECT_EQ(userCacheFolder(), "/home/user/.cache/osgtreewind") << "a relative folder is ignored";
     }
-    const EnvironmentVariable noCaches("XDG_CACHE_HOME", ""), noHome("HOME", "");
+    const EnvironmentVariable noCaches("XDG_CACHE_HOME", ""), relativeHome("HOME", "here");
+    EXPECT_EQ(userCacheFolder(), "");
+    const EnvironmentVariable noHome("HOME", "");
     EXPECT_EQ(userCacheFolder(), "");
 }
 

@@ -43,7 +43,7 @@ void readGribMessages(const std::string& bytes) {
 
 void readFile() {
     try {
-        if (const auto head = readHead(fuzzFile(), 1024); head && isGrib(head.value()))
+        if (const auto head = readHead(fuzzFile(), headSize); head && isGrib(head.value()))
             return requireValid(readGribWind(fuzzFile(), {}));
         NetCdfFile file(fuzzFile(), {});
         if (file.good())

@@ -19,7 +19,8 @@ std::timed_mutex& rowMutex() {
 
 void exitOnSignals() {
     osgTreeWind::exitOnInterrupt([] {
-        (void)rowMutex().try_lock_for(std::chrono::seconds(2)); // whoever reads the rows may have stopped
+        // Not forever: a row never ends if the program that reads it has stopped reading.
+        (void)rowMutex().try_lock_for(std::chrono::seconds(2));
         osgTreeWind::ChildProcess::killAll();
         osgTreeWind::TemporaryPath::removeAll();
     });

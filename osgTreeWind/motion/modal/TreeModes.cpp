@@ -76,18 +76,16 @@ std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& a
     return shares;
 }
 
-using MatrixOfRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// to += factor * from. Compilers use vectors for this sum, whose order they may not change.
+/// to += factor * from. Each element has a sum of its own, so compilers use vectors without reordering any.
 void addMultiple(double* to, double factor, const double* from, Eigen::Index size) {
     for (Eigen::Index i = 0; i < size; ++i)
         to[i] += factor * from[i];
 }
 
-/// A basis by columns and by rows.
+/// A basis by columns and by rows, so that all sums run along memory.
 struct Basis {
     Eigen::MatrixXd columns;
-    MatrixOfRows rows;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;
 
     /// Subtracts from a vector its projection onto the first columns.
     void removeFrom(Eigen::VectorXd& vector, Eigen::Index count) const {
